@@ -17,7 +17,7 @@ class Fault : public std::logic_error {
 
 }  // namespace kinegraph
 
-#define KG_ASSERT(condition, why) \
-    do { \
+#define KG_ASSERT(condition, why)                                                  \
+    do {                                                                           \
         if (!(condition)) ::kinegraph::fault(__FILE__, __LINE__, #condition, why); \
     } while (false)

@@ -1,0 +1,107 @@
+// Exact: the number of every construction, a rational without rounding (GMP's mpq). Owns arithmetic, reading of decimals and
+// the certified square root; knows nothing of units, points or doubles beyond handing out the nearest one.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kinegraph {
+
+/// An exact rational number, always in lowest terms. Division by zero is a fault of ours (assertion).
+class Exact {
+public:
+    Exact() = default;
+    Exact(int value) : value_(value) {}  // NOLINT(google-explicit-constructor): 2 * x reads as the formula does
+    explicit Exact(mpq_class value) : value_(std::move(value)) { value_.canonicalize(); }
+
+    /// numerator / denominator, denominator ≠ 0.
+    static Exact ratio(std::int64_t numerator, std::int64_t denominator);
+    /// 2^exponent, exponent of any sign.
+    static Exact power_of_two(int exponent);
+    /// The decimal as written: `-1.25e-3` is −1/800. Nothing if the text is no JSON-style decimal, has more than
+    /// 1000 digits, or its exponent leaves ±400 (the caller refuses such numbers by their magnitude).
+    static std::optional<Exact> from_decimal(std::string_view text);
+    /// The double's own value (exact).
+    static Exact from_double(double value);
+
+    Exact& operator+=(const Exact& other) {
+        value_ += other.value_;
+        return *this;
+    }
+    Exact& operator-=(const Exact& other) {
+        value_ -= other.value_;
+        return *this;
+    }
+    Exact& operator*=(const Exact& other) {
+        value_ *= other.value_;
+        return *this;
+    }
+    Exact& operator/=(const Exact& other);
+    friend Exact operator+(Exact a, const Exact& b) { return a += b; }
+    friend Exact operator-(Exact a, const Exact& b) { return a -= b; }
+    friend Exact operator*(Exact a, const Exact& b) { return a *= b; }
+    friend Exact operator/(Exact a, const Exact& b) { return a /= b; }
+    Exact operator-() const;
+
+    friend bool operator==(const Exact& a, const Exact& b) { return a.value_ == b.value_; }
+    friend std::strong_ordering operator<=>(const Exact& a, const Exact& b) { return cmp(a.value_, b.value_) <=> 0; }
+
+    int sign() const { return sgn(value_); }
+    bool is_zero() const { return sign() == 0; }
+    /// The nearest double (ties to even); ±infinity only past the range of doubles.
+    double to_double() const;
+    /// "63/20", "-4".
+    std::string to_fraction() const { return value_.get_str(); }
+    /// Bits of numerator and denominator together: what the exactness costs.
+    std::size_t bits() const;
+    const mpq_class& rational() const { return value_; }
+
+private:
+    mpq_class value_;
+};
+
+Exact abs(const Exact& value);
+inline Exact square(const Exact& value) { return value * value; }
+
+/// value rounded to the nearest multiple of 2^-bits.
+Exact rounded(const Exact& value, int bits);
+
+/// The root of a rational ≥ 0 by integer square root: exact where the root is rational, else within 2^-bits of it.
+struct Root {
+    Exact value;
+    Exact leftover;  ///< bound on |value − √radicand|; zero where the root is rational
+};
+Root square_root(const Exact& radicand, int bits);
+
+/// π as one fixed rational within 2^-200 (so that rpm and degrees are the same number everywhere).
+const Exact& pi();
+
+/// tan of an angle in [0°, 45°], given as a fraction of the half turn, within 2^-bits; 0 and 1 exactly at the ends.
+Exact tangent_in_first_octant(const Exact& half_turns, int bits);
+
+/// A free vector or the coordinates of a finite place; the unit is the context's.
+struct Vector {
+    Exact x;
+    Exact y;
+    friend bool operator==(const Vector&, const Vector&) = default;
+    bool is_zero() const { return x.is_zero() && y.is_zero(); }
+};
+inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y}; }
+inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y}; }
+inline Vector operator-(const Vector& a) { return {-a.x, -a.y}; }
+inline Vector operator*(const Exact& s, const Vector& a) { return {s * a.x, s * a.y}; }
+inline Exact dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
+inline Exact cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
+inline Exact squared_length(const Vector& a) { return dot(a, a); }
+/// A quarter turn counter-clockwise: z × a.
+inline Vector quarter_turn(const Vector& a) { return {-a.y, a.x}; }
+/// Length as a double, for printing and drawing only.
+double length(const Vector& a);
+
+}  // namespace kinegraph

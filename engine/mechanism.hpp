@@ -1,0 +1,267 @@
+// Mechanism: what a file says, with names resolved, units turned to SI and every number exact. A value that does not change
+// once read. Knows nothing of positions found by compass (Pose) nor of motion.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/error.hpp"
+#include "engine/exact.hpp"
+
+namespace kinegraph {
+
+/// Indices into Mechanism's lists, in the file's order; body 0 is the frame. −1 is "none".
+using PointIndex = int;
+using BodyIndex = int;
+using JointIndex = int;
+
+/// A title or label in the languages of the file; `en` serves where a language is missing (a plain string fills both).
+struct Words {
+    std::string en;
+    std::string it;
+    bool empty() const { return en.empty() && it.empty(); }
+};
+
+/// An angle as written: exact degrees or exact radians.
+struct Angle {
+    Exact value;
+    bool in_degrees = true;
+};
+
+/// FORMAT "X, a direction": an angle from +x, the sense from one point to another, or a vector.
+struct Bearing {
+    struct Between {
+        PointIndex from = -1;
+        PointIndex to = -1;
+    };
+    std::variant<Angle, Between, Vector> form = Vector{};
+};
+
+/// A place that is a named point or bare coordinates (m).
+using Place = std::variant<PointIndex, Vector>;
+
+/// How a point is placed. Lengths in m.
+struct Coordinates {
+    Vector at;
+};
+struct Polar {
+    PointIndex from = -1;
+    Exact distance;
+    Angle angle;
+    std::optional<Bearing::Between> relative_to;  ///< angle counted from P→Q instead of +x
+};
+struct Along {
+    PointIndex from = -1, to = -1;
+    Exact amount;
+    bool is_ratio = false;  ///< `amount` is a ratio of the distance from→to, else a distance in m
+};
+struct CircleCurve {
+    Place centre;
+    Exact radius;
+};
+struct LineCurve {
+    Place through;
+    enum class By { angle, to, parallel, perpendicular } by = By::angle;
+    Angle angle;         ///< by == angle
+    PointIndex to = -1;  ///< by == to
+    Bearing bearing;     ///< by == parallel, perpendicular
+};
+using Curve = std::variant<CircleCurve, LineCurve>;
+struct Meet {
+    Curve first, second;
+    std::optional<Vector> near;
+    enum class Side { none, left, right } side = Side::none;
+};
+using Placement = std::variant<Coordinates, Polar, Along, Meet>;
+
+struct NamedPoint {
+    std::string name;
+    Placement placement;
+    std::string where;  ///< JSON pointer
+};
+
+struct Circle {
+    PointIndex centre = -1;
+    Exact radius;
+};
+
+struct Body {
+    std::string name;
+    std::vector<PointIndex> points;  ///< listed by the file first, then those of its revolute and weld joints; no doubles
+    Words label;
+    std::optional<Circle> circle;
+    std::string where;
+};
+
+/// Profile of one body at a contact.
+struct LineProfile {
+    Bearing along;
+};
+struct CircleProfile {
+    PointIndex centre = -1;
+};
+struct TipProfile {};
+using Profile = std::variant<LineProfile, CircleProfile, TipProfile>;
+
+enum class JointKind { revolute, prismatic, pin_slot, rolling, contact, gear, weld };
+
+struct Joint {
+    JointKind kind = JointKind::revolute;
+    std::string name;    ///< given, or the point's name
+    bool named = false;  ///< true where the file gives "name"
+    PointIndex point = -1;
+    std::vector<BodyIndex> bodies;          ///< two; a revolute or weld may have more
+    std::optional<Bearing> along;           ///< prismatic, straight pin-slot
+    PointIndex arc = -1;                    ///< pin-slot curved about this point
+    std::map<BodyIndex, Profile> profiles;  ///< rolling, contact, gear (a body's own circle is filled in by the reader)
+    std::optional<Bearing> tangent;
+    std::optional<Angle> pressure_angle;
+    BodyIndex arm = 0;             ///< gear: the carrier
+    std::optional<Vector> pushes;  ///< contact: sense of the force on bodies[0]
+    std::string where;
+};
+
+/// rad/s, rad/s², m/s, m/s².
+struct SpinDriver {
+    BodyIndex body = -1, relative_to = 0;
+    Exact omega, alpha;
+    std::string where;
+};
+struct SlideDriver {
+    JointIndex joint = -1;
+    Exact speed, acceleration;
+    std::string where;
+};
+struct PointDriver {
+    BodyIndex body = -1;
+    PointIndex at = -1;
+    Bearing along;
+    Exact speed, acceleration;
+    std::string where;
+};
+using Driver = std::variant<SpinDriver, SlideDriver, PointDriver>;
+
+struct Mass {
+    BodyIndex body = -1;
+    Exact mass;
+    PointIndex centre = -1;
+    Exact inertia;
+    std::string where;
+};
+
+/// Loads: N, N m.
+struct ForceLoad {
+    std::string name;
+    BodyIndex body = -1;
+    PointIndex at = -1;
+    std::optional<Vector> value;                         ///< either the components …
+    std::optional<std::pair<Exact, Bearing>> magnitude;  ///< … or magnitude and direction
+    std::string where;
+};
+struct CoupleLoad {
+    std::string name;
+    BodyIndex body = -1;
+    Exact value;
+    std::string where;
+};
+struct SpringLoad {
+    std::string name;
+    std::array<BodyIndex, 2> bodies{-1, -1};
+    std::array<PointIndex, 2> between{-1, -1};
+    Exact magnitude;
+    std::string where;
+};
+using Load = std::variant<ForceLoad, CoupleLoad, SpringLoad>;
+
+struct CoupleEffort {
+    std::string name;
+    BodyIndex body = -1;
+    BodyIndex from = 0;
+    std::string where;
+};
+struct ForceEffort {
+    std::string name;
+    BodyIndex body = -1;
+    PointIndex at = -1;
+    Bearing along;
+    std::string where;
+};
+struct ActuatorEffort {
+    std::string name;
+    JointIndex joint = -1;
+    std::string where;
+};
+using Effort = std::variant<CoupleEffort, ForceEffort, ActuatorEffort>;
+
+/// One rigid body's act of motion, instead of joints and drivers (m/s, m/s²).
+struct GivenMotion {
+    PointIndex point = -1;
+    std::variant<Vector, Bearing> value;
+};
+struct ActOfMotion {
+    BodyIndex body = -1;
+    std::vector<GivenMotion> velocities, accelerations;
+    std::string where;
+};
+
+/// What is asked of one point's relative motion.
+struct RelativeMotionQuery {
+    PointIndex point = -1;
+    BodyIndex observer = 0;            ///< the frame is fixed in this body …
+    PointIndex translating_with = -1;  ///< … or, where ≥ 0, it translates with this point
+    std::string where;
+};
+struct Find {
+    bool stated = false;  ///< false: all that the data allow
+    bool instant_centres = false, velocity = false, acceleration = false, forces = false;
+    std::vector<RelativeMotionQuery> relative_motion;
+};
+
+/// A unit of what is printed: its symbol and its size in SI.
+struct Unit {
+    std::string symbol;
+    Exact si;
+};
+struct Units {
+    Unit length{"m", 1}, angle{"deg", 1}, angular_velocity{"rad/s", 1}, velocity{"m/s", 1}, acceleration{"m/s²", 1},
+        mass{"kg", 1}, force{"N", 1}, moment{"N m", 1}, inertia{"kg m²", 1};
+};
+
+/// A scale the file asks for a figure: `quantity` SI units for each mm on paper (drawing: m/mm, "1:5" is 0.005).
+struct AskedScale {
+    std::string figure;
+    Exact per_millimetre;
+    std::string where;
+};
+
+struct Mechanism {
+    std::string source;  ///< the file's name, for messages and the title block
+    Words title;
+    Units units;
+    std::vector<NamedPoint> points;
+    std::vector<Body> bodies;  ///< [0] is the frame
+    std::vector<Joint> joints;
+    std::vector<Driver> drivers;
+    std::vector<Mass> masses;
+    std::optional<Vector> gravity;
+    bool inertia_forces = false;
+    std::vector<Load> loads;
+    std::vector<Effort> efforts;
+    std::optional<ActOfMotion> motion;
+    Find find;
+    std::vector<AskedScale> scales;
+
+    std::optional<PointIndex> point_named(std::string_view name) const;
+    std::optional<BodyIndex> body_named(std::string_view name) const;
+};
+
+/// Reads a mechanism from the text of a file, as docs/format.md says. `source` names it in messages.
+/// Errors: every fault of the text at once, each with its JSON pointer, what is wrong and the remedy.
+Result<Mechanism> read_mechanism(std::string_view text, std::string source);
+
+}  // namespace kinegraph

@@ -1,0 +1,52 @@
+// Pose: the drawn configuration. Every point rational, every guide a rational direction, with how each was found and a certified
+// bound on what the compass left over. The only place where square roots and angles are met; knows nothing of motion.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/mechanism.hpp"
+
+namespace kinegraph {
+
+/// One arc struck or line drawn to find a point, for the drawing and the words.
+struct PositionStep {
+    PointIndex point = -1;
+    enum class How { given, polar, along, lines, line_and_circle, circles, moved_onto_curve } how = How::given;
+    struct Arc {
+        Vector centre;
+        PointIndex centre_point = -1;
+        Exact radius;
+    };
+    std::vector<Arc> arcs;  ///< the compass strokes
+};
+
+struct Pose {
+    int bits = 100;               ///< the compass works to 2^-bits of the drawing's size
+    std::vector<Vector> points;   ///< by PointIndex, m
+    std::vector<Exact> leftover;  ///< by PointIndex: bound on the miss of its own construction (m); zero where exact
+    std::vector<Vector> guides;   ///< by JointIndex: direction of `along` (sense kept, any length), zero where the joint has none
+    std::vector<Vector> guide_units;  ///< the same as a unit vector, within 2^-bits where its length is irrational
+    std::vector<Vector>
+        normals;        ///< by JointIndex: common normal of pin-slot, rolling, contact, gear (line of action); zero elsewhere
+    Exact size;         ///< the drawing's size: largest coordinate difference, m (1 where all points coincide)
+    bool exact = true;  ///< no leftover anywhere: predicates need no second look
+    std::vector<PositionStep> steps;   ///< in the order found
+    std::vector<std::string> remarks;  ///< points moved onto their curves, with the misfit
+
+    const Vector& at(PointIndex point) const { return points[static_cast<std::size_t>(point)]; }
+};
+
+/// Finds every point. Errors: a cycle of points, curves that do not meet (by how much), two intersections and no choice,
+/// a point off its curve by more than 1e-9 of the size (the misfit), a direction between coincident points.
+Result<Pose> draw_pose(const Mechanism& mechanism, int bits = 100);
+
+/// A bearing in this pose: a rational direction, not of unit length. Equal angles give equal directions, a quarter turn apart
+/// exactly perpendicular ones; multiples of 45° are exact.
+Vector direction_of(const Bearing& bearing, const Pose& pose);
+Vector direction_of(const Angle& angle, int bits);
+/// direction / |direction|, within 2^-bits where the length is irrational.
+Vector unit_along(const Vector& direction, int bits);
+
+}  // namespace kinegraph
