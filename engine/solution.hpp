@@ -1,0 +1,79 @@
+// Solution: everything that was found, as values in SI units, with the protocol that found it and the numbers of the check
+// beside it. What the results file, the tables and the drawing are made of. Computes nothing.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/board.hpp"
+#include "engine/mechanism.hpp"
+#include "engine/mobility.hpp"
+#include "engine/pose.hpp"
+
+namespace kinegraph {
+
+/// A point as carried by one body, or by several that a pin holds together there.
+struct PointMotion {
+    PointIndex point = -1;
+    std::vector<BodyIndex> bodies;
+    std::string label;  ///< "A", "A*" where other bodies carry the same place without a pin
+    std::optional<Vector> velocity, acceleration;
+};
+struct BodyMotion {
+    std::optional<Exact> omega, alpha;
+};
+/// i seen from j at a sliding joint.
+struct Sliding {
+    JointIndex joint = -1;
+    std::optional<Vector> velocity, acceleration, coriolis;
+};
+/// An instant centre P_ij.
+struct InstantCentre {
+    BodyIndex first = 0, second = 0;  ///< frame first, then in the file's order
+    enum class How { unknown, primary, kennedy, velocities } how = How::unknown;
+    std::optional<ProjectivePoint> at;  ///< finite or at infinity
+    bool everywhere = false;            ///< the bodies do not move against each other
+    bool depends_on_drivers = false;    ///< more than one freedom: holds for this ratio of the drivers
+    std::vector<std::pair<int, int>>
+        through;  ///< the lines used: pairs of indices into Solution::centres (P_ik, P_kj); empty for primary ones
+    std::vector<PointIndex> normals;  ///< … or normals at these points
+    int order = 0;                    ///< position in the order found
+    int statement = -1;
+};
+/// The motion of a point seen by an observer.
+struct RelativeMotion {
+    RelativeMotionQuery query;
+    std::optional<Vector> velocity, transport_velocity, relative_velocity;
+    std::optional<Vector> acceleration, transport_acceleration, relative_acceleration, coriolis;
+};
+/// One scalar held against the check.
+struct CheckRow {
+    std::string quantity;  ///< "omega 3", "velocity B x"
+    double graphical = 0, numeric = 0, difference = 0;
+};
+struct Unsolved {
+    std::string what;  ///< "velocity of B", "instant centre 2,5"
+    std::string why;
+};
+
+struct Solution {
+    Mechanism mechanism;
+    Pose pose;
+    Mobility mobility;
+    Protocol protocol;
+    std::vector<PointMotion> points;  ///< in the file's order of points
+    std::vector<BodyMotion> bodies;   ///< by BodyIndex
+    std::vector<Sliding> sliding;
+    std::vector<InstantCentre> centres;  ///< all n(n−1)/2, in the order of their keys
+    std::vector<RelativeMotion> relative_motion;
+    std::vector<CheckRow> checks;
+    std::vector<Unsolved> unsolved;    ///< not empty: exit 3
+    std::vector<std::string> remarks;  ///< redundant constraints, points moved onto curves …
+};
+
+/// The results file of docs/format.md (SI, one line a value group); `exact` adds fractions.
+std::string results_json(const Solution& solution, bool exact);
+
+}  // namespace kinegraph

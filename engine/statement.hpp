@@ -1,0 +1,113 @@
+// Statements: the sentences of a solution as data. A symbol is a quantity's written form, a message a sentence to be said in any
+// language, an equation a vector equation with what is known of each term. Knows no language and no font.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/mechanism.hpp"
+
+namespace kinegraph {
+
+/// The written form of a quantity: v_B, a_BA^t, ω_3, α_3, P_13, a (image of A). See docs/notation.md.
+struct Symbol {
+    enum class Letter { point, image, pole, v, a, omega, alpha, centre, length, F, M, speed, body };
+    Letter letter = Letter::point;
+    std::string about;  ///< subscript: "B", "BA" (of B relative to A), "3"; for point, image and body the name itself
+    std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
+    friend bool operator==(const Symbol&, const Symbol&) = default;
+};
+/// Plain name for ids, tables and results: "v_B", "a_BA_t", "omega_3", "P_13", "b", "b'".
+std::string name_of(const Symbol& symbol);
+
+/// The sentences that a solution may say. render/words.cpp has each in every language.
+enum class Sentence {
+    crank_velocity,        ///< {0} body, {1} pivot, {2} point, {3} v, {4} omega: the driven body turns about a point at rest
+    crank_acceleration,    ///< {0} body, {1} pivot, {2} point, {3} a^n, {4} a^t (or absent)
+    image_velocity,        ///< {0} point, {1} body, {2} v: the image (Rivals) from ω and a known point {3}
+    image_acceleration,    ///< the same for a
+    translating_velocity,  ///< {0} body, {1} point, {2} v: ω = 0, all points alike
+    two_lines_velocity,    ///< {0} tip of the point sought (image), {1} first line's reason, {2} second line's reason
+    two_lines_acceleration,
+    omega_from_pair,  ///< {0} omega, {1} v_BA, {2} segment BA, {3} body
+    alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body
+    omega_by_sleeve,  ///< {0} omega of body, {1} omega of the other, {2} joint's point: a sleeve lets no relative rotation
+    alpha_by_sleeve,
+    omega_by_driver,  ///< {0} omega, {1} omega of the reference body
+    alpha_by_driver,
+    sleeve_velocity,  ///< {0} v_A, {1} v_A* (transport), {2} v_AA* (relative): known relative velocity
+    sleeve_acceleration,
+    slide_velocity,  ///< {0} v_rel read off once both ends are known: {1} point, {2} body i, {3} body j
+    slide_acceleration,
+    driven_point_velocity,  ///< {0} v of a point fully known from a slide driver, {1} joint
+    driven_point_acceleration,
+    auxiliary_point,         ///< {0} S, {1} body: the perpendiculars to two loci meet in S
+    at_rest,                 ///< {0} point: fixed, its image is the pole
+    primary_revolute,        ///< {0} centre, {1} point
+    primary_prismatic,       ///< {0} centre, {1} joint's point: at infinity ⟂ guide
+    primary_rolling,         ///< {0} centre, {1} contact point
+    primary_gear,            ///< {0} centre, {1} pitch point
+    primary_weld,            ///< {0} centre, {1} point: no relative motion
+    primary_line,            ///< {0} centre, {1} point: only its line is known, the normal at the point
+    kennedy,                 ///< {0} centre, {1} {2} centres of the first line, {3} {4} of the second
+    kennedy_line,            ///< {0} centre, {1} {2} centres of one line, {3} point whose normal is the other
+    kennedy_two_normals,     ///< {0} centre, {1} {2} points whose normals meet
+    kennedy_same,            ///< {0} centre, {1} {2} two centres that coincide: the third is with them
+    centre_by_rigidity,      ///< {0} centre, {1} centre with which it falls together because two bodies do not move against each
+                             ///< other
+    centre_from_velocities,  ///< {0} centre, {1} {2} points whose relative velocities were used
+    centre_at_infinity,      ///< {0} centre: the lines are parallel; {1} {2} bodies have the same ω
+    second_way,              ///< {0} omega, {1} centre, {2} centre, {3} centre, {4} omega of the driver body
+    relative_transport_velocity,      ///< {0} point, {1} observer body, {2} v_tr, {3} v_rel
+    relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel
+    relative_translating_velocity,    ///< {0} point, {1} origin, {2} v_tr, {3} v_rel
+    relative_translating_acceleration,
+    count_  ///< not a sentence
+};
+
+/// One argument of a sentence.
+struct PointName {
+    std::string name;
+};
+struct BodyName {
+    std::string name;
+};
+struct Segment {
+    std::string from, to;
+};  ///< the join of two points: "O2A"
+/// Direction of a line: perpendicular or parallel to a segment, a guide, the normal of a contact …
+struct LineReason {
+    enum class Kind {
+        perpendicular_to_segment,
+        parallel_to_segment,
+        parallel_to_guide,
+        perpendicular_to_guide,
+        known,
+        driver_component,
+        parallel_to_locus
+    } kind = Kind::known;
+    std::string from, to;  ///< the segment's ends, or `from` the guide's joint
+    friend bool operator==(const LineReason&, const LineReason&) = default;
+};
+using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, std::string>;
+
+struct Message {
+    Sentence sentence = Sentence::count_;
+    std::vector<Argument> arguments;
+};
+
+/// A term of a vector equation and what is known of it before the polygon is drawn.
+struct Term {
+    Symbol symbol;
+    bool magnitude_known = false;
+    bool direction_known = true;
+    LineReason line;      ///< what the direction is, for the table's third row
+    BodyIndex body = -1;  ///< whose colour it has; −1: none
+};
+/// side[0] = side[1] (= side[2]): each side a sum of terms.
+struct Equation {
+    std::vector<std::vector<Term>> sides;
+};
+
+}  // namespace kinegraph
