@@ -1,0 +1,28 @@
+# How our own code is compiled: the build type, the warnings, the sanitizers, ccache where it is.
+if(PROJECT_IS_TOP_LEVEL)
+    if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+        set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug, RelWithDebInfo or MinSizeRel" FORCE)
+    endif()
+    set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+    set(CMAKE_CXX_EXTENSIONS OFF)
+    set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+    find_program(KINEGRAPH_CCACHE ccache)
+    mark_as_advanced(KINEGRAPH_CCACHE)
+    if(KINEGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${KINEGRAPH_CCACHE})
+    endif()
+endif()
+
+add_library(kinegraph_flags INTERFACE)
+target_compile_options(kinegraph_flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    -ffp-contract=off                                 # the same program gives the same bits
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=        # no path of this machine in any output
+    -ffunction-sections -fdata-sections)
+
+if(KINEGRAPH_SANITIZE)
+    # Everything that is linked together must agree, so these are for the whole tree.
+    set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
+    add_link_options(-fsanitize=address,undefined)
+endif()

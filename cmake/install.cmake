@@ -1,0 +1,25 @@
+# cmake --install: program, library with its headers and find_package(kinegraph), schema, man page.
+include(CMakePackageConfigHelpers)
+
+set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/kinegraph)
+if(TARGET kinegraph_app)
+    install(TARGETS kinegraph_app)
+endif()
+install(TARGETS kinegraph EXPORT kinegraph)
+install(EXPORT kinegraph NAMESPACE kinegraph:: FILE kinegraphTargets.cmake DESTINATION ${package_directory})
+foreach(room engine constructions render)
+    install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kinegraph FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+
+configure_package_config_file(cmake/kinegraphConfig.cmake.in ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
+                              INSTALL_DESTINATION ${package_directory})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/kinegraphConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/generated/kinegraphConfig.cmake
+              ${PROJECT_BINARY_DIR}/generated/kinegraphConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/link_dependencies.cmake
+        DESTINATION ${package_directory})
+
+if(EXISTS ${schema})
+    install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/kinegraph)
+endif()
+install(FILES docs/kinegraph.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -1,0 +1,67 @@
+# Shared by ./kinegraph, tests/run and .ci/run: the packages, the configuration, the build. POSIX sh, to be sourced with
+# `top` set to the repository; every function speaks on standard error only and leaves standard input alone.
+
+say() { printf 'kinegraph: %s\n' "$*" >&2; }
+
+as_root() {
+    if [ "$(id -u)" = 0 ]; then "$@"; else sudo -- "$@"; fi
+}
+
+# packages SECTION…: the names under [SECTION] in cmake/packages.txt.
+packages() {
+    for section in "$@"; do
+        sed -n "/^\[$section\]\$/,/^\[/{/^[a-z]/p;}" "$top/cmake/packages.txt"
+    done
+}
+
+# missing_packages SECTION…: those that dpkg does not hold as installed.
+missing_packages() {
+    wanted=$(packages "$@")
+    # shellcheck disable=SC2086 # a list of words
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null | sed -n 's/^installed //p')
+    for package in $wanted; do
+        printf '%s\n' "$installed" | grep -qxF -- "$package" || printf '%s\n' "$package"
+    done
+}
+
+apt_install() {
+    as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y --no-install-recommends -o Dpkg::Use-Pty=0 "$@" </dev/null >&2
+}
+
+# install_packages SECTION…: what is missing, by apt. The lists are fetched only where the first try fails without them.
+install_packages() {
+    if ! command -v dpkg-query >/dev/null; then
+        say "no dpkg here: taking it that what cmake/packages.txt names is installed"
+        return 0
+    fi
+    missing=$(missing_packages "$@")
+    [ -n "$missing" ] || return 0
+    if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
+        say "as root, please: apt-get install" $missing
+        return 1
+    fi
+    say "installing" $missing
+    # shellcheck disable=SC2086
+    apt_install $missing && return 0
+    say "trying again with fresh package lists"
+    # shellcheck disable=SC2086
+    as_root apt-get update </dev/null >&2 && apt_install $missing
+}
+
+# configure DIRECTORY [cmake arguments]
+configure() {
+    directory=$1
+    shift
+    if [ ! -e "$directory/CMakeCache.txt" ] && command -v ninja >/dev/null; then set -- -G Ninja "$@"; fi
+    cmake -S "$top" -B "$directory" "$@" </dev/null >&2
+}
+
+# build DIRECTORY [cmake --build arguments]: with a stamp of when the build began, by which ./kinegraph knows what is newer.
+build() {
+    directory=$1
+    shift
+    : >"$directory/built.new" &&
+        cmake --build "$directory" --parallel "$(nproc)" "$@" </dev/null >&2 &&
+        mv "$directory/built.new" "$directory/built"
+}

@@ -1,0 +1,81 @@
+#!/bin/sh
+# Holds the walls between the rooms: app → render → constructions → engine, CGAL in at most two files of the engine, Eigen
+# in the check alone, cairo in its backend alone.
+#   boundaries_test.sh ROOT         every breach in the tree, one a line; status 1 if there is one
+#   boundaries_test.sh --self-test  that each kind of breach is seen
+set -u
+
+# includes PATTERN ROOM…: file:line:text of the includes that match, paths relative to the root.
+includes() {
+    pattern=$1
+    shift
+    find "$@" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) 2>/dev/null | sort |
+        xargs -r grep -nHE "^[[:space:]]*#[[:space:]]*include[[:space:]]*$pattern"
+}
+
+breach() { sed "s|\$|   <- $1|"; }
+
+check() {
+    cd "$1" || return 2
+    rooms="engine constructions render app tests bench"
+    # shellcheck disable=SC2086 # lists of words
+    found=$(
+        includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other room"
+        includes '["<](render|app|tests|bench)/' constructions | breach "constructions knows the engine alone"
+        includes '["<](app|tests|bench)/' render | breach "render knows nothing of app"
+        includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
+        includes '"' $rooms | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
+            breach "own headers are written from the root, room first"
+        includes '[<"](unsupported/)?Eigen/' $rooms | grep -v '^engine/check\.cpp:' | breach "Eigen is engine/check.cpp's"
+        includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/cairo_backend\.cpp:' |
+            breach "cairo is render/cairo_backend.cpp's"
+        includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"
+        users=$(includes '[<"]CGAL/' engine | cut -d: -f1 | sort -u)
+        if [ "$(printf '%s' "$users" | grep -c .)" -gt 2 ]; then
+            printf '%s\n' "$users" | breach "more than two files of the engine include CGAL"
+        fi
+    )
+    [ -z "$found" ] && return 0
+    printf '%s\n' "$found"
+    return 1
+}
+
+# seen TEXT FILE INCLUDE [FILE INCLUDE]…: a tree with these includes is refused, saying TEXT ("" for: is accepted).
+seen() {
+    expected=$1
+    shift
+    tree=$(mktemp -d)
+    while [ $# -gt 0 ]; do
+        mkdir -p "$tree/${1%/*}"
+        printf '#include %s\n' "$2" >>"$tree/$1"
+        shift 2
+    done
+    said=$(check "$tree")
+    rm -r "$tree"
+    case $said in
+        *"$expected"*) [ -n "$expected" ] || [ -z "$said" ] && return 0 ;;
+    esac
+    printf 'expected "%s", was told "%s"\n' "$expected" "$said"
+    failed=1
+}
+
+if [ "$1" != --self-test ]; then
+    check "$1"
+    exit
+fi
+failed=0
+seen "engine knows" engine/a.cpp '"constructions/b.hpp"'
+seen "engine knows" engine/a.hpp '"render/b.hpp"'
+seen "engine alone" constructions/a.hpp '"render/b.hpp"'
+seen "nothing of app" render/a.cpp '"app/b.hpp"'
+seen "room first" render/a.cpp '"../app/b.hpp"'
+seen "room first" engine/a.cpp '"b.hpp"'
+seen "check.cpp's" engine/board.cpp '<Eigen/Dense>'
+seen "check.cpp's" tests/a_test.cpp '<Eigen/Dense>'
+seen "cairo_backend.cpp's" render/text.cpp '<cairo/cairo.h>'
+seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
+seen "the engine's" constructions/a.cpp '<CGAL/Point_2.h>'
+seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/c.hpp '<CGAL/a.h>'
+seen "" engine/a.cpp '<CGAL/a.h>' engine/a.cpp '<CGAL/b.h>' engine/b.cpp '<CGAL/a.h>' engine/check.cpp '<Eigen/QR>' \
+    render/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page.hpp"' constructions/a.cpp '"engine/a.hpp"'
+exit $failed

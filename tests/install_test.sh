@@ -1,0 +1,18 @@
+#!/bin/sh
+# cmake --install of a built tree, then a project that knows only the prefix: find_package(kinegraph), kinegraph::kinegraph.
+#   install_test.sh BUILD_DIRECTORY
+set -eu
+build=$1
+here=$(cd "$(dirname -- "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+
+cmake --install "$build" --prefix "$work/prefix" >"$work/log"
+for file in bin/kinegraph share/kinegraph/mechanism.schema.json share/man/man1/kinegraph.1; do
+    test -s "$work/prefix/$file" || { echo "not installed: $file"; exit 1; }
+done
+"$work/prefix/bin/kinegraph" --version
+
+cmake -S "$here/install_test" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release
+cmake --build "$work/build"
+"$work/build/consumer"

@@ -1,0 +1,81 @@
+#!/bin/sh
+# The launcher (./kinegraph) with a build that is a stand-in: when it builds, what the program is handed, what standard output
+# carries. Building in earnest is what tests/run does.
+set -u
+root=$1
+tree=$(mktemp -d)
+trap 'rm -r "$tree"' EXIT
+failed=0
+
+same() {
+    if [ "$2" != "$3" ]; then
+        printf '%s: expected "%s", got "%s"\n' "$1" "$2" "$3"
+        failed=1
+    fi
+}
+
+# A clone with sources, tools that only leave their marks, and a program that shows how it was called.
+top="$tree/a clone"
+mkdir -p "$top/engine" "$tree/tools" "$tree/elsewhere"
+cp -r "$root/kinegraph" "$root/cmake" "$top/"
+touch "$top/CMakeLists.txt" "$top/engine/board.cpp"
+cat >"$tree/tools/dpkg-query" <<'TXT'
+#!/bin/sh
+shift 3
+for package in "$@"; do echo "installed $package"; done
+TXT
+cat >"$tree/tools/cmake" <<'TXT'
+#!/bin/sh
+echo "progress of cmake $1"
+cat
+case $1 in
+    -S) touch "$4/CMakeCache.txt" ;;
+    --build)
+        echo built >>"$TREE/builds"
+        [ -e "$TREE/broken" ] && exit 1
+        cat >"$2/kinegraph" <<'PROGRAM'
+#!/bin/sh
+printf '%s|' "${PWD##*/}" "$@"
+[ "${1-}" = - ] && cat
+exit 3
+PROGRAM
+        chmod +x "$2/kinegraph"
+        ;;
+esac
+TXT
+chmod +x "$tree/tools/"*
+export TREE="$tree" PATH="$tree/tools:$PATH"
+builds() { grep -c built "$tree/builds"; }
+later() { touch -d "$1" "$2"; }
+
+cd "$tree/elsewhere" || exit 1
+out=$(echo text | "../a clone/kinegraph" - "two words" 2>"$tree/err")
+same "status of the program" 3 $?
+same "first call: directory, arguments, standard input" "elsewhere|-|two words|text" "$out"
+same "first call builds once" 1 "$(builds)"
+same "progress goes to standard error" 1 "$(grep -c 'progress of cmake --build' "$tree/err")"
+
+out=$("../a clone/kinegraph" solve ../f.json 2>"$tree/err")
+same "second call" "elsewhere|solve|../f.json|" "$out"
+same "second call does not build" 1 "$(builds)"
+same "second call is silent" "" "$(cat "$tree/err")"
+
+ln -s "../a clone/kinegraph" "$tree/elsewhere/kg"
+same "through a link" "elsewhere|x|" "$(./kg x 2>&1)"
+same "through PATH" "elsewhere|x|" "$(PATH="$top:$PATH" kinegraph x 2>&1)"
+same "from its own directory" "a clone|x|" "$(cd "$top" && sh kinegraph x 2>&1)"
+same "none of these builds" 1 "$(builds)"
+
+later "1 minute" "$top/engine/board.cpp"
+"$top/kinegraph" x >/dev/null 2>&1
+same "a newer source builds" 2 "$(builds)"
+later "1 minute ago" "$top/engine/board.cpp"
+"$top/kinegraph" x >/dev/null 2>&1
+same "then no more" 2 "$(builds)"
+
+touch "$tree/broken"
+rm "$top/build/kinegraph"
+out=$("$top/kinegraph" x 2>/dev/null)
+same "a failed build is our fault" 70 $?
+same "and prints no result" "" "$out"
+exit $failed
