@@ -39,10 +39,21 @@ struct Pen {
 };
 
 /// Segments of a path. An arc runs from `from` to `to` (radians, y downwards, so positive angles turn clockwise on paper).
-struct MoveTo { Spot to; };
-struct LineTo { Spot to; };
-struct CurveTo { Spot control_1, control_2, to; };
-struct ArcTo { Spot centre; double radius = 0; double from = 0; double to = 0; };
+struct MoveTo {
+    Spot to;
+};
+struct LineTo {
+    Spot to;
+};
+struct CurveTo {
+    Spot control_1, control_2, to;
+};
+struct ArcTo {
+    Spot centre;
+    double radius = 0;
+    double from = 0;
+    double to = 0;
+};
 struct Close {};
 using Segment = std::variant<MoveTo, LineTo, CurveTo, ArcTo, Close>;
 
@@ -68,12 +79,13 @@ struct Glyph {
     Spot origin;
 };
 
-/// Shaped text in one colour, turned about nothing: glyphs stand where they say. `angle` turns them all (radians, clockwise on paper) about `pivot`.
+/// Shaped text in one colour, turned about nothing: glyphs stand where they say. `angle` turns them all (radians, clockwise on
+/// paper) about `pivot`.
 struct TextMark {
     std::vector<Glyph> glyphs;
     Colour colour;
-    std::string words;   ///< what the text says, for `aria-label`
-    std::string cls;     ///< "label" for labels of a drawing; "text" for prose and tables
+    std::string words;  ///< what the text says, for `aria-label`
+    std::string cls;    ///< "label" for labels of a drawing; "text" for prose and tables
     double angle = 0;
     Spot pivot;
     std::vector<Path> extras;  ///< dots over letters, fraction bars

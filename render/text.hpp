@@ -35,9 +35,9 @@ std::string plain(const RichText& text);
 
 /// A shaped line, its origin at the left of the baseline, mm, y downwards.
 struct ShapedLine {
-    double width = 0;      ///< advance
-    double ascent = 0;     ///< ink above the baseline (positive upwards)
-    double descent = 0;    ///< ink below the baseline (positive downwards)
+    double width = 0;    ///< advance
+    double ascent = 0;   ///< ink above the baseline (positive upwards)
+    double descent = 0;  ///< ink below the baseline (positive downwards)
     std::string words;
     /// One part for each colour used; glyph origins relative to the line's origin.
     struct Part {
@@ -63,7 +63,8 @@ public:
     Fonts& operator=(Fonts&&) noexcept;
     ~Fonts();
 
-    /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through `missing()`.
+    /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through
+    /// `missing()`.
     ShapedLine shape(const RichText& text, double size_points) const;
     /// Breaks at spaces so that no line is wider than `measure` mm (a word longer than that stands alone).
     std::vector<ShapedLine> wrap(const RichText& text, double size_points, double measure) const;

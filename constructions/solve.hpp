@@ -1,0 +1,14 @@
+// Solving a mechanism: pose, mobility, instant centres, velocities, accelerations and relative motion by construction, and the
+// numeric check beside them. The way through the house from Mechanism to Solution.
+#pragma once
+
+#include "engine/error.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+
+/// Errors: only those of the pose (curves that do not meet, misfits). What the mechanism cannot give is in Solution::unsolved,
+/// with its reason.
+Result<Solution> solve(Mechanism mechanism);
+
+}  // namespace kinegraph

@@ -1,0 +1,79 @@
+// A Figure: one drawing to scale, in mm of its own (y downwards, origin anywhere), with its labels placed. Sheets put figures on
+// paper by moving them, never by scaling: the scale is chosen when the figure is made.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/solution.hpp"
+#include "render/page.hpp"
+#include "render/text.hpp"
+#include "render/theme.hpp"
+#include "render/words.hpp"
+
+namespace kinegraph::render {
+
+struct Box {
+    Spot min, max;
+    double width() const { return max.x - min.x; }
+    double height() const { return max.y - min.y; }
+};
+
+/// A label that wants a place near its object.
+struct LabelRequest {
+    RichText text;
+    double size = 11;  ///< points
+    Colour colour;
+    Spot anchor;                 ///< the point, or the middle of the vector or line
+    std::optional<Spot> toward;  ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
+    double clearance = 2.2;      ///< from the anchor to the nearest ink, mm
+    bool along = false;          ///< set along the line (turned with it), as direction marks are
+    std::string id;              ///< empty, or the SVG id of the label's group
+};
+
+struct Figure {
+    std::string kind;                  ///< data-figure: mechanism, centres, velocity, acceleration, …
+    std::string id;                    ///< SVG id: "velocity", "velocity-E-2"
+    RichText caption;                  ///< without number and scale
+    double scale = 1;                  ///< `unit` for each mm
+    std::string unit;                  ///< SI unit of the data-value's: "m", "m/s", "m/s²"
+    Box box;                           ///< of everything, labels included
+    std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
+    std::vector<LabelRequest> labels;  ///< until place_labels has set them
+
+    void move(double dx, double dy);
+};
+
+struct DrawingContext {
+    const Solution& solution;
+    const Theme& theme;
+    const Fonts& fonts;
+    Language language = Language::en;
+};
+
+/// The largest scale of 1-2-2.5-5 × 10ⁿ units per mm at which `extent` units fit into `room` mm; the file's own where it asks
+/// one.
+double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked);
+
+/// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
+std::string legal_id(std::string_view name);
+
+/// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
+/// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
+void place_labels(Figure& figure, const Fonts& fonts);
+
+/// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
+/// Appended to `marks`; a vector shorter than its head gets a smaller head.
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, bool dashed = false);
+
+/// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
+Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres);
+/// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres.
+Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
+/// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
+Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
+/// One polygon of the protocol (by index): pole, vectors, images, construction lines.
+Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,30 @@
+// The sheet: figures, equations, tables and steps of a solution laid out on pages, nothing overlapping, nothing cut; what does
+// not fit goes to further pages. Computes no mechanics.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/solution.hpp"
+#include "render/figure.hpp"
+#include "render/page.hpp"
+#include "render/text.hpp"
+#include "render/words.hpp"
+
+namespace kinegraph::render {
+
+enum class Paper { a4, a3, letter };
+
+struct SheetOptions {
+    Paper paper = Paper::a4;  ///< landscape
+    Language language = Language::en;
+    Theme theme;
+};
+
+/// The worked solution on one or more pages. All figures come first (page 1 as long as they can be read), then text and tables.
+std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
+
+/// The results table as plain text for a terminal.
+std::string results_table(const Solution& solution, Language language);
+
+}  // namespace kinegraph::render
