@@ -49,6 +49,9 @@ install_packages() {
     as_root apt-get update </dev/null >&2 && apt_install $missing
 }
 
+# configured DIRECTORY: whether a configuration went to its end there (one that failed leaves a cache too).
+configured() { [ -e "$1/build.ninja" ] || [ -e "$1/Makefile" ]; }
+
 # configure DIRECTORY [cmake arguments]
 configure() {
     directory=$1

@@ -29,7 +29,12 @@ cat >"$tree/tools/cmake" <<'TXT'
 echo "progress of cmake $1"
 cat
 case $1 in
-    -S) touch "$4/CMakeCache.txt" ;;
+    -S)
+        echo configured >>"$TREE/configurations"
+        touch "$4/CMakeCache.txt"
+        [ -e "$TREE/unconfigurable" ] && exit 1
+        touch "$4/build.ninja"
+        ;;
     --build)
         echo built >>"$TREE/builds"
         [ -e "$TREE/broken" ] && exit 1
@@ -72,6 +77,16 @@ same "a newer source builds" 2 "$(builds)"
 later "1 minute ago" "$top/engine/board.cpp"
 "$top/kinegraph" x >/dev/null 2>&1
 same "then no more" 2 "$(builds)"
+
+same "one configuration serves all builds" 1 "$(grep -c . "$tree/configurations")"
+
+rm -r "$top/build"
+touch "$tree/unconfigurable"
+"$top/kinegraph" x >/dev/null 2>&1
+same "a failed configuration is our fault" 70 $?
+rm "$tree/unconfigurable"
+"$top/kinegraph" x >/dev/null 2>&1
+same "and is tried again" 3 $?
 
 touch "$tree/broken"
 rm "$top/build/kinegraph"
