@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/exact.hpp"
+#include "engine/geometry.hpp"
 #include "engine/pose.hpp"
 #include "engine/statement.hpp"
 
@@ -21,18 +22,6 @@ namespace kinegraph {
 /// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²).
 enum class Plane : std::uint8_t { drawing, velocity, acceleration };
 
-/// A projective point: finite (w = 1) or at infinity (w = 0, then (x, y) is its direction).
-struct ProjectivePoint {
-    Exact x, y, w = 1;
-    bool at_infinity() const { return w.is_zero(); }
-    Vector place() const { return {x, y}; }
-};
-/// a x + b y + c w = 0; the line at infinity is (0, 0, 1).
-struct ProjectiveLine {
-    Exact a, b, c;
-    bool at_infinity() const { return a.is_zero() && b.is_zero(); }
-    Vector direction() const { return {-b, a}; }
-};
 using Value = std::variant<ProjectivePoint, ProjectiveLine, Vector, Exact>;
 
 /// Typed handles: an index into the protocol's elements that knows its plane. A point of the drawing cannot be joined to a tip.
@@ -60,39 +49,34 @@ enum class Verb : std::uint8_t {
     given_guide,
     given_unit_guide,
     given_normal,
-    given_vector,
+    given_direction,
     given_scalar,
-    at_origin,  // the pole
+    pole,
     vector_between,
-    direction_of_vector,
     perpendicular,
-    normal_to_line,
     direction_of_line,
-    join,
-    join_to_infinity,
-    line_at_infinity,
+    point_at_infinity,
     through,
+    join,
     meet,
     meet_at_infinity,
-    point_at_infinity,
     carry,
     add,
     subtract,
     negate,
     scale,
     turn,
-    component_normal_point,
     ratio,
     product,
     sum,
     difference,
 };
 
-/// One stroke: output = verb(inputs). `index` is the point or joint of a given, `constant` its number.
+/// One stroke: element = verb(inputs). `index` is the point, joint or number of a given.
 struct Stroke {
     Verb verb = Verb::given_scalar;
     Plane plane = Plane::drawing;
-    int inputs[3] = {-1, -1, -1};
+    int inputs[2] = {-1, -1};
     int index = -1;
     int statement = -1;  ///< the sentence it belongs to; −1 before the first
 };
@@ -179,7 +163,7 @@ public:
     Board& operator=(const Board&) = delete;
     ~Board();
 
-    /// Opens a sentence: the strokes that follow belong to it. Returns its index.
+    /// Opens a sentence: the strokes that follow belong to it, until the next one. Returns its index.
     int state(Statement statement);
     Statement& statement(int index);
 
@@ -201,8 +185,8 @@ public:
         return {binary(Verb::vector_between, plane, from.element, to.element)};
     }
     template <Plane plane>
-    DirectionHandle direction(VectorOn<plane> v) {
-        return {unary(Verb::direction_of_vector, plane, v.element)};
+    DirectionHandle direction(VectorOn<plane> v) const {
+        return {v.element};  // a vector is its own direction: no stroke
     }
     template <Plane plane>
     DirectionHandle direction(LineOn<plane> l) {
@@ -322,15 +306,20 @@ private:
     int binary(Verb verb, Plane plane, int a, int b);
     int join(Plane plane, int p, int q);
     int meet(Plane plane, int l, int m);
-    int enter(Stroke stroke, std::optional<Value> constant = std::nullopt);
+    int given_once(std::vector<int>& known, Verb verb, int index);
+    int enter(const Stroke& stroke);
+    Value evaluate(const Stroke& stroke, const std::vector<Value>& values, const Pose& pose) const;
     bool ask(Guard::Question question, int a, int b);
+    bool decide(Guard& guard);
 
     const Pose& pose_;
     std::function<const Pose&()> finer_;
     Protocol protocol_;
     std::unique_ptr<Replay> replay_;
+    std::vector<Value> constants_;
     std::vector<int> places_, guides_, guide_units_, normals_;
     int poles_[3] = {-1, -1, -1};
+    int current_statement_ = -1;
 };
 
 }  // namespace kinegraph
