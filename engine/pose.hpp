@@ -29,7 +29,9 @@ struct Pose {
     std::vector<Vector> guides;   ///< by JointIndex: direction of `along` (sense kept, any length), zero where the joint has none
     std::vector<Vector> guide_units;  ///< the same as a unit vector, within 2^-bits where its length is irrational
     std::vector<Vector>
-        normals;        ///< by JointIndex: common normal of pin-slot, rolling, contact, gear (line of action); zero elsewhere
+        normals;  ///< by JointIndex: common normal of pin-slot, rolling, contact, gear (line of action); zero elsewhere
+    std::vector<Vector>
+        tangents;       ///< by JointIndex: common tangent at P of rolling, contact, gear (of the pitch curves); zero elsewhere
     Exact size;         ///< the drawing's size: largest coordinate difference, m (1 where all points coincide)
     bool exact = true;  ///< no leftover anywhere: predicates need no second look
     std::vector<PositionStep> steps;   ///< in the order found
