@@ -1,0 +1,312 @@
+// The results file (docs/format.md, 3): a Solution written as JSON, SI units, keys in the file's order, numbers as the shortest
+// decimals that give the double back. Computes nothing and rounds nothing but to doubles.
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/assert.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Keys in order with values that are JSON already.
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+std::string quoted(std::string_view text) {
+    std::string json = "\"";
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '"' || letter == '\\') {
+            json += '\\';
+            json += letter;
+        } else if (code < 0x20 || code == 0x7f) {
+            constexpr const char* digits = "0123456789abcdef";
+            json += "\\u00";
+            json += digits[code >> 4];
+            json += digits[code & 15];
+        } else {
+            json += letter;
+        }
+    }
+    return json + '"';
+}
+
+/// JSON has no infinities: what no double holds is null. −0 is 0.
+std::string number(double value) {
+    if (!std::isfinite(value)) return "null";
+    if (value == 0) return "0";
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value);
+    KG_ASSERT(end.ec == std::errc{}, "a double fits 32 characters");
+    return {text, end.ptr};
+}
+std::string number(const Exact& value) { return number(value.to_double()); }
+
+std::string pair(const std::string& x, const std::string& y) { return "[" + x + ", " + y + "]"; }
+std::string pair(const Vector& v) { return pair(number(v.x), number(v.y)); }
+
+std::string fraction(const Exact& value) { return quoted(value.to_fraction()); }
+std::string fractions(const Vector& v) { return pair(fraction(v.x), fraction(v.y)); }
+
+std::string object(const Members& members) {
+    std::string json = "{";
+    for (const auto& [key, value] : members) {
+        if (json.size() > 1) json += ", ";
+        json += quoted(key) + ": " + value;
+    }
+    return json + "}";
+}
+/// An object or array with one entry a line, as a member of the file's object.
+std::string lines(char open, const std::vector<std::string>& entries, char close) {
+    if (entries.empty()) return {open, close};
+    std::string json(1, open);
+    for (std::size_t i = 0; i < entries.size(); ++i) json += (i == 0 ? "\n    " : ",\n    ") + entries[i];
+    return json + "\n  " + close;
+}
+std::string object_of_lines(const Members& members) {
+    std::vector<std::string> entries;
+    for (const auto& [key, value] : members) entries.push_back(quoted(key) + ": " + value);
+    return lines('{', entries, '}');
+}
+
+/// An unit vector with dx > 0, or (0, 1): a point at infinity has no sense.
+std::string towards(Vector direction, bool pose_is_exact) {
+    const Exact x = abs(direction.x);
+    const Exact y = abs(direction.y);
+    const Exact& largest = x > y ? x : y;
+    KG_ASSERT(!largest.is_zero(), "a point at infinity has a direction");
+    direction = {direction.x / largest, direction.y / largest};
+    if (!pose_is_exact) {
+        // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on that.
+        const Exact noise = Exact::power_of_two(-80);
+        if (abs(direction.x) < noise) direction.x = 0;
+        if (abs(direction.y) < noise) direction.y = 0;
+    }
+    if (direction.x.sign() < 0 || (direction.x.is_zero() && direction.y.sign() < 0)) direction = -direction;
+    const double dx = direction.x.to_double();
+    const double dy = direction.y.to_double();
+    const double length = std::hypot(dx, dy);
+    return pair(number(dx / length), number(dy / length));
+}
+
+/// A bound, rounded outwards, so that it remains one.
+std::string bound(const Exact& leftover) {
+    double value = leftover.to_double();
+    if (Exact::from_double(value) < leftover) value = std::nextafter(value, HUGE_VAL);
+    return quoted(number(value));
+}
+
+/// One entry of the file: its values, and beside them the exact ones where they are asked for.
+class Entry {
+public:
+    Entry(const Pose& pose, bool exact) : pose_(pose), exact_(exact) {}
+
+    void add(const std::string& key, std::string json) { members_.emplace_back(key, std::move(json)); }
+    void add(const std::string& key, const std::optional<Exact>& value) {
+        if (!value) return;
+        add(key, number(*value));
+        if (certain(*value)) fractions_.emplace_back(key, fraction(*value));
+    }
+    void add(const std::string& key, const std::optional<Vector>& value) {
+        if (!value) return;
+        add(key, pair(*value));
+        if (certain(value->x) && certain(value->y)) fractions_.emplace_back(key, fractions(*value));
+    }
+    /// A named point's own place, exact or with the bound on what the compass left over.
+    void add_place(PointIndex point) {
+        const Vector& at = pose_.at(point);
+        add("at", pair(at));
+        const Exact& leftover = pose_.leftover[static_cast<std::size_t>(point)];
+        if (!leftover.is_zero()) {
+            if (exact_) leftover_ = bound(leftover);
+        } else if (certain(at.x) && certain(at.y)) {
+            fractions_.emplace_back("at", fractions(at));
+        }
+    }
+    bool empty() const { return members_.empty(); }
+    std::string json() const {
+        Members all = members_;
+        if (exact_ && !fractions_.empty()) all.emplace_back("exact", object(fractions_));
+        if (!leftover_.empty()) all.emplace_back("leftover", leftover_);
+        return object(all);
+    }
+
+private:
+    /// On a pose with a leftover what depends on it is a fraction as long as the compass's rounding, and no exact value. A
+    /// short one cannot depend on it.
+    bool certain(const Exact& value) const {
+        return pose_.exact || value.bits() < static_cast<std::size_t>(pose_.bits > 0 ? pose_.bits : 1);
+    }
+
+    const Pose& pose_;
+    bool exact_;
+    Members members_, fractions_;
+    std::string leftover_;
+};
+
+/// The same for all sections.
+class Results {
+public:
+    Results(const Solution& solution, bool exact) : solution_(solution), mechanism_(solution.mechanism), exact_(exact) {}
+
+    std::string json() const {
+        Members file;
+        file.emplace_back("mobility", object({{"gruebler", std::to_string(solution_.mobility.gruebler)},
+                                              {"effective", std::to_string(solution_.mobility.effective)}}));
+        file.emplace_back("points", points());
+        file.emplace_back("bodies", bodies());
+        file.emplace_back("sliding", sliding());
+        file.emplace_back("instant centres", centres());
+        if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", relative_motion());
+        if (forces_asked()) {
+            file.emplace_back("forces", "{}");
+            file.emplace_back("effort", "{}");
+        }
+        file.emplace_back("checks", checks());
+        file.emplace_back("unsolved", unsolved());
+        if (!solution_.remarks.empty()) file.emplace_back("remarks", remarks());
+        std::string text = "{";
+        for (std::size_t i = 0; i < file.size(); ++i) {
+            text += i == 0 ? "\n  " : ",\n  ";
+            text += quoted(file[i].first) + ": " + file[i].second;
+        }
+        return text + "\n}\n";
+    }
+
+private:
+    const std::string& name_of_body(BodyIndex body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].name; }
+    const std::string& name_of_point(PointIndex point) const { return mechanism_.points[static_cast<std::size_t>(point)].name; }
+    Entry entry() const { return {solution_.pose, exact_}; }
+
+    bool forces_asked() const {
+        if (mechanism_.find.stated) return mechanism_.find.forces;
+        return !mechanism_.loads.empty() || !mechanism_.efforts.empty();
+    }
+
+    std::string points() const {
+        Members all;
+        for (PointIndex point = 0; point < static_cast<PointIndex>(mechanism_.points.size()); ++point) {
+            std::vector<const PointMotion*> nodes;
+            for (const PointMotion& motion : solution_.points)
+                if (motion.point == point) nodes.push_back(&motion);
+            Entry here = entry();
+            here.add_place(point);
+            if (nodes.size() == 1) {
+                here.add("velocity", nodes[0]->velocity);
+                here.add("acceleration", nodes[0]->acceleration);
+            } else if (nodes.size() > 1) {
+                Members on;
+                for (BodyIndex body = 0; body < static_cast<BodyIndex>(mechanism_.bodies.size()); ++body) {
+                    for (const PointMotion* node : nodes) {
+                        bool carries = false;
+                        for (const BodyIndex carrier : node->bodies) carries = carries || carrier == body;
+                        Entry there = entry();
+                        there.add("velocity", node->velocity);
+                        there.add("acceleration", node->acceleration);
+                        if (carries && !there.empty()) on.emplace_back(name_of_body(body), there.json());
+                    }
+                }
+                if (!on.empty()) here.add("on", object(on));
+            }
+            all.emplace_back(name_of_point(point), here.json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string bodies() const {
+        Members all;
+        for (std::size_t body = 1; body < solution_.bodies.size(); ++body) {
+            Entry motion = entry();
+            motion.add("omega", solution_.bodies[body].omega);
+            motion.add("alpha", solution_.bodies[body].alpha);
+            if (!motion.empty()) all.emplace_back(mechanism_.bodies[body].name, motion.json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string sliding() const {
+        Members all;
+        for (const Sliding& slide : solution_.sliding) {
+            Entry motion = entry();
+            motion.add("velocity", slide.velocity);
+            motion.add("acceleration", slide.acceleration);
+            motion.add("coriolis", slide.coriolis);
+            if (!motion.empty()) all.emplace_back(mechanism_.joints[static_cast<std::size_t>(slide.joint)].name, motion.json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string centres() const {
+        Members all;
+        for (const InstantCentre& centre : solution_.centres) {
+            Entry where = entry();
+            if (centre.everywhere) where.add("everywhere", std::string("true"));
+            if (centre.at && !centre.at->at_infinity())
+                where.add("at", std::optional(centre.at->place()));
+            else if (centre.at && !centre.everywhere)
+                where.add("towards", towards(centre.at->place(), solution_.pose.exact));
+            if (where.empty()) continue;
+            if (centre.depends_on_drivers) where.add("depends on drivers", std::string("true"));
+            all.emplace_back(name_of_body(centre.first) + "," + name_of_body(centre.second), where.json());
+        }
+        return object_of_lines(all);
+    }
+
+    std::string relative_motion() const {
+        std::vector<std::string> all;
+        for (const RelativeMotion& motion : solution_.relative_motion) {
+            Entry seen = entry();
+            seen.add("point", quoted(name_of_point(motion.query.point)));
+            if (motion.query.translating_with >= 0)
+                seen.add("observer", object({{"translating with", quoted(name_of_point(motion.query.translating_with))}}));
+            else
+                seen.add("observer", quoted(name_of_body(motion.query.observer)));
+            seen.add("velocity", motion.velocity);
+            seen.add("transport velocity", motion.transport_velocity);
+            seen.add("relative velocity", motion.relative_velocity);
+            seen.add("acceleration", motion.acceleration);
+            seen.add("transport acceleration", motion.transport_acceleration);
+            seen.add("relative acceleration", motion.relative_acceleration);
+            seen.add("coriolis", motion.coriolis);
+            all.push_back(seen.json());
+        }
+        return lines('[', all, ']');
+    }
+
+    std::string checks() const {
+        std::vector<std::string> all;
+        for (const CheckRow& row : solution_.checks)
+            all.push_back(object({{"quantity", quoted(row.quantity)},
+                                  {"graphical", number(row.graphical)},
+                                  {"numeric", number(row.numeric)},
+                                  {"difference", number(row.difference)}}));
+        return lines('[', all, ']');
+    }
+
+    std::string unsolved() const {
+        std::vector<std::string> all;
+        for (const Unsolved& what : solution_.unsolved)
+            all.push_back(object({{"what", quoted(what.what)}, {"why", quoted(what.why)}}));
+        return lines('[', all, ']');
+    }
+
+    std::string remarks() const {
+        std::vector<std::string> all;
+        for (const std::string& remark : solution_.remarks) all.push_back(quoted(remark));
+        return lines('[', all, ']');
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    bool exact_;
+};
+
+}  // namespace
+
+std::string results_json(const Solution& solution, bool exact) { return Results(solution, exact).json(); }
+
+}  // namespace kinegraph
