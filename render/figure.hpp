@@ -30,6 +30,7 @@ struct LabelRequest {
     double clearance = 2.2;      ///< from the anchor to the nearest ink, mm
     bool along = false;          ///< set along the line (turned with it), as direction marks are
     std::string id;              ///< empty, or the SVG id of the label's group
+    double balloon = 0;          ///< radius of a circle round the text (body numbers), mm; 0: none
 };
 
 struct Figure {

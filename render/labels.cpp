@@ -1,0 +1,571 @@
+// Labels: finds every label of a figure a place beside its object where it covers no stroke, no arrowhead and no other label.
+// Owns the candidates, their price and the search; knows no mechanics, only marks. Deterministic: all orders are those of the
+// figure, all ties go to the first.
+//
+// Method: point-feature labelling by candidate places on rings about the anchor (after Imhof's rules), least free first, then
+// rounds of improvement with evictions; obstacles lie in a uniform grid.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "render/figure.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render {
+
+namespace {
+
+constexpr double ink_margin = 0.45;    // clear paper round every letter, mm
+constexpr double label_gap = 0.8;      // between two labels
+constexpr double breathing = 1.3;      // a stroke nearer than this makes a place less wanted
+constexpr double cell = 4.0;           // of the grid
+constexpr double covers_stroke = 100;  // the price that no wish outweighs
+constexpr double covers_label = 400;
+
+/// A piece of stroke: everything within `half` of the segment is ink.
+struct Obstacle {
+    Spot from, to;
+    double half = 0;
+};
+/// A tinted area: a label may stand in it, but rather not.
+struct Area {
+    std::vector<Spot> corners;
+    Box box;
+    bool forbidden = false;
+};
+
+/// A turned box: `half` extents along `axis` and its normal.
+struct InkBox {
+    Spot centre, half, axis{1, 0};
+    Spot local(Spot spot) const {
+        const Spot d = spot - centre;
+        return {dot(d, axis), cross(axis, d)};
+    }
+    Spot reach() const {
+        return {std::abs(axis.x) * half.x + std::abs(axis.y) * half.y, std::abs(axis.y) * half.x + std::abs(axis.x) * half.y};
+    }
+};
+
+/// Length of the part of a segment inside a box of half extents `half` about the origin; negative where they do not meet.
+double length_inside(Spot from, Spot to, Spot half) {
+    const Spot d = to - from;
+    double enter = 0, leave = 1;
+    const auto clip = [&](double start, double step, double limit) {
+        if (step == 0) return std::abs(start) <= limit;
+        double low = (-limit - start) / step, high = (limit - start) / step;
+        if (low > high) std::swap(low, high);
+        enter = std::max(enter, low);
+        leave = std::min(leave, high);
+        return enter <= leave;
+    };
+    if (!clip(from.x, d.x, half.x) || !clip(from.y, d.y, half.y)) return -1;
+    return (leave - enter) * length(d);
+}
+
+/// Distance of two turned boxes along their worst of four separating axes; negative where they overlap.
+double gap_between(const InkBox& a, const InkBox& b) {
+    const Spot d = b.centre - a.centre;
+    double gap = -std::numeric_limits<double>::infinity();
+    for (const Spot axis : {a.axis, turned(a.axis), b.axis, turned(b.axis)}) {
+        const double reach_a = std::abs(dot(axis, a.axis)) * a.half.x + std::abs(cross(axis, a.axis)) * a.half.y;
+        const double reach_b = std::abs(dot(axis, b.axis)) * b.half.x + std::abs(cross(axis, b.axis)) * b.half.y;
+        gap = std::max(gap, std::abs(dot(axis, d)) - reach_a - reach_b);
+    }
+    return gap;
+}
+
+double distance_to_box(Spot spot, const InkBox& box) {
+    const Spot at = box.local(spot);
+    return std::hypot(std::max(std::abs(at.x) - box.half.x, 0.0), std::max(std::abs(at.y) - box.half.y, 0.0));
+}
+
+bool inside(const Area& area, Spot spot) {
+    if (spot.x < area.box.min.x || spot.x > area.box.max.x || spot.y < area.box.min.y || spot.y > area.box.max.y) return false;
+    bool in = false;
+    const std::vector<Spot>& c = area.corners;
+    for (std::size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
+        if ((c[i].y > spot.y) != (c[j].y > spot.y) && spot.x < (c[j].x - c[i].x) * (spot.y - c[i].y) / (c[j].y - c[i].y) + c[i].x)
+            in = !in;
+    return in;
+}
+
+/// All that is drawn already, pieces of stroke sorted into square cells.
+class Ground {
+public:
+    Ground(const std::vector<Mark>& marks, const Fonts& fonts) {
+        for (const Mark& mark : marks) {
+            if (const auto* path = std::get_if<Path>(&mark)) add(*path);
+            if (const auto* axis = std::get_if<Axis>(&mark)) add_segment(axis->tail, axis->tip, 0.35);
+            if (const auto* text = std::get_if<TextMark>(&mark)) add(*text, fonts);
+        }
+        sort_into_cells();
+    }
+
+    struct Finding {
+        double price = 0;
+        bool covered = false;
+    };
+    /// What a label there would cover. Ink within the margin is forbidden, ink within breathing distance is a pity.
+    Finding at(const InkBox& box, Spot anchor) const {
+        Finding finding;
+        int crowded = 0;
+        visit(box.centre, box.reach(), [&](const Obstacle& obstacle) {
+            const Spot from = box.local(obstacle.from), to = box.local(obstacle.to);
+            const double near = obstacle.half + ink_margin, far = obstacle.half + breathing;
+            const double covered = length_inside(from, to, {box.half.x + near, box.half.y + near});
+            if (covered >= 0) {
+                finding.covered = true;
+                finding.price += covers_stroke * (0.5 + obstacle.half) + 10 * covered;
+            } else if (length(obstacle.from - anchor) > 0.1 && length(obstacle.to - anchor) > 0.1 &&
+                       length_inside(from, to, {box.half.x + far, box.half.y + far}) >= 0) {
+                ++crowded;  // … but a pin does not crowd its own name
+            }
+        });
+        finding.price += 0.7 * std::min(crowded, 4);
+        for (const InkBox& text : texts_)
+            if (gap_between(text, box) < label_gap) {
+                finding.covered = true;
+                finding.price += covers_label;
+            }
+        for (const Area& area : areas_)
+            if (inside(area, box.centre)) {
+                finding.price += area.forbidden ? covers_stroke : 2.0;
+                finding.covered = finding.covered || area.forbidden;
+            }
+        return finding;
+    }
+
+    /// Strokes that a leader would cross.
+    int crossed(Spot from, Spot to) const {
+        int count = 0;
+        const Spot middle = 0.5 * (from + to), along = unit(to - from);
+        const InkBox thread{middle, {length(to - from) / 2, 0.1}, along};
+        visit(middle, thread.reach(), [&](const Obstacle& obstacle) {
+            if (length_inside(thread.local(obstacle.from), thread.local(obstacle.to),
+                              {thread.half.x, thread.half.y + obstacle.half}) >= 0)
+                ++count;
+        });
+        for (const InkBox& text : texts_)
+            if (gap_between(text, thread) < 0.3) count += 20;
+        return count;
+    }
+
+private:
+    void add_segment(Spot from, Spot to, double half) {
+        // Cut to the size of a cell, so that a long diagonal fills only the cells it passes.
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length(to - from) / cell)));
+        for (int i = 0; i < pieces; ++i)
+            obstacles_.push_back({from + (static_cast<double>(i) / pieces) * (to - from),
+                                  from + (static_cast<double>(i + 1) / pieces) * (to - from), half});
+    }
+
+    void add(const Path& path) {
+        const double half = path.stroked ? path.pen.width / 2 : 0;
+        // Pins, dots and balloons: one disc.
+        if (path.filled && path.segments.size() == 3)
+            if (const auto* arc = std::get_if<ArcTo>(&path.segments[1]); arc && arc->radius <= 3) {
+                obstacles_.push_back({arc->centre, arc->centre, arc->radius + half});
+                return;
+            }
+        std::vector<Spot> outline;
+        Spot pen, start;
+        const auto stroke_to = [&](Spot to) {
+            add_segment(pen, to, half);
+            outline.push_back(to);
+            pen = to;
+        };
+        for (const Segment& segment : path.segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                pen = start = m->to;
+                outline.push_back(pen);
+            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                stroke_to(l->to);
+            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                const Spot p0 = pen;
+                for (int i = 1; i <= 8; ++i) {
+                    const double t = i / 8.0, u = 1 - t;
+                    stroke_to((u * u * u) * p0 + (3 * u * u * t) * c->control_1 + (3 * u * t * t) * c->control_2 +
+                              (t * t * t) * c->to);
+                }
+            } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                const double sweep = a->to - a->from;
+                const double step = std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
+                const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
+                for (int i = 0; i <= parts; ++i) {
+                    const double angle = a->from + sweep * i / parts;
+                    const Spot at = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
+                    if (i == 0 && outline.empty()) pen = start = at;
+                    stroke_to(at);
+                }
+            } else {
+                stroke_to(start);
+            }
+        }
+        if (!path.filled || outline.size() < 3) return;
+        Area area{std::move(outline), {{1e300, 1e300}, {-1e300, -1e300}}, false};
+        for (const Spot& spot : area.corners) {
+            area.box.min = {std::min(area.box.min.x, spot.x), std::min(area.box.min.y, spot.y)};
+            area.box.max = {std::max(area.box.max.x, spot.x), std::max(area.box.max.y, spot.y)};
+        }
+        const int light = std::min({path.fill.red, path.fill.green, path.fill.blue});
+        area.forbidden = light < 0xC0;
+        areas_.push_back(std::move(area));
+    }
+
+    void add(const TextMark& text, const Fonts& fonts) {
+        Box box{{1e300, 1e300}, {-1e300, -1e300}};
+        for (const Glyph& glyph : text.glyphs)
+            for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
+                std::array<Spot, 3> spots{};
+                int count = 0;
+                if (const auto* m = std::get_if<MoveTo>(&segment)) spots[0] = m->to, count = 1;
+                if (const auto* l = std::get_if<LineTo>(&segment)) spots[0] = l->to, count = 1;
+                if (const auto* c = std::get_if<CurveTo>(&segment)) spots = {c->control_1, c->control_2, c->to}, count = 3;
+                for (int i = 0; i < count; ++i) {
+                    const Spot s = spots[static_cast<std::size_t>(i)];
+                    const Spot at{glyph.origin.x + glyph.size * s.x, glyph.origin.y - glyph.size * s.y};
+                    box.min = {std::min(box.min.x, at.x), std::min(box.min.y, at.y)};
+                    box.max = {std::max(box.max.x, at.x), std::max(box.max.y, at.y)};
+                }
+            }
+        if (box.min.x > box.max.x) return;
+        InkBox ink{0.5 * (box.min + box.max), 0.5 * (box.max - box.min), {1, 0}};
+        const double c = std::cos(text.angle), s = std::sin(text.angle);
+        const Spot arm = ink.centre - text.pivot;
+        ink.centre = text.pivot + Spot{arm.x * c - arm.y * s, arm.x * s + arm.y * c};
+        ink.axis = {c, s};
+        texts_.push_back(ink);
+    }
+
+    void sort_into_cells() {
+        if (obstacles_.empty()) return;
+        Box box{{1e300, 1e300}, {-1e300, -1e300}};
+        for (const Obstacle& o : obstacles_)
+            for (const Spot s : {o.from, o.to}) {
+                box.min = {std::min(box.min.x, s.x), std::min(box.min.y, s.y)};
+                box.max = {std::max(box.max.x, s.x), std::max(box.max.y, s.y)};
+            }
+        // Each piece is entered once, by its middle; a look at a box reaches half a piece and half the widest stroke further.
+        origin_ = box.min;
+        columns_ = static_cast<int>(box.width() / cell) + 1;
+        rows_ = static_cast<int>(box.height() / cell) + 1;
+        starts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+        for (const Obstacle& o : obstacles_) ++starts_[cell_of(0.5 * (o.from + o.to)) + 1];
+        for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+        std::vector<Obstacle> sorted(obstacles_.size());
+        std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+        for (const Obstacle& o : obstacles_) {
+            sorted[next[cell_of(0.5 * (o.from + o.to))]++] = o;
+            reach_ = std::max(reach_, o.half);
+        }
+        obstacles_ = std::move(sorted);
+        reach_ += breathing + cell / 2;
+    }
+    int column_of(double x) const { return std::clamp(static_cast<int>(std::floor((x - origin_.x) / cell)), 0, columns_ - 1); }
+    int row_of(double y) const { return std::clamp(static_cast<int>(std::floor((y - origin_.y) / cell)), 0, rows_ - 1); }
+    std::size_t cell_of(Spot spot) const {
+        return static_cast<std::size_t>(row_of(spot.y)) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column_of(spot.x));
+    }
+
+    template <class Look>
+    void visit(Spot centre, Spot reach, Look look) const {
+        if (obstacles_.empty()) return;
+        const Spot half{reach.x + reach_, reach.y + reach_};
+        const int left = column_of(centre.x - half.x), right = column_of(centre.x + half.x);
+        for (int row = row_of(centre.y - half.y), last = row_of(centre.y + half.y); row <= last; ++row) {
+            const std::size_t base = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+            // Cells of a row lie one behind the other.
+            const std::size_t end = starts_[base + static_cast<std::size_t>(right) + 1];
+            for (std::size_t i = starts_[base + static_cast<std::size_t>(left)]; i < end; ++i) {
+                const Obstacle& o = obstacles_[i];
+                if (std::min(o.from.x, o.to.x) > centre.x + half.x || std::max(o.from.x, o.to.x) < centre.x - half.x) continue;
+                look(o);
+            }
+        }
+    }
+
+    std::vector<Obstacle> obstacles_;
+    std::vector<InkBox> texts_;
+    std::vector<Area> areas_;
+    std::vector<std::size_t> starts_;
+    Spot origin_;
+    int columns_ = 0, rows_ = 0;
+    double reach_ = 0;
+};
+
+/// A place a label may take.
+struct Candidate {
+    InkBox box;
+    double price = 0;  // what does not depend on other labels
+    bool covered = false;
+    bool leader = false;
+    Spot leader_from, leader_to;
+};
+
+class Placing {
+public:
+    Placing(const Figure& figure, const Fonts& fonts, const Ground& ground)
+        : requests_(figure.labels), ground_(ground), box_(figure.box) {
+        if (!(box_.width() > 0) || !(box_.height() > 0)) box_ = box_of(figure.marks);
+        for (const LabelRequest& request : requests_) shaped_.push_back(fonts.shape(request.text, request.size));
+        candidates_.resize(requests_.size());
+        chosen_.assign(requests_.size(), -1);
+        for (std::size_t i = 0; i < requests_.size(); ++i) propose(i);
+    }
+
+    void place() {
+        // The least free first; ties in the figure's order.
+        std::vector<std::pair<int, std::size_t>> order;
+        for (std::size_t i = 0; i < requests_.size(); ++i) {
+            int free = 0;
+            for (const Candidate& candidate : candidates_[i]) free += !candidate.covered && !candidate.leader;
+            order.emplace_back(free, i);
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto& [free, i] : order) chosen_[i] = best(i);
+        for (int round = 0; round < 4; ++round) {
+            bool changed = false;
+            for (const auto& [free, i] : order) {
+                const int before = chosen_[i];
+                chosen_[i] = best(i);
+                changed = changed || chosen_[i] != before;
+                changed = evict(i) || changed;
+            }
+            if (!changed) break;
+        }
+    }
+
+    const ShapedLine& shaped(std::size_t i) const { return shaped_[i]; }
+    const Candidate& chosen(std::size_t i) const { return candidates_[i][static_cast<std::size_t>(chosen_[i])]; }
+
+private:
+    InkBox box_at(std::size_t i, Spot centre, Spot axis) const {
+        if (const double r = requests_[i].balloon; r > 0) return {centre, {r, r}, axis};
+        const ShapedLine& s = shaped_[i];
+        return {centre, {s.width / 2, (s.ascent + s.descent) / 2}, axis};
+    }
+
+    void propose(std::size_t i) {
+        const LabelRequest& request = requests_[i];
+        if (request.toward && length(*request.toward - request.anchor) > 0) {
+            propose_beside_line(i, *request.toward);
+            // A vector shorter than its name has room beyond its ends; a direction mark stays on its line.
+            if (!request.along) propose_around(i, 2.5, length(*request.toward - request.anchor));
+        } else {
+            propose_around(i, 0, 0);
+        }
+    }
+
+    void propose_beside_line(std::size_t i, Spot toward) {
+        const LabelRequest& request = requests_[i];
+        const Spot along = unit(toward - request.anchor), across = turned(along);
+        const double half_line = length(toward - request.anchor);
+        Spot axis{1, 0};
+        if (request.along) {
+            axis = along;
+            // Read from below or from the right, never upside-down.
+            if (axis.x < -1e-9 || (axis.x < 1e-9 && axis.y > 0)) axis = -1.0 * axis;
+        }
+        const InkBox probe = box_at(i, {}, axis);
+        const double reach_across =
+            std::abs(dot(across, probe.axis)) * probe.half.x + std::abs(cross(across, probe.axis)) * probe.half.y;
+        const double slide = std::max(half_line * 0.7, 4.0);
+        const Spot middle = 0.5 * (box_.min + box_.max);
+        const Spot outward = request.anchor - middle;
+        for (const double extra : {0.0, 0.7, 1.5, 3.0})
+            for (const double at : {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0})
+                for (const double side : {-1.0, 1.0}) {
+                    Candidate candidate;
+                    const Spot off = side * across;
+                    candidate.box =
+                        box_at(i, request.anchor + (at * slide) * along + (request.clearance + extra + reach_across) * off, axis);
+                    candidate.price = 1.5 * extra + 2.0 * std::abs(at);
+                    if (dot(off, outward) < 0) candidate.price += 0.8;                                 // the outer side
+                    if (off.y > 0.3 || (std::abs(off.y) <= 0.3 && off.x < 0)) candidate.price += 0.3;  // above, right
+                    finish(i, candidate);
+                }
+    }
+
+    void propose_around(std::size_t i, double penalty, double half_line) {
+        const LabelRequest& request = requests_[i];
+        constexpr int directions = 24;
+        for (const double extra : {0.0, 0.5, 1.1, 2.0, 3.2, 6.0, 9.0, 13.0})
+            for (int k = 0; k < directions; ++k) {
+                const bool leader = extra > 3.5;
+                if (leader && k % 2 != 0) continue;
+                if (half_line > 0 && !leader && extra > 2.5) continue;
+                const double angle = 2 * std::numbers::pi * k / directions;
+                const Spot u{std::cos(angle), -std::sin(angle)};
+                Candidate candidate;
+                InkBox box = box_at(i, {}, {1, 0});
+                box.centre = request.anchor + centre_distance(box, u, request.clearance + extra) * u;
+                candidate.box = box;
+                // Upper right is read first, then upper left, right, below.
+                candidate.price =
+                    penalty + 0.9 * extra + 0.45 * (1 - std::cos(angle - std::numbers::pi / 4)) + 0.25 * (k % 6 == 0 ? 0 : 0.2);
+                if (leader) {
+                    candidate.leader = true;
+                    const Spot at = box.local(request.anchor);
+                    const Spot nearest{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
+                    const Spot foot = box.centre + nearest;
+                    const Spot back = unit(foot - request.anchor);
+                    candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
+                    candidate.leader_to = foot - 0.5 * back;
+                    candidate.price += 6;
+                    candidate.price += 2.5 * ground_.crossed(candidate.leader_from, candidate.leader_to);
+                }
+                finish(i, candidate);
+            }
+    }
+
+    /// How far along u the box's centre is when its nearest ink is `distance` from the origin.
+    static double centre_distance(const InkBox& box, Spot u, double distance) {
+        double low = 0, high = distance + box.half.x + box.half.y;
+        for (int step = 0; step < 24; ++step) {
+            const double t = (low + high) / 2;
+            const double dx = std::max(std::abs(t * u.x) - box.half.x, 0.0), dy = std::max(std::abs(t * u.y) - box.half.y, 0.0);
+            (std::hypot(dx, dy) < distance ? low : high) = t;
+        }
+        return high;
+    }
+
+    void finish(std::size_t i, Candidate& candidate) {
+        const Ground::Finding finding = ground_.at(candidate.box, requests_[i].anchor);
+        candidate.price += finding.price;
+        candidate.covered = finding.covered;
+        const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
+        const double outside = std::max({0.0, box_.min.x - centre.x + reach.x, centre.x + reach.x - box_.max.x}) +
+                               std::max({0.0, box_.min.y - centre.y + reach.y, centre.y + reach.y - box_.max.y});
+        candidate.price += 0.12 * outside;
+        // A name must not seem to belong to a neighbour.
+        const double own = distance_to_box(requests_[i].anchor, candidate.box);
+        if (!requests_[i].toward)
+            for (std::size_t j = 0; j < requests_.size(); ++j) {
+                if (j == i || requests_[j].toward) continue;
+                const double other = distance_to_box(requests_[j].anchor, candidate.box);
+                if (other < own + 1.0) candidate.price += 4 * (own + 1.0 - other);
+            }
+        candidates_[i].push_back(candidate);
+    }
+
+    double price_with_others(std::size_t i, const Candidate& candidate, int besides) const {
+        double price = candidate.price;
+        for (std::size_t j = 0; j < requests_.size(); ++j) {
+            if (j == i || chosen_[j] < 0 || static_cast<int>(j) == besides) continue;
+            price += price_between(candidate, chosen(j));
+        }
+        return price;
+    }
+
+    static double price_between(const Candidate& a, const Candidate& b) {
+        double price = 0;
+        // A quick look first: most labels are far apart.
+        const Spot d = a.box.centre - b.box.centre;
+        const double far = a.box.half.x + a.box.half.y + b.box.half.x + b.box.half.y + 2;
+        if (std::abs(d.x) < far && std::abs(d.y) < far) {
+            const double gap = gap_between(a.box, b.box);
+            if (gap < label_gap)
+                price += covers_label + 50 * (label_gap - gap);
+            else if (gap < 1.6)
+                price += 0.8;
+        }
+        const auto leader_box = [](const Candidate& c) {
+            return InkBox{0.5 * (c.leader_from + c.leader_to),
+                          {length(c.leader_to - c.leader_from) / 2, 0.1},
+                          unit(c.leader_to - c.leader_from)};
+        };
+        if (a.leader && gap_between(leader_box(a), b.box) < ink_margin) price += covers_stroke;
+        if (b.leader && gap_between(leader_box(b), a.box) < ink_margin) price += covers_stroke;
+        if (a.leader && b.leader && gap_between(leader_box(a), leader_box(b)) < 0.3) price += 20;
+        return price;
+    }
+
+    int best(std::size_t i, int besides = -1) const {
+        int found = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < candidates_[i].size(); ++k) {
+            const Candidate& candidate = candidates_[i][k];
+            if (candidate.price >= least) continue;
+            const double price = price_with_others(i, candidate, besides);
+            if (price < least) {
+                least = price;
+                found = static_cast<int>(k);
+            }
+        }
+        return found;
+    }
+
+    /// Takes a better place from another label where that one can move at less cost.
+    bool evict(std::size_t i) {
+        const double now = price_with_others(i, chosen(i), -1);
+        if (now < 3) return false;
+        for (std::size_t j = 0; j < requests_.size(); ++j) {
+            if (j == i) continue;
+            const Spot d = chosen(i).box.centre - chosen(j).box.centre;
+            if (std::abs(d.x) > 40 || std::abs(d.y) > 40) continue;
+            const int i_before = chosen_[i], j_before = chosen_[j];
+            const double before = now + price_with_others(j, chosen(j), static_cast<int>(i));
+            chosen_[i] = best(i, static_cast<int>(j));
+            if (chosen_[i] == i_before) continue;
+            chosen_[j] = best(j);
+            const double after = price_with_others(i, chosen(i), -1) + price_with_others(j, chosen(j), static_cast<int>(i));
+            if (after < before - 1e-6) return true;
+            chosen_[i] = i_before;
+            chosen_[j] = j_before;
+        }
+        return false;
+    }
+
+    const std::vector<LabelRequest>& requests_;
+    const Ground& ground_;
+    Box box_;
+    std::vector<ShapedLine> shaped_;
+    std::vector<std::vector<Candidate>> candidates_;
+    std::vector<int> chosen_;
+};
+
+}  // namespace
+
+void place_labels(Figure& figure, const Fonts& fonts) {
+    if (figure.labels.empty()) return;
+    const Ground ground(figure.marks, fonts);
+    Placing placing(figure, fonts, ground);
+    placing.place();
+
+    const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&
+                         std::holds_alternative<GroupEnd>(figure.marks.back());
+    if (grouped) figure.marks.pop_back();
+    const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
+    if (!boxed) figure.box = box_of(figure.marks);
+    const Pen leader{0.18, Colour{0x6B, 0x6B, 0x73}, {}, false};
+    for (std::size_t i = 0; i < figure.labels.size(); ++i) {
+        const LabelRequest& request = figure.labels[i];
+        const Candidate& place = placing.chosen(i);
+        const ShapedLine& shaped = placing.shaped(i);
+        if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
+        if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, leader));
+        const Spot centre = place.box.centre;
+        if (request.balloon > 0) figure.marks.emplace_back(circle(centre, request.balloon, {0.35, request.colour, {}, false}));
+        const std::size_t first = figure.marks.size();
+        set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2},
+                 request.colour, "label");
+        for (std::size_t k = first; k < figure.marks.size(); ++k) {
+            auto& text = std::get<TextMark>(figure.marks[k]);
+            text.pivot = centre;
+            text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
+            if (k > first) text.cls = "text";  // one label, one aria-label
+        }
+        if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});
+        const Spot reach = place.box.reach();
+        figure.box.min = {std::min(figure.box.min.x, centre.x - reach.x), std::min(figure.box.min.y, centre.y - reach.y)};
+        figure.box.max = {std::max(figure.box.max.x, centre.x + reach.x), std::max(figure.box.max.y, centre.y + reach.y)};
+    }
+    if (grouped) figure.marks.emplace_back(GroupEnd{});
+    figure.labels.clear();
+}
+
+}  // namespace kinegraph::render
