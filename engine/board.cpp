@@ -118,7 +118,9 @@ Board::Board(const Pose& pose, std::function<const Pose&()> finer)
       places_(pose.points.size(), -1),
       guides_(pose.guides.size(), -1),
       guide_units_(pose.guides.size(), -1),
-      normals_(pose.guides.size(), -1) {}
+      normals_(pose.guides.size(), -1),
+      driver_directions_(pose.driver_directions.size(), -1),
+      driver_units_(pose.driver_directions.size(), -1) {}
 
 Board::~Board() = default;
 
@@ -217,6 +219,9 @@ PointOn<Plane::drawing> Board::place(PointIndex point) { return {given_once(plac
 DirectionHandle Board::guide(JointIndex joint) { return {given_once(guides_, Verb::given_guide, joint)}; }
 DirectionHandle Board::guide_unit(JointIndex joint) { return {given_once(guide_units_, Verb::given_unit_guide, joint)}; }
 DirectionHandle Board::normal(JointIndex joint) { return {given_once(normals_, Verb::given_normal, joint)}; }
+
+DirectionHandle Board::driver_direction(int driver) { return {given_once(driver_directions_, Verb::given_driver_direction, driver)}; }
+DirectionHandle Board::driver_unit(int driver) { return {given_once(driver_units_, Verb::given_unit_driver_direction, driver)}; }
 
 DirectionHandle Board::given_direction(const Vector& direction) {
     constants_.emplace_back(direction);

@@ -49,6 +49,8 @@ enum class Verb : std::uint8_t {
     given_guide,
     given_unit_guide,
     given_normal,
+    given_driver_direction,
+    given_unit_driver_direction,
     given_direction,
     given_scalar,
     pole,
@@ -172,6 +174,8 @@ public:
     DirectionHandle guide(JointIndex joint);
     DirectionHandle guide_unit(JointIndex joint);  ///< as a unit vector (within the pose's bits)
     DirectionHandle normal(JointIndex joint);      ///< common normal of a pin-slot, contact, rolling or gear
+    DirectionHandle driver_direction(int driver);  ///< `along` of a point driver
+    DirectionHandle driver_unit(int driver);       ///< the same as a unit vector
     DirectionHandle given_direction(const Vector& direction);
     ScalarHandle given(const Exact& value);
 
@@ -317,7 +321,7 @@ private:
     Protocol protocol_;
     std::unique_ptr<Replay> replay_;
     std::vector<Value> constants_;
-    std::vector<int> places_, guides_, guide_units_, normals_;
+    std::vector<int> places_, guides_, guide_units_, normals_, driver_directions_, driver_units_;
     int poles_[3] = {-1, -1, -1};
     int current_statement_ = -1;
 };

@@ -1,0 +1,426 @@
+#include "constructions/plan.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr BodyIndex frame = 0;
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+class Planner {
+public:
+    Planner(Structure& structure, Board& board, const std::vector<bool>& drivers)
+        : structure_(structure), board_(board), mechanism_(structure.mechanism()), use_driver_(drivers) {
+        plan_.bodies.assign(mechanism_.bodies.size(), false);
+        plan_.spins.assign(mechanism_.bodies.size(), false);
+        plan_.bodies[frame] = plan_.spins[frame] = true;
+    }
+
+    Plan run() {
+        sync();
+        for (const NodeIndex node : structure_.nodes_of(frame)) plan_.nodes[at(node)] = true;
+        do {
+            propagate();
+        } while (slide_by_driver() || meet_some_node() || find_auxiliary());
+        sync();
+        return std::move(plan_);
+    }
+
+private:
+    bool known(NodeIndex node) const { return at(node) < plan_.nodes.size() && plan_.nodes[at(node)]; }
+    bool body_known(BodyIndex body) const { return plan_.bodies[at(body)]; }
+    bool spin_known(BodyIndex body) const { return plan_.spins[at(body)]; }
+
+    /// Makes room for nodes added since; a place of a body wholly known is known at once, by its image.
+    void sync() {
+        for (auto index = static_cast<NodeIndex>(plan_.nodes.size()); at(index) < structure_.nodes().size(); ++index) {
+            plan_.nodes.push_back(false);
+            parallel_at_.push_back(0);
+        }
+    }
+
+    /// The node of a point on a body, known if it can be: on a body wholly known by an image step of its own.
+    NodeIndex known_on(PointIndex point, BodyIndex body) {
+        if (point < 0) return -1;
+        if (!body_known(body)) {
+            const NodeIndex node = structure_.find(point, body);
+            return node >= 0 && known(node) ? node : -1;
+        }
+        const NodeIndex node = structure_.on(point, body);
+        sync();
+        if (!known(node)) {
+            if (body == frame) {
+                plan_.nodes[at(node)] = true;
+            } else {
+                add_image(body, node);
+            }
+        }
+        return node;
+    }
+
+    void add_step(Step step) { plan_.steps.push_back(std::move(step)); }
+
+    /// The best node to turn the image about: one at rest, else the first known.
+    NodeIndex base_of(BodyIndex body, NodeIndex except) const {
+        NodeIndex best = -1;
+        for (const NodeIndex node : structure_.nodes_of(body)) {
+            if (node == except || !known(node)) continue;
+            if (structure_.node(node).bodies.front() == frame) return node;
+            if (best < 0) best = node;
+        }
+        return best;
+    }
+
+    void add_image(BodyIndex body, NodeIndex node) {
+        Step step;
+        step.kind = Step::Kind::image;
+        step.body = body;
+        step.node = node;
+        step.base = base_of(body, node);
+        KG_ASSERT(step.base >= 0, "a body wholly known has a known node");
+        add_step(step);
+        plan_.nodes[at(node)] = true;
+    }
+
+    void learn_body(BodyIndex body) {
+        plan_.bodies[at(body)] = true;
+        const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
+        for (const NodeIndex node : nodes) {
+            if (!known(node)) add_image(body, node);
+        }
+    }
+
+    bool apart(NodeIndex a, NodeIndex b) {
+        const auto key = std::minmax(a, b);
+        const auto [entry, fresh] = apart_.try_emplace(key, false);
+        if (fresh) entry->second = !board_.coincide(structure_.node(a).place, structure_.node(b).place);
+        return entry->second;
+    }
+
+    bool learn_spins() {
+        bool learnt = false;
+        for (std::size_t b = 0; b < plan_.spins.size(); ++b) {
+            const auto body = static_cast<BodyIndex>(b);
+            if (!spin_known(body)) continue;
+            for (const auto& [other, joint] : structure_.same_spin(body)) {
+                if (spin_known(other)) continue;
+                Step step;
+                step.kind = Step::Kind::spin_by_joint;
+                step.body = other;
+                step.other = body;
+                step.joint = joint;
+                add_step(step);
+                plan_.spins[at(other)] = learnt = true;
+            }
+        }
+        for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+            const auto* spin = std::get_if<SpinDriver>(&mechanism_.drivers[d]);
+            if (spin == nullptr || !use_driver_[d] || spin_known(spin->body) == spin_known(spin->relative_to)) continue;
+            Step step;
+            step.kind = Step::Kind::spin_by_driver;
+            step.inverse = spin_known(spin->body);
+            step.body = step.inverse ? spin->relative_to : spin->body;
+            step.other = step.inverse ? spin->body : spin->relative_to;
+            step.driver = static_cast<int>(d);
+            add_step(step);
+            plan_.spins[at(step.body)] = learnt = true;
+        }
+        return learnt;
+    }
+
+    bool learn_bodies() {
+        bool learnt = false;
+        for (std::size_t b = 0; b < plan_.bodies.size(); ++b) {
+            const auto body = static_cast<BodyIndex>(b);
+            if (body_known(body)) continue;
+            const NodeIndex base = base_of(body, -1);
+            if (base < 0) continue;
+            if (!spin_known(body)) {
+                NodeIndex second = -1;
+                for (const NodeIndex node : structure_.nodes_of(body)) {
+                    if (node != base && known(node) && apart(base, node)) {
+                        second = node;
+                        break;
+                    }
+                }
+                if (second < 0) continue;
+                Step step;
+                step.kind = Step::Kind::spin_from_pair;
+                step.body = body;
+                step.base = base;
+                step.node = second;
+                add_step(step);
+                plan_.spins[b] = true;
+            }
+            learn_body(body);
+            learnt = true;
+        }
+        return learnt;
+    }
+
+    void propagate() {
+        while (learn_spins() || learn_bodies()) {
+        }
+    }
+
+    bool slide_by_driver() {
+        for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+            const auto* slide = std::get_if<SlideDriver>(&mechanism_.drivers[d]);
+            if (slide == nullptr || !use_driver_[d]) continue;
+            const Joint& joint = mechanism_.joints[at(slide->joint)];
+            for (const bool inverse : {false, true}) {
+                const BodyIndex body = joint.bodies[inverse ? 1 : 0], other = joint.bodies[inverse ? 0 : 1];
+                if (body_known(body)) continue;
+                NodeIndex base = known_on(joint.point, other);
+                if (base < 0 && joint.kind == JointKind::prismatic) {  // any known place of the other serves: no relative rotation
+                    base = base_of(other, -1);
+                }
+                if (base < 0 || structure_.node(base).point < 0) continue;
+                const NodeIndex node = structure_.on(structure_.node(base).point, body);
+                sync();
+                if (known(node)) continue;
+                Step step;
+                step.kind = Step::Kind::slide_by_driver;
+                step.body = body;
+                step.other = other;
+                step.joint = slide->joint;
+                step.driver = static_cast<int>(d);
+                step.inverse = inverse;
+                step.node = node;
+                step.base = base;
+                add_step(step);
+                plan_.nodes[at(node)] = true;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    DirectionHandle perpendicular_to_join(NodeIndex base, NodeIndex node) {
+        const auto key = std::minmax(base, node);
+        const auto [entry, fresh] = joins_.try_emplace(key);
+        if (fresh) {
+            entry->second = board_.perpendicular(board_.direction(board_.vector(structure_.node(key.first).place, structure_.node(key.second).place)));
+        }
+        return entry->second;
+    }
+
+    DirectionHandle perpendicular_to(DirectionHandle direction) {
+        const auto [entry, fresh] = quarter_turns_.try_emplace(direction.element);
+        if (fresh) entry->second = board_.perpendicular(direction);
+        return entry->second;
+    }
+
+    DirectionHandle driver_direction(int driver) {
+        const auto [entry, fresh] = driver_directions_.try_emplace(driver);
+        if (fresh) {
+            entry->second = board_.driver_direction(driver);
+        }
+        return entry->second;
+    }
+
+    /// The loci that hold a node itself (not shifted), through any body that carries it but `except`.
+    void own_loci(NodeIndex node, BodyIndex except, std::vector<Locus>& loci) {
+        const PointIndex point = structure_.node(node).point;
+        const std::vector<BodyIndex> bodies = structure_.node(node).bodies;
+        for (const BodyIndex body : bodies) {
+            if (body == except) continue;
+            if (!spin_known(body)) {
+                const NodeIndex base = base_of(body, node);
+                if (base >= 0 && apart(base, node)) {
+                    Locus locus;
+                    locus.kind = Locus::Kind::rotation;
+                    locus.body = body;
+                    locus.node = node;
+                    locus.base = base;
+                    locus.direction = perpendicular_to_join(base, node);
+                    loci.push_back(locus);
+                }
+            }
+            const std::vector<Slide>& sleeves = structure_.sleeves_of(body);
+            for (const Slide& slide : sleeves) add_slide(Locus::Kind::sleeve, slide, node, point, body, loci);
+            for (const Slide& slide : structure_.slots_of(body)) {
+                if (mechanism_.joints[at(slide.joint)].point == point) add_slide(Locus::Kind::slot, slide, node, point, body, loci);
+            }
+            for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+                const auto* driven = std::get_if<PointDriver>(&mechanism_.drivers[d]);
+                if (driven == nullptr || !use_driver_[d] || driven->body != body || driven->at != point) continue;
+                Locus locus;
+                locus.kind = Locus::Kind::component;
+                locus.body = body;
+                locus.node = node;
+                locus.driver = static_cast<int>(d);
+                locus.direction = perpendicular_to(driver_direction(static_cast<int>(d)));
+                loci.push_back(locus);
+            }
+        }
+    }
+
+    void add_slide(Locus::Kind kind, const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci) {
+        if (point < 0) return;
+        const NodeIndex base = known_on(point, slide.other);
+        if (base < 0 || base == node) return;
+        Locus locus;
+        locus.kind = kind;
+        locus.body = body;
+        locus.node = node;
+        locus.base = base;
+        locus.joint = slide.joint;
+        locus.inverse = slide.inverse;
+        const bool curved = mechanism_.joints[at(slide.joint)].arc >= 0;
+        locus.direction = curved ? perpendicular_to(board_.normal(slide.joint)) : board_.guide(slide.joint);
+        loci.push_back(locus);
+    }
+
+    /// All loci of a node: its own, and those of other nodes of a body whose ω is known, shifted by ω∧(X−Y).
+    std::vector<Locus> loci_of(NodeIndex node) {
+        std::vector<Locus> loci;
+        own_loci(node, -1, loci);
+        const std::vector<BodyIndex> bodies = structure_.node(node).bodies;
+        for (const BodyIndex body : bodies) {
+            if (!spin_known(body) || body_known(body)) continue;
+            const std::vector<NodeIndex> others = structure_.nodes_of(body);
+            for (const NodeIndex other : others) {
+                if (other == node || known(other)) continue;
+                std::vector<Locus> there;
+                own_loci(other, -1, there);
+                for (Locus& locus : there) {
+                    // A sleeve of this very body holds every one of its points alike: nothing new.
+                    if (locus.body == body && locus.kind == Locus::Kind::sleeve && !loci.empty()) continue;
+                    locus.body = body;
+                    loci.push_back(locus);
+                }
+            }
+        }
+        return loci;
+    }
+
+    /// Nodes that may be sought: those of the file, then the places where a sleeve lets one body's known point be seen on the other.
+    std::vector<NodeIndex> candidates() {
+        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
+        for (BodyIndex body = 0; body < bodies; ++body) {
+            if (body_known(body)) continue;
+            for (const Slide& slide : structure_.sleeves_of(body)) {
+                if (body_known(slide.other)) {
+                    if (structure_.nodes_of(body).empty()) structure_.on(mechanism_.joints[at(slide.joint)].point, body);
+                    continue;
+                }
+                const std::vector<NodeIndex> others = structure_.nodes_of(slide.other);
+                for (const NodeIndex other : others) {
+                    if (known(other) && structure_.node(other).point >= 0) structure_.on(structure_.node(other).point, body);
+                }
+            }
+            for (const Slide& slide : structure_.slots_of(body)) {
+                const PointIndex point = mechanism_.joints[at(slide.joint)].point;
+                if (known_on(point, slide.other) >= 0) structure_.on(point, body);
+            }
+        }
+        sync();
+        std::vector<NodeIndex> order;
+        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+            if (!known(node)) order.push_back(node);
+        }
+        return order;
+    }
+
+    bool meet_some_node() {
+        for (const NodeIndex node : candidates()) {
+            const std::vector<Locus> loci = loci_of(node);
+            if (loci.size() < 2 || loci.size() == parallel_at_[at(node)]) continue;
+            for (std::size_t i = 0; i < loci.size(); ++i) {
+                for (std::size_t k = i + 1; k < loci.size(); ++k) {
+                    if (board_.parallel(loci[i].direction, loci[k].direction)) continue;
+                    Step step;
+                    step.kind = Step::Kind::meet;
+                    step.node = node;
+                    step.first = loci[i];
+                    step.second = loci[k];
+                    add_step(step);
+                    plan_.nodes[at(node)] = true;
+                    return true;
+                }
+            }
+            parallel_at_[at(node)] = loci.size();
+            plan_.dead_points.push_back({node, loci[0], loci[1]});
+        }
+        return false;
+    }
+
+    /// Class III: a body with two loci has its auxiliary (Assur) point known, or its ω where the loci are parallel.
+    bool find_auxiliary() {
+        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
+        for (BodyIndex body = 1; body < bodies; ++body) {
+            if (spin_known(body) || base_of(body, -1) >= 0) continue;
+            std::vector<Locus> loci;
+            const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
+            for (const NodeIndex node : nodes) own_loci(node, body, loci);
+            own_slides(body, nodes, loci);
+            if (auxiliary_from(body, loci)) return true;
+        }
+        return false;
+    }
+
+    /// The loci that a body's own slides give its nodes.
+    void own_slides(BodyIndex body, const std::vector<NodeIndex>& nodes, std::vector<Locus>& loci) {
+        for (const NodeIndex node : nodes) {
+            std::vector<Locus> all;
+            own_loci(node, -1, all);
+            for (const Locus& locus : all) {
+                if (locus.body == body) loci.push_back(locus);
+            }
+        }
+    }
+
+    bool auxiliary_from(BodyIndex body, const std::vector<Locus>& loci) {
+        // Parallel loci first: they give ω at once, as a translation is seen at once.
+        for (const bool want_parallel : {true, false}) {
+            for (std::size_t i = 0; i < loci.size(); ++i) {
+                for (std::size_t k = i + 1; k < loci.size(); ++k) {
+                    if (loci[i].node == loci[k].node || board_.parallel(loci[i].direction, loci[k].direction) != want_parallel) continue;
+                    const auto first = board_.through(structure_.node(loci[i].node).place, perpendicular_to(loci[i].direction));
+                    const auto second = board_.through(structure_.node(loci[k].node).place, perpendicular_to(loci[k].direction));
+                    const auto met = board_.meet(first, second);
+                    if (!met) continue;  // the two perpendiculars coincide: the loci say the same thing twice
+                    Step step;
+                    step.body = body;
+                    step.first = loci[i];
+                    step.second = loci[k];
+                    if (want_parallel) {
+                        step.kind = Step::Kind::spin_from_parallels;
+                        plan_.spins[at(body)] = true;
+                    } else {
+                        step.kind = Step::Kind::auxiliary;
+                        step.node = structure_.add_auxiliary(*met, body);
+                        sync();
+                        plan_.nodes[at(step.node)] = true;
+                    }
+                    add_step(step);
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    Structure& structure_;
+    Board& board_;
+    const Mechanism& mechanism_;
+    std::vector<bool> use_driver_;
+    Plan plan_;
+    std::vector<std::size_t> parallel_at_;  ///< by NodeIndex: how many loci it had when all were found parallel
+    std::map<std::pair<NodeIndex, NodeIndex>, bool> apart_;
+    std::map<std::pair<NodeIndex, NodeIndex>, DirectionHandle> joins_;
+    std::map<int, DirectionHandle> quarter_turns_;
+    std::map<int, DirectionHandle> driver_directions_;
+};
+
+}  // namespace
+
+Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers) { return Planner(structure, board, drivers).run(); }
+
+}  // namespace kinegraph

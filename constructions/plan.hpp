@@ -1,0 +1,69 @@
+// The planner: in which order the motion of a mechanism can be drawn, and by which rule each body is reached. It sees structure and
+// directions only (predicates of the board), so that one plan serves velocities, accelerations and every speed of the drivers.
+// It computes no number of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "constructions/structure.hpp"
+#include "engine/board.hpp"
+
+namespace kinegraph {
+
+/// A line on which the tip of a node must lie: from a known base along one direction.
+struct Locus {
+    enum class Kind {
+        rotation,  ///< the body turns about a node already known: ⟂ to their join (Rivals)
+        sleeve,    ///< slides along a guide whose point there is known (Coriolis' theorem)
+        slot,      ///< the same for a pin in a straight slot, or in one curved about a centre: ∥ the tangent
+        component  ///< a driver fixes the component along a direction
+    };
+    Kind kind = Kind::rotation;
+    BodyIndex body = -1;      ///< the body that carries the node
+    NodeIndex node = -1;      ///< whose tip it holds (differs from the node sought where the locus is shifted by a known ω)
+    NodeIndex base = -1;
+    JointIndex joint = -1;
+    bool inverse = false;     ///< the node is the guide's point, the base the slider's
+    int driver = -1;
+    DirectionHandle direction;
+};
+
+struct Step {
+    enum class Kind {
+        spin_by_joint,    ///< ω of `body` equals that of `other`: a sleeve or weld holds them
+        spin_by_driver,   ///< ω of `body` from that of `other` and the driver between them
+        slide_by_driver,  ///< `node` from `base` and a driven slide
+        image,            ///< `node` from `base` and ω of `body`
+        meet,             ///< `node` where two loci meet
+        spin_from_pair,   ///< ω of `body` from `base` and `node`
+        auxiliary,        ///< Assur's point `node` of `body`: where the perpendiculars to the loci of two nodes meet
+        spin_from_parallels  ///< ω of `body` from two parallel loci (auxiliary point at infinity)
+    };
+    Kind kind = Kind::image;
+    BodyIndex body = -1, other = -1;
+    JointIndex joint = -1;
+    int driver = -1;
+    bool inverse = false;
+    NodeIndex node = -1, base = -1;
+    Locus first, second;
+};
+
+/// Two loci that should have met but are parallel: a dead point of the group.
+struct DeadPoint {
+    NodeIndex node = -1;
+    Locus first, second;
+};
+
+struct Plan {
+    std::vector<Step> steps;
+    std::vector<bool> nodes;   ///< by NodeIndex: reached
+    std::vector<bool> bodies;  ///< by BodyIndex: motion wholly known
+    std::vector<bool> spins;   ///< by BodyIndex: ω known
+    std::vector<DeadPoint> dead_points;
+};
+
+/// `drivers` tells which drivers to use (one that fixes nothing new is left out). The frame's nodes are known at the start.
+Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers);
+
+}  // namespace kinegraph

@@ -1,0 +1,143 @@
+#include "constructions/structure.hpp"
+
+#include <algorithm>
+
+namespace kinegraph {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool slides(const Joint& joint) { return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot; }
+
+/// For each point, the groups of bodies that carry it as one: joined by the revolutes and welds at it.
+class Carriers {
+public:
+    explicit Carriers(const Mechanism& mechanism) : groups_(mechanism.points.size()) {
+        for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
+            for (const PointIndex point : mechanism.bodies[body].points) add(point, static_cast<BodyIndex>(body));
+        }
+        for (const Joint& joint : mechanism.joints) {
+            if (joint.kind == JointKind::revolute || joint.kind == JointKind::weld) {
+                for (const BodyIndex body : joint.bodies) unite(joint.point, joint.bodies.front(), body);
+            }
+        }
+        // The pin of a slot is its body's; the point of a sleeve is the slider's where nothing else carries it.
+        for (const Joint& joint : mechanism.joints) {
+            if (joint.kind == JointKind::pin_slot || (joint.kind == JointKind::prismatic && groups_[at(joint.point)].empty())) {
+                add(joint.point, joint.bodies.front());
+            }
+        }
+    }
+    const std::vector<std::vector<BodyIndex>>& groups(std::size_t point) const { return groups_[point]; }
+
+private:
+    std::vector<BodyIndex>& add(PointIndex point, BodyIndex body) {
+        auto& groups = groups_[at(point)];
+        for (auto& group : groups) {
+            if (std::find(group.begin(), group.end(), body) != group.end()) return group;
+        }
+        return groups.emplace_back(1, body);
+    }
+    void unite(PointIndex point, BodyIndex first, BodyIndex second) {
+        add(point, first);
+        add(point, second);
+        auto& groups = groups_[at(point)];
+        const auto holding = [&](BodyIndex body) {
+            return std::find_if(groups.begin(), groups.end(),
+                                [&](const auto& g) { return std::find(g.begin(), g.end(), body) != g.end(); });
+        };
+        const auto one = holding(first), two = holding(second);
+        if (one == two) return;
+        one->insert(one->end(), two->begin(), two->end());
+        std::sort(one->begin(), one->end());
+        groups.erase(two);
+    }
+    std::vector<std::vector<std::vector<BodyIndex>>> groups_;
+};
+
+}  // namespace
+
+Structure::Structure(const Mechanism& mechanism, Board& board)
+    : mechanism_(mechanism),
+      board_(board),
+      nodes_of_(mechanism.bodies.size()),
+      nodes_at_(mechanism.points.size()),
+      sleeves_(mechanism.bodies.size()),
+      slots_(mechanism.bodies.size()),
+      same_spin_(mechanism.bodies.size()) {
+    const Carriers carriers(mechanism);
+    for (std::size_t point = 0; point < mechanism.points.size(); ++point) {
+        auto groups = carriers.groups(point);
+        // The slider's point goes by the plain name, the guide's by the name with a star.
+        const auto is_slider = [&](const std::vector<BodyIndex>& group) {
+            return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+                return slides(joint) && joint.point == static_cast<PointIndex>(point) &&
+                       std::find(group.begin(), group.end(), joint.bodies.front()) != group.end();
+            });
+        };
+        std::stable_partition(groups.begin(), groups.end(), is_slider);
+        for (auto& group : groups) {
+            Node node;
+            node.point = static_cast<PointIndex>(point);
+            node.bodies = std::move(group);
+            add(std::move(node));
+        }
+    }
+    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+        const Joint& joint = mechanism.joints[j];
+        const auto index = static_cast<JointIndex>(j);
+        if (slides(joint)) {
+            auto& slides_of = joint.kind == JointKind::prismatic ? sleeves_ : slots_;
+            slides_of[at(joint.bodies[0])].push_back({index, joint.bodies[1], false});
+            slides_of[at(joint.bodies[1])].push_back({index, joint.bodies[0], true});
+        }
+        if (joint.kind == JointKind::prismatic || joint.kind == JointKind::weld) {
+            for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
+                same_spin_[at(joint.bodies[0])].emplace_back(joint.bodies[k], index);
+                same_spin_[at(joint.bodies[k])].emplace_back(joint.bodies[0], index);
+            }
+        }
+    }
+}
+
+NodeIndex Structure::add(Node node) {
+    const auto index = static_cast<NodeIndex>(nodes_.size());
+    if (node.point >= 0) {
+        auto& here = nodes_at_[at(node.point)];
+        node.label = mechanism_.points[at(node.point)].name + std::string(here.size(), '*');
+        node.place = board_.place(node.point);
+        here.push_back(index);
+    }
+    for (const BodyIndex body : node.bodies) nodes_of_[at(body)].push_back(index);
+    nodes_.push_back(std::move(node));
+    return index;
+}
+
+NodeIndex Structure::find(PointIndex point, BodyIndex body) const {
+    for (const NodeIndex candidate : nodes_at_[at(point)]) {
+        const auto& bodies = node(candidate).bodies;
+        if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return candidate;
+    }
+    return -1;
+}
+
+NodeIndex Structure::on(PointIndex point, BodyIndex body) {
+    if (const NodeIndex found = find(point, body); found >= 0) return found;
+    Node node;
+    node.point = point;
+    node.bodies = {body};
+    node.carried = false;
+    return add(std::move(node));
+}
+
+NodeIndex Structure::add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body) {
+    Node node;
+    node.bodies = {body};
+    node.carried = false;
+    node.place = place;
+    node.label = auxiliaries_ == 0 ? "S" : "S" + std::to_string(auxiliaries_ + 1);
+    ++auxiliaries_;
+    return add(std::move(node));
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,67 @@
+// Structure: which places of which bodies move as one. A node is a place as carried by one body, or by several that a pin or a
+// weld holds together there; a place that two bodies carry without a pin gives two nodes (A of the slider, A* of the guide).
+// Knows how bodies hang together; nothing of where they are or how fast.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/board.hpp"
+#include "engine/mechanism.hpp"
+
+namespace kinegraph {
+
+using NodeIndex = int;
+
+struct Node {
+    PointIndex point = -1;          ///< −1: an auxiliary point of the construction
+    std::vector<BodyIndex> bodies;  ///< in the file's order
+    std::string label;              ///< "A", "A*", "S"
+    bool carried = true;            ///< false: a place seen on a body that does not carry it in the file
+    PointOn<Plane::drawing> place;  ///< on the board
+};
+
+/// A joint in which one body slides on another, seen from body `moving` (inverse: from the guide's side).
+struct Slide {
+    JointIndex joint = -1;
+    BodyIndex other = -1;
+    bool inverse = false;  ///< the body asked about carries the guide
+};
+
+class Structure {
+public:
+    Structure(const Mechanism& mechanism, Board& board);
+
+    const Mechanism& mechanism() const { return mechanism_; }
+    const std::vector<Node>& nodes() const { return nodes_; }
+    const Node& node(NodeIndex node) const { return nodes_[static_cast<std::size_t>(node)]; }
+    /// The node of a point on a body, or −1.
+    NodeIndex find(PointIndex point, BodyIndex body) const;
+    /// The same, made (not carried) where the body does not carry the point.
+    NodeIndex on(PointIndex point, BodyIndex body);
+    /// An auxiliary point carried by one body.
+    NodeIndex add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body);
+    const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[static_cast<std::size_t>(body)]; }
+    /// Sleeves (prismatic) of a body, in the file's order.
+    const std::vector<Slide>& sleeves_of(BodyIndex body) const { return sleeves_[static_cast<std::size_t>(body)]; }
+    /// Pin-slots of a body: they hold at their own point only.
+    const std::vector<Slide>& slots_of(BodyIndex body) const { return slots_[static_cast<std::size_t>(body)]; }
+    /// Bodies that turn as one with a body: through sleeves and welds.
+    const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const {
+        return same_spin_[static_cast<std::size_t>(body)];
+    }
+    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].name; }
+
+private:
+    NodeIndex add(Node node);
+    const Mechanism& mechanism_;
+    Board& board_;
+    std::vector<Node> nodes_;
+    std::vector<std::vector<NodeIndex>> nodes_of_;
+    std::vector<std::vector<NodeIndex>> nodes_at_;  ///< by PointIndex
+    std::vector<std::vector<Slide>> sleeves_, slots_;
+    std::vector<std::vector<std::pair<BodyIndex, JointIndex>>> same_spin_;
+    int auxiliaries_ = 0;
+};
+
+}  // namespace kinegraph
