@@ -1,0 +1,488 @@
+// Words: the only file that speaks. One table of sentences and one of fixed words, each row in every language, and how symbols
+// and numbers are typeset. Knows no page; what a sentence means is said in engine/statement.hpp.
+//
+// A pattern holds the places {0} … of its arguments; what stands in [square brackets] is said only when all its arguments are
+// given; ω and α are set as symbols (α is ω̇ in Italian), × is ∧ there.
+#include "render/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+struct Row {
+    Sentence sentence;
+    std::string_view en, it;
+};
+
+constexpr std::array sentences{
+    Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4} {1}{2}.",
+        "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4} {1}{2}."},
+    Row{Sentence::crank_acceleration,
+        "{2} moves on a circle about {1}: {3} runs from {2} to {1} and is ω² {1}{2}[; {4}, normal to it, is α {1}{2}].",
+        "{2} percorre un cerchio di centro {1}: {3} va da {2} a {1} e vale ω² {1}{2}[; {4}, normale a {1}{2}, vale α {1}{2}]."},
+    Row{Sentence::image_velocity,
+        "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω {3}{0}, normal to {3}{0}].",
+        "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω {3}{0}, normale a {3}{0}]."},
+    Row{Sentence::image_acceleration,
+        "{2} follows from the image of body {1}[: from {3} step ω² {3}{0} from {0} towards {3}, then α {3}{0} normal to it].",
+        "{2} segue dall’immagine del corpo {1}[: da {3} si porta ω² {3}{0} da {0} verso {3}, poi α {3}{0} normale a {3}{0}]."},
+    Row{Sentence::translating_velocity, "Body {0} translates, so {1} moves as all its points do: {2}.",
+        "Il corpo {0} trasla, quindi {1} si muove come tutti i suoi punti: {2}."},
+    Row{Sentence::two_lines_velocity, "From the known ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
+        "Dagli estremi noti si tracciano le rette {1} e {2}: si incontrano in {0} e chiudono il poligono."},
+    Row{Sentence::two_lines_acceleration,
+        "Set off the known terms; from their ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
+        "Si compongono i termini noti; dai loro estremi le rette {1} e {2} si incontrano in {0} e chiudono il poligono."},
+    Row{Sentence::omega_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
+        "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
+    Row{Sentence::alpha_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
+        "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
+    Row{Sentence::omega_by_sleeve, "The sleeve at {2} allows no relative turning: {0} = {1}.",
+        "Il manicotto in {2} non consente rotazione relativa: {0} = {1}."},
+    Row{Sentence::alpha_by_sleeve, "The sleeve at {2} keeps the two bodies parallel: {0} = {1}.",
+        "Il manicotto in {2} mantiene paralleli i due corpi: {0} = {1}."},
+    Row{Sentence::omega_by_driver, "The drive gives {0}[ against {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
+    Row{Sentence::alpha_by_driver, "The drive gives {0}[ against {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
+    Row{Sentence::sleeve_velocity, "{0} is the transport velocity {1} plus the given sliding {2}.",
+        "{0} è la velocità di trascinamento {1} più lo scorrimento assegnato {2}."},
+    Row{Sentence::sleeve_acceleration, "{0} is the transport acceleration {1} plus {2} along the guide and the Coriolis term.",
+        "{0} è l’accelerazione di trascinamento {1} più {2} lungo la guida e il termine di Coriolis."},
+    Row{Sentence::slide_velocity, "At {1} both ends are known: {0} joins them, the sliding of body {2} on body {3}.",
+        "In {1} sono noti i due estremi: {0} li congiunge, velocità relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::slide_acceleration,
+        "At {1}, once the Coriolis term is set off, {0} closes: the relative acceleration of body {2} on body {3}.",
+        "In {1}, portato il termine di Coriolis, chiude {0}: accelerazione relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::driven_point_velocity, "The drive at {1} gives {0} in length and direction.",
+        "Il movente in {1} assegna {0} in modulo e direzione."},
+    Row{Sentence::driven_point_acceleration, "The drive at {1} gives {0} in length and direction.",
+        "Il movente in {1} assegna {0} in modulo e direzione."},
+    Row{Sentence::auxiliary_point, "On body {1} the normals to the two known directions meet in the auxiliary point {0}.",
+        "Sul corpo {1} le normali alle due direzioni note si incontrano nel punto ausiliario {0}."},
+    Row{Sentence::at_rest, "{0} is at rest: its image is the pole.", "{0} è fermo: la sua immagine è il polo."},
+    Row{Sentence::primary_revolute, "{0} is the hinge {1}.", "{0} è la cerniera {1}."},
+    Row{Sentence::primary_prismatic, "{0} is at infinity, normal to the guide at {1}.",
+        "{0} è all’infinito, in direzione normale alla guida in {1}."},
+    Row{Sentence::primary_rolling, "{0} is the contact {1}: there is rolling without slip.",
+        "{0} è il contatto {1}: rotolamento senza strisciamento."},
+    Row{Sentence::primary_gear, "{0} is the pitch point {1}.", "{0} è il punto primitivo {1}."},
+    Row{Sentence::primary_weld, "At {1} the bodies are clamped: every point may serve as {0}.",
+        "In {1} i corpi sono incastrati: ogni punto può fare da {0}."},
+    Row{Sentence::primary_line, "{0} lies on the normal at {1}.", "{0} sta sulla normale in {1}."},
+    Row{Sentence::kennedy, "{0} is where {1}{2} meets {3}{4} (Aronhold–Kennedy).",
+        "{0} è l’incontro di {1}{2} con {3}{4} (Aronhold–Kennedy)."},
+    Row{Sentence::kennedy_line, "{0} is where {1}{2} meets the normal at {3}.",
+        "{0} è l’incontro di {1}{2} con la normale in {3}."},
+    Row{Sentence::kennedy_two_normals, "{0} is where the normals at {1} and {2} meet.",
+        "{0} è l’incontro delle normali in {1} e {2}."},
+    Row{Sentence::kennedy_same, "{1} and {2} fall together, so {0} is there too.",
+        "{1} e {2} coincidono, quindi anche {0} è lì."},
+    Row{Sentence::centre_by_rigidity, "Two of the bodies do not move against each other: {0} falls on {1}.",
+        "Due dei corpi non si muovono l’uno rispetto all’altro: {0} cade in {1}."},
+    Row{Sentence::centre_from_velocities,
+        "{0} from the velocities: the normals to the relative velocities[ of {1} and {2}] meet there.",
+        "{0} dalle velocità: vi si incontrano le normali alle velocità relative[ di {1} e {2}]."},
+    Row{Sentence::centre_at_infinity, "The lines are parallel: {0} is at infinity, bodies {1} and {2} turn alike.",
+        "Le rette sono parallele: {0} è all’infinito, i corpi {1} e {2} ruotano insieme."},
+    Row{Sentence::second_way, "Second way: the centres {1}, {2} and {3} carry {4} over to {0}, the same as by the polygon.",
+        "Seconda via: i centri {1}, {2} e {3} danno {0} da {4}, come il poligono."},
+    Row{Sentence::relative_transport_velocity,
+        "Seen from body {1}, {0} moves with {3}: its velocity less the transport velocity {2}.",
+        "Vista dal corpo {1}, {0} ha velocità relativa {3}: la velocità assoluta meno quella di trascinamento {2}."},
+    Row{Sentence::relative_transport_acceleration,
+        "Seen from body {1}, {0} has {4}: its acceleration less the transport term {2} and the Coriolis term {3}.",
+        "Visto dal corpo {1}, {0} ha {4}: l’accelerazione meno quella di trascinamento {2} e quella di Coriolis {3}."},
+    Row{Sentence::relative_translating_velocity,
+        "Seen from axes that translate with {1}, {0} moves with {3}: its velocity less {2}.",
+        "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua velocità meno {2}."},
+    Row{Sentence::relative_translating_acceleration,
+        "Seen from axes that translate with {1}, {0} has {3}: its acceleration less {2}; there is no Coriolis term.",
+        "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua accelerazione meno {2}, senza Coriolis."},
+};
+
+struct FixedWords {
+    std::string_view key, en, it;
+};
+constexpr std::array fixed_words{
+    // figures
+    FixedWords{"figure", "Fig.", "Fig."},
+    FixedWords{"mechanism", "Mechanism", "Meccanismo"},
+    FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
+    FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
+    FixedWords{"acceleration polygon", "Acceleration polygon", "Poligono delle accelerazioni"},
+    FixedWords{"velocities on the mechanism", "Velocities on the mechanism", "Velocità sul meccanismo"},
+    FixedWords{"circle diagram", "Circle diagram of the centres", "Diagramma circolare dei centri"},
+    FixedWords{"detail", "Detail", "Particolare"},
+    FixedWords{"relative velocity of", "Motion relative to", "Moto relativo a"},
+    FixedWords{"seen from body", "seen from body", "rispetto al corpo"},
+    FixedWords{"seen from axes translating with", "seen from axes translating with", "rispetto ad assi traslanti con"},
+    FixedWords{"of", "of", "di"},
+    FixedWords{"scale", "scale", "scala"},
+    FixedWords{"guide", "guide", "guida"},
+    FixedWords{"drive", "drive", "movente"},
+    FixedWords{"locus", "locus", "luogo"},
+    FixedWords{"known", "known", "nota"},
+    // headings
+    FixedWords{"bodies", "Bodies", "Corpi"},
+    FixedWords{"body", "body", "corpo"},
+    FixedWords{"frame", "frame", "telaio"},
+    FixedWords{"instant centres", "Instant centres", "Centri di istantanea rotazione"},
+    FixedWords{"absolute centre", "absolute", "CIR"},
+    FixedWords{"results", "Results", "Risultati"},
+    FixedWords{"velocities", "Velocities", "Velocità"},
+    FixedWords{"accelerations", "Accelerations", "Accelerazioni"},
+    FixedWords{"relative motion", "Relative motion", "Moto relativo"},
+    FixedWords{"steps", "Steps", "Procedimento"},
+    FixedWords{"steps centres", "Steps: instant centres", "Procedimento: centri"},
+    FixedWords{"steps velocity", "Steps: velocities", "Procedimento: velocità"},
+    FixedWords{"steps acceleration", "Steps: accelerations", "Procedimento: accelerazioni"},
+    FixedWords{"steps relative motion", "Steps: relative motion", "Procedimento: moto relativo"},
+    FixedWords{"remarks", "Remarks", "Osservazioni"},
+    FixedWords{"unsolved", "Not determined", "Non determinato"},
+    FixedWords{"mobility", "Mobility", "Mobilità"},
+    FixedWords{"degrees of freedom", "degrees of freedom", "gradi di libertà"},
+    FixedWords{"effective", "effective at this pose", "effettivi in questa configurazione"},
+    FixedWords{"by Grübler", "by Grübler", "secondo Grübler"},
+    FixedWords{"conventions", "Conventions", "Convenzioni"},
+    FixedWords{"axes", "z points towards the reader; ω and α are positive counter-clockwise.",
+               "Asse z verso chi legge; ω e α positive in senso antiorario."},
+    FixedWords{"measured", "lengths measured to 0.1 mm, drawing = mm × scale",
+               "lunghezze misurate a 0,1 mm, disegno = mm × scala"},
+    // the table of knowns
+    FixedWords{"magnitude", "magnitude", "modulo"},
+    FixedWords{"direction", "direction", "direzione"},
+    FixedWords{"line", "line", "retta"},
+    // results
+    FixedWords{"drawing", "drawing", "disegno"},
+    FixedWords{"numeric", "numeric", "numerico"},
+    FixedWords{"unit", "unit", "unità"},
+    FixedWords{"difference", "diff.", "diff."},
+    FixedWords{"centre", "centre", "centro"},
+    FixedWords{"found by", "found by", "costruzione"},
+    FixedWords{"everywhere", "everywhere", "ogni punto"},
+    FixedWords{"at infinity", "at infinity", "all’infinito"},
+    FixedWords{"not found", "not found", "non trovato"},
+    FixedWords{"hinge", "hinge", "cerniera"},
+    FixedWords{"normal to guide", "normal to the guide at", "normale alla guida in"},
+    FixedWords{"contact", "contact", "contatto"},
+    FixedWords{"pitch point", "pitch point", "punto primitivo"},
+    FixedWords{"clamped at", "clamped at", "incastro in"},
+    FixedWords{"normal at", "normal at", "normale in"},
+    FixedWords{"and", "and", "e"},
+    FixedWords{"from velocities", "from the velocities", "dalle velocità"},
+    FixedWords{"depends on drivers", "for this ratio of the drivers", "per questo rapporto dei moventi"},
+    FixedWords{"point", "point", "punto"},
+    FixedWords{"velocity", "velocity", "velocità"},
+    FixedWords{"acceleration", "acceleration", "accelerazione"},
+    FixedWords{"sliding", "Sliding", "Scorrimenti"},
+    FixedWords{"at", "at", "in"},
+    FixedWords{"on", "on", "su"},
+    FixedWords{"modulus", "modulus", "modulo"},
+    FixedWords{"coriolis", "Coriolis", "Coriolis"},
+    FixedWords{"largest difference", "Largest difference between construction and check",
+               "Massima differenza fra costruzione e verifica"},
+    FixedWords{"relative to velocity", "of the largest", "del massimo"},
+    FixedWords{"nothing driven", "Nothing is driven: the drawing shows the pose and its centres.",
+               "Nessun movente: il disegno mostra la configurazione e i centri."},
+    // kinds of bodies, for the key
+    FixedWords{"crank", "crank", "manovella"},
+    FixedWords{"rocker", "rocker", "bilanciere"},
+    FixedWords{"coupler", "coupler", "biella"},
+    FixedWords{"slider", "slider", "corsoio"},
+    FixedWords{"sleeve", "sleeve", "manicotto"},
+    FixedWords{"slotted link", "slotted link", "glifo"},
+    FixedWords{"link", "link", "asta"},
+    FixedWords{"disc", "disc", "disco"},
+    // title block
+    FixedWords{"block scale", "Scale", "Scala"},
+    FixedWords{"block scales", "Scales", "Scale"},
+    FixedWords{"block size", "Size", "Formato"},
+    FixedWords{"block sheet", "Sheet", "Foglio"},
+    FixedWords{"block units", "Units", "Unità"},
+    FixedWords{"block readings", "Readings to", "Letture a"},
+    FixedWords{"block file", "File", "File"},
+    FixedWords{"block bodies", "Bodies", "Corpi"},
+    FixedWords{"untitled", "Mechanism", "Meccanismo"},
+    FixedWords{"subtitle pose", "Pose and instant centres", "Configurazione e centri di istantanea rotazione"},
+    FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
+    FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
+};
+
+bool digits_only(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return (c >= '0' && c <= '9') || c == ',' || c == '.'; });
+}
+
+Piece piece(std::string_view text, Face face = Face::regular) {
+    Piece result;
+    result.text = text;
+    result.face = face;
+    return result;
+}
+
+/// A point's name as textbooks set it: O2 with the number lowered, else as it is, italic.
+RichText point_name(std::string_view name) {
+    std::size_t digits = name.size();
+    std::string_view tail;
+    while (digits > 0 && (name[digits - 1] == '*' || name[digits - 1] == '\'')) --digits;
+    tail = name.substr(digits);
+    std::size_t letters = digits;
+    while (letters > 0 && name[letters - 1] >= '0' && name[letters - 1] <= '9') --letters;
+    const bool lowers = letters > 0 && letters < digits && name[letters - 1] != '.' && name[letters - 1] != '-';
+    if (!lowers) return {piece(name, digits_only(name) ? Face::regular : Face::italic)};
+    Piece result = piece(name.substr(0, letters), Face::italic);
+    result.sub = name.substr(letters, digits - letters);
+    result.sub_face = Face::regular;
+    result.sup = tail == "*" ? "∗" : std::string(tail);
+    return {result};
+}
+
+void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+std::string lower_case(std::string_view name) {
+    std::string out;
+    for (const char c : name) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return out;
+}
+
+RichText argument(const Argument& arg, Language language) {
+    return std::visit(
+        [&](const auto& value) -> RichText {
+            using T = std::decay_t<decltype(value)>;
+            if constexpr (std::is_same_v<T, PointName>) {
+                return point_name(value.name);
+            } else if constexpr (std::is_same_v<T, BodyName>) {
+                return {piece(value.name)};
+            } else if constexpr (std::is_same_v<T, kinegraph::Segment>) {
+                RichText text = point_name(value.from);
+                append(text, point_name(value.to));
+                return text;
+            } else if constexpr (std::is_same_v<T, std::string>) {
+                return {piece(value)};
+            } else {
+                return typeset(value, language);
+            }
+        },
+        arg);
+}
+
+constexpr bool rows_are_in_order() {
+    for (std::size_t i = 0; i < sentences.size(); ++i)
+        if (sentences[i].sentence != static_cast<Sentence>(i) || sentences[i].en.empty() || sentences[i].it.empty()) return false;
+    return sentences.size() == static_cast<std::size_t>(Sentence::count_);
+}
+static_assert(rows_are_in_order(), "every sentence has its words, in the order of the enumeration");
+
+std::string_view pattern_of(Sentence sentence, Language language) {
+    KG_ASSERT(sentence < Sentence::count_, "a message has a sentence");
+    const Row& row = sentences[static_cast<std::size_t>(sentence)];
+    return language == Language::en ? row.en : row.it;
+}
+
+bool is_empty(const Argument& arg) {
+    if (const auto* text = std::get_if<std::string>(&arg)) return text->empty();
+    if (const auto* point = std::get_if<PointName>(&arg)) return point->name.empty();
+    if (const auto* body = std::get_if<BodyName>(&arg)) return body->name.empty();
+    return false;
+}
+
+/// Sets a stretch of a pattern; true where every argument it names is given.
+bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, RichText& to) {
+    bool all_given = true;
+    std::string plain_text;
+    const auto flush = [&] {
+        if (!plain_text.empty()) to.push_back(piece(plain_text));
+        plain_text.clear();
+    };
+    for (std::size_t i = 0; i < pattern.size();) {
+        if (pattern[i] == '{') {
+            const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
+            flush();
+            if (index < arguments.size() && !is_empty(arguments[index]))
+                append(to, argument(arguments[index], language));
+            else
+                all_given = false;
+            i += 3;
+        } else if (pattern[i] == '[') {
+            const std::size_t end = pattern.find(']', i);
+            flush();
+            RichText optional_part;
+            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, optional_part)) append(to, optional_part);
+            i = end + 1;
+        } else if (pattern.substr(i).starts_with("ω")) {
+            flush();
+            to.push_back(piece("ω", Face::italic));
+            i += std::string_view("ω").size();
+        } else if (pattern.substr(i).starts_with("α")) {
+            flush();
+            append(to, typeset(Symbol{Symbol::Letter::alpha, "", ""}, language));
+            i += std::string_view("α").size();
+        } else {
+            plain_text += pattern[i++];
+        }
+    }
+    flush();
+    return all_given;
+}
+
+std::string superscript(int value) {
+    static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string out;
+    for (const char c : std::to_string(value)) out += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+    return out;
+}
+
+/// A decimal of to_chars in the language's dress.
+std::string dressed(std::string_view decimal, Language language) {
+    std::string out;
+    for (const char c : decimal) {
+        if (c == '-')
+            out += "−";
+        else if (c == '.')
+            out += language == Language::it ? "," : ".";
+        else
+            out += c;
+    }
+    return out;
+}
+
+bool is_all_zero(std::string_view decimal) {
+    return std::none_of(decimal.begin(), decimal.end(), [](char c) { return c >= '1' && c <= '9'; });
+}
+
+}  // namespace
+
+RichText say(const Message& message, Language language) {
+    RichText text;
+    fill(pattern_of(message.sentence, language), message.arguments, language, text);
+    return text;
+}
+
+RichText typeset(const Symbol& symbol, Language language) {
+    using Letter = Symbol::Letter;
+    if (symbol.letter == Letter::point || symbol.letter == Letter::length) return point_name(symbol.about);
+    if (symbol.letter == Letter::image) return point_name(lower_case(symbol.about) + (symbol.term == "'" ? "'" : ""));
+    if (symbol.letter == Letter::body) return {piece(symbol.about)};
+
+    Piece result;
+    result.face = Face::italic;
+    switch (symbol.letter) {
+        case Letter::pole:
+            result.text = "o";
+            break;
+        case Letter::v:
+            result.text = "v";
+            result.face = Face::bold_italic;
+            break;
+        case Letter::a:
+            result.text = "a";
+            result.face = Face::bold_italic;
+            break;
+        case Letter::omega:
+            result.text = "ω";
+            break;
+        case Letter::alpha:
+            result.text = language == Language::it ? "ω" : "α";
+            result.dots = language == Language::it ? 1 : 0;
+            break;
+        case Letter::centre:
+            result.text = language == Language::it ? "C" : "P";
+            break;
+        case Letter::F:
+            result.text = "F";
+            result.face = Face::bold_italic;
+            break;
+        case Letter::M:
+            result.text = "M";
+            break;
+        case Letter::speed:
+            result.text = "s";
+            result.dots = 1;
+            break;
+        default:
+            KG_ASSERT(false, "a symbol has a letter");
+    }
+    result.sub = symbol.about;
+    for (std::size_t star = result.sub.find('*'); star != std::string::npos; star = result.sub.find('*', star))
+        result.sub.replace(star, 1, "∗");  // on the line, as high as a letter's middle
+    result.sub_face = digits_only(symbol.about) ? Face::regular : Face::italic;
+    result.sup = symbol.term;
+    return {result};
+}
+
+RichText typeset(const LineReason& reason, Language language) {
+    using Kind = LineReason::Kind;
+    const bool perpendicular = reason.kind == Kind::perpendicular_to_segment || reason.kind == Kind::perpendicular_to_guide;
+    if (reason.kind == Kind::known) return {piece(word("known", language))};
+    RichText text{piece(perpendicular ? "⟂ " : "∥ ")};
+    switch (reason.kind) {
+        case Kind::perpendicular_to_segment:
+        case Kind::parallel_to_segment:
+            append(text, point_name(reason.from));
+            append(text, point_name(reason.to));
+            return text;
+        case Kind::parallel_to_guide:
+        case Kind::perpendicular_to_guide:
+            text.back().text += word("guide", language);
+            break;
+        case Kind::driver_component:
+            text = {piece("⟂ " + word("drive", language))};
+            break;
+        case Kind::parallel_to_locus:
+            text.back().text += word("locus", language);
+            break;
+        case Kind::known:
+            break;
+    }
+    if (!reason.from.empty()) {
+        text.back().text += " ";
+        append(text, point_name(reason.from));
+    }
+    return text;
+}
+
+std::string number(double value, int digits, Language language) {
+    KG_ASSERT(digits >= 1 && digits <= 17, "a number has 1 to 17 digits");
+    if (!std::isfinite(value)) return "–";
+    if (value == 0) return "0";
+    char buffer[64];
+    const auto scientific = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+    std::string_view text(buffer, static_cast<std::size_t>(scientific.ptr - buffer));
+    const std::size_t e = text.find('e');
+    const int exponent = std::atoi(std::string(text.substr(e + 1)).c_str());
+    if (exponent < -3 || exponent >= std::max(digits, 5))
+        return dressed(text.substr(0, e), language) + " × 10" + superscript(exponent);
+    char fixed_buffer[64];
+    const auto end = std::to_chars(fixed_buffer, fixed_buffer + sizeof fixed_buffer, value, std::chars_format::fixed,
+                                   std::max(0, digits - 1 - exponent));
+    return dressed({fixed_buffer, static_cast<std::size_t>(end.ptr - fixed_buffer)}, language);
+}
+
+std::string fixed(double value, int decimals, Language language) {
+    if (!std::isfinite(value)) return "–";
+    char buffer[400];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
+    std::string_view text(buffer, static_cast<std::size_t>(end.ptr - buffer));
+    if (text.starts_with('-') && is_all_zero(text)) text.remove_prefix(1);  // no −0.00
+    return dressed(text, language);
+}
+
+const std::string& in(const Words& words, Language language) {
+    if (language == Language::it) return words.it.empty() ? words.en : words.it;
+    return words.en.empty() ? words.it : words.en;
+}
+
+std::string word(std::string_view key, Language language) {
+    for (const FixedWords& row : fixed_words)
+        if (row.key == key) return std::string(language == Language::en ? row.en : row.it);
+    KG_ASSERT(false, "no words for \"" + std::string(key) + "\"");
+}
+
+}  // namespace kinegraph::render
