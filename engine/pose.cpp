@@ -513,9 +513,16 @@ private:
             }
         }
         // Drivers and loads speak of directions too; a root in them is a root in what follows.
-        const auto note = [&](const Bearing& bearing, const std::string& where) { direction(bearing, where + "/along"); };
-        for (const Driver& driver : mechanism_.drivers) {
-            if (const auto* point = std::get_if<PointDriver>(&driver)) note(point->along, point->where);
+        const auto note = [&](const Bearing& bearing, const std::string& where) { return direction(bearing, where + "/along"); };
+        pose_.driver_directions.resize(mechanism_.drivers.size());
+        pose_.driver_units.resize(mechanism_.drivers.size());
+        for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) {
+            const auto* point = std::get_if<PointDriver>(&mechanism_.drivers[i]);
+            if (point == nullptr) continue;
+            if (const auto along = note(point->along, point->where)) {
+                pose_.driver_directions[i] = *along;
+                pose_.driver_units[i] = unit_along(*along, pose_.bits);
+            }
         }
         for (const Load& load : mechanism_.loads) {
             const auto* force = std::get_if<ForceLoad>(&load);

@@ -28,6 +28,8 @@ struct Pose {
     std::vector<Exact> leftover;  ///< by PointIndex: bound on the miss of its own construction (m); zero where exact
     std::vector<Vector> guides;   ///< by JointIndex: direction of `along` (sense kept, any length), zero where the joint has none
     std::vector<Vector> guide_units;  ///< the same as a unit vector, within 2^-bits where its length is irrational
+    std::vector<Vector> driver_directions;  ///< by driver index: `along` of a point driver, zero for other drivers
+    std::vector<Vector> driver_units;       ///< the same as a unit vector
     std::vector<Vector>
         normals;  ///< by JointIndex: common normal of pin-slot, rolling, contact, gear (line of action); zero elsewhere
     std::vector<Vector>
