@@ -156,6 +156,10 @@ Value Board::evaluate(const Stroke& stroke, const std::vector<Value>& values, co
             return pose.guide_units[index()];
         case Verb::given_normal:
             return pose.normals[index()];
+        case Verb::given_driver_direction:
+            return pose.driver_directions[index()];
+        case Verb::given_unit_driver_direction:
+            return pose.driver_units[index()];
         case Verb::given_direction:
         case Verb::given_scalar:
             return constants_[index()];
