@@ -42,7 +42,10 @@ enum class Sentence {
     slide_acceleration,
     driven_point_velocity,  ///< {0} v of a point fully known from a slide driver, {1} joint
     driven_point_acceleration,
-    auxiliary_point,         ///< {0} S, {1} body: the perpendiculars to two loci meet in S
+    auxiliary_point,       ///< {0} S, {1} body: the perpendiculars to two loci meet in S
+    omega_from_parallels,  ///< {0} omega, {1} segment XY, {2} body: two loci are parallel, their distance gives ω (auxiliary
+                           ///< point at infinity)
+    alpha_from_parallels,
     at_rest,                 ///< {0} point: fixed, its image is the pole
     primary_revolute,        ///< {0} centre, {1} point
     primary_prismatic,       ///< {0} centre, {1} joint's point: at infinity ⟂ guide

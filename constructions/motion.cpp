@@ -1,0 +1,678 @@
+#include "constructions/motion.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr BodyIndex frame = 0;
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// One known or sought vector of a chain, with its term in the equation.
+template <Plane plane>
+struct Link {
+    Term term;
+    VectorOn<plane> vector;
+    DrawnVector::Role role = DrawnVector::Role::relative;
+    bool shift = false;  ///< carries the locus from one node of a body to another
+};
+
+/// A locus as drawn: from the base's tip along known vectors, then a line on which the tip sought lies.
+template <Plane plane>
+struct Chain {
+    NodeIndex base = -1;
+    PointOn<plane> start, end;
+    std::vector<Link<plane>> known;  ///< set off one after the other from `start`, those of an inverse chain backwards
+    LineOn<plane> line;
+    LineReason reason;
+    Term sought;
+    DrawnVector::Role role = DrawnVector::Role::relative;
+    bool from_rest = false;
+    bool inverse = false;
+    bool absolute = false;  ///< the sought vector is the node's whole velocity (acceleration)
+};
+
+/// A name that is one letter with digits reads well beside another such: BA, O2A.
+bool is_short(const std::string& name) {
+    const auto digit = [](char c) { return c == '*' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
+    return !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+           std::all_of(name.begin() + 1, name.end(), digit);
+}
+
+class Recipes {
+public:
+    Recipes(Structure& structure, Board& board, const Plan& plan)
+        : structure_(structure), board_(board), plan_(plan), mechanism_(structure.mechanism()) {}
+
+    Motion run(bool with_accelerations) {
+        draw(motion_.velocity, "velocity");
+        if (with_accelerations) draw(motion_.acceleration, "acceleration");
+        return std::move(motion_);
+    }
+
+private:
+    const Node& node(NodeIndex index) const { return structure_.node(index); }
+    bool at_rest(NodeIndex index) const { return node(index).bodies.front() == frame; }
+    /// The body whose colour a node's vector has.
+    BodyIndex colour_of(NodeIndex index) const { return node(index).bodies.front(); }
+    BodyName body(BodyIndex index) const { return {structure_.body_name(index)}; }
+
+    template <Plane plane>
+    static constexpr bool is_velocity = plane == Plane::velocity;
+    template <Plane plane>
+    static constexpr Symbol::Letter letter() {
+        return is_velocity<plane> ? Symbol::Letter::v : Symbol::Letter::a;
+    }
+    template <Plane plane>
+    static constexpr Symbol::Letter spin_letter() {
+        return is_velocity<plane> ? Symbol::Letter::omega : Symbol::Letter::alpha;
+    }
+    template <Plane plane>
+    Symbol absolute(NodeIndex index, std::string term = {}) const {
+        return {letter<plane>(), node(index).label, std::move(term)};
+    }
+    template <Plane plane>
+    Symbol relative(NodeIndex of, NodeIndex to, std::string term = {}) const {
+        return {letter<plane>(), relative_name(node(of).label, node(to).label), std::move(term)};
+    }
+    template <Plane plane>
+    Symbol spin_symbol(BodyIndex index) const {
+        return {spin_letter<plane>(), structure_.body_name(index), {}};
+    }
+    template <Plane plane>
+    Symbol image(NodeIndex index) const {
+        return {Symbol::Letter::image, node(index).label, is_velocity<plane> ? "" : "'"};
+    }
+    Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
+
+    template <Plane plane>
+    int begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        Statement statement;
+        statement.message = {sentence, std::move(arguments)};
+        statement.section = is_velocity<plane> ? "velocity" : "acceleration";
+        statement.source = std::move(source);
+        return board_.state(std::move(statement));
+    }
+    template <Plane plane>
+    static Sentence either(Sentence velocity, Sentence acceleration) {
+        return is_velocity<plane> ? velocity : acceleration;
+    }
+
+    // --- drawing -----------------------------------------------------------------------------------------------------------
+    template <Plane plane>
+    void draw_vector(const Track<plane>& track, Symbol symbol, PointOn<plane> tail, PointOn<plane> tip, BodyIndex body_of,
+                     DrawnVector::Role role) {
+        DrawnVector drawn;
+        drawn.symbol = std::move(symbol);
+        drawn.polygon = track.polygon;
+        drawn.tail = tail.element;
+        drawn.tip = tip.element;
+        drawn.body = body_of;
+        drawn.role = role;
+        board_.draw(std::move(drawn));
+    }
+
+    template <Plane plane>
+    void draw_line(const Track<plane>& track, LineOn<plane> line, LineReason reason, std::vector<int> points) {
+        DrawnLine drawn;
+        drawn.line = line.element;
+        drawn.polygon = track.polygon;
+        drawn.reason = std::move(reason);
+        drawn.points = std::move(points);
+        board_.draw(std::move(drawn));
+    }
+
+    template <Plane plane>
+    void set_tip(Track<plane>& track, NodeIndex index, PointOn<plane> tip, bool draw_absolute) {
+        track.tips.resize(structure_.nodes().size());
+        track.tips[at(index)] = tip;
+        Image label;
+        label.symbol = image<plane>(index);
+        label.polygon = track.polygon;
+        label.point = tip.element;
+        label.body = colour_of(index);
+        board_.label(std::move(label));
+        if (draw_absolute && node(index).point >= 0) {
+            draw_vector(track, absolute<plane>(index), board_.pole<plane>(), tip, colour_of(index), DrawnVector::Role::absolute);
+        }
+    }
+
+    // --- the plan, step by step --------------------------------------------------------------------------------------------
+    template <Plane plane>
+    void draw(Track<plane>& track, const char* id) {
+        track.tips.resize(structure_.nodes().size());
+        track.spins.resize(mechanism_.bodies.size());
+        Polygon polygon;
+        polygon.plane = plane;
+        polygon.id = id;
+        track.polygon = board_.add_polygon(std::move(polygon));
+        Image pole;
+        pole.symbol = {Symbol::Letter::pole, is_velocity<plane> ? "v" : "a", {}};
+        pole.polygon = track.polygon;
+        pole.point = board_.pole<plane>().element;
+        pole.body = frame;
+        board_.label(std::move(pole));
+        track.spins[frame] = board_.given(0);
+        for (const NodeIndex index : structure_.nodes_of(frame)) set_tip(track, index, board_.pole<plane>(), false);
+        for (const Step& step : plan_.steps) carry_out(track, step);
+    }
+
+    template <Plane plane>
+    void carry_out(Track<plane>& track, const Step& step) {
+        switch (step.kind) {
+            case Step::Kind::spin_by_joint:
+                return spin_by_joint(track, step);
+            case Step::Kind::spin_by_driver:
+                return spin_by_driver(track, step);
+            case Step::Kind::slide_by_driver:
+                return slide_by_driver(track, step);
+            case Step::Kind::image:
+                return draw_image(track, step);
+            case Step::Kind::meet:
+                return draw_meet(track, step);
+            case Step::Kind::spin_from_pair:
+                return spin_from_pair(track, step);
+            case Step::Kind::auxiliary:
+                return draw_auxiliary(track, step);
+            case Step::Kind::spin_from_parallels:
+                return spin_from_parallels(track, step);
+        }
+    }
+
+    /// A sleeve or a weld lets no relative rotation: ω_i = ω_j, always, so α_i = α_j too.
+    template <Plane plane>
+    void spin_by_joint(Track<plane>& track, const Step& step) {
+        if (!track.turns(step.other)) return;
+        begin<plane>(
+            either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
+            {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other), PointName{mechanism_.joints[at(step.joint)].name}},
+            "");
+        track.spins[at(step.body)] = track.spin(step.other);
+    }
+
+    template <Plane plane>
+    void spin_by_driver(Track<plane>& track, const Step& step) {
+        if (!track.turns(step.other)) return;
+        const auto& driver = std::get<SpinDriver>(mechanism_.drivers[at(step.driver)]);
+        const Exact& value = is_velocity<plane> ? driver.omega : driver.alpha;
+        if (step.other != frame) {
+            begin<plane>(either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
+                         {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other)}, "");
+        }
+        const ScalarHandle given = board_.given(value);
+        ScalarHandle& spin = track.spins[at(step.body)].emplace(given);
+        if (step.other != frame)
+            spin = step.inverse ? board_.difference(track.spin(step.other), given) : board_.sum(track.spin(step.other), given);
+        if (step.other == frame && step.inverse) spin = board_.difference(board_.given(0), given);
+    }
+
+    /// v_X = v_X* + ṡ u;  a_X = a_X* + 2 ω_j ∧ v_rel + s̈ u (Coriolis), the slide being driven.
+    template <Plane plane>
+    void slide_by_driver(Track<plane>& track, const Step& step) {
+        if (!track.has(step.base)) return;
+        const auto& driver = std::get<SlideDriver>(mechanism_.drivers[at(step.driver)]);
+        const BodyIndex guide_body = step.inverse ? step.body : step.other;
+        if (!is_velocity<plane> && !motion_.velocity.turns(guide_body)) return;
+        begin<plane>(either<plane>(Sentence::driven_point_velocity, Sentence::driven_point_acceleration),
+                     {absolute<plane>(step.node), PointName{mechanism_.joints[at(step.joint)].name}},
+                     is_velocity<plane> ? "" : "Coriolis");
+        const NodeIndex slider = step.inverse ? step.base : step.node, guide = step.inverse ? step.node : step.base;
+        PointOn<plane> tip = track.tip(step.base);
+        std::vector<Link<plane>> links;
+        if constexpr (!is_velocity<plane>) {
+            if (const auto coriolis = coriolis_of(step.joint, slider, guide)) links.push_back(*coriolis);
+        }
+        Link<plane> slide;
+        slide.vector = board_.scale<plane>(board_.given(is_velocity<plane> ? driver.speed : driver.acceleration),
+                                           board_.guide_unit(step.joint));
+        slide.term.symbol = relative<plane>(slider, guide, is_velocity<plane> ? "" : "rel");
+        slide.role = DrawnVector::Role::sliding;
+        links.push_back(slide);
+        const bool show_parts = !at_rest(step.base);
+        for (const Link<plane>& link : links) {
+            const PointOn<plane> next = board_.carry(tip, step.inverse ? board_.negate(link.vector) : link.vector);
+            if (show_parts) {
+                if (step.inverse) {
+                    draw_vector(track, link.term.symbol, next, tip, colour_of(slider), link.role);
+                } else {
+                    draw_vector(track, link.term.symbol, tip, next, colour_of(slider), link.role);
+                }
+            }
+            tip = next;
+        }
+        set_tip(track, step.node, tip, true);
+    }
+
+    /// The image of a further point: v_X = v_C + ω ∧ CX;  a_X = a_C − ω² CX + α ∧ CX (Rivals).
+    template <Plane plane>
+    void draw_image(Track<plane>& track, const Step& step) {
+        if (!track.has(step.base) || !track.turns(step.body)) return;
+        const bool rest = at_rest(step.base);
+        const int statement = rest ? begin<plane>(either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration),
+                                                  {body(step.body), PointName{node(step.base).label},
+                                                   PointName{node(step.node).label}, absolute<plane>(step.node),
+                                                   is_velocity<plane> ? Argument(spin_symbol<plane>(step.body))
+                                                                      : Argument(absolute<plane>(step.node, "t"))},
+                                                  "Rivals")
+                                   : begin<plane>(either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
+                                                  {PointName{node(step.node).label}, body(step.body), absolute<plane>(step.node),
+                                                   PointName{node(step.base).label}},
+                                                  "Rivals");
+        const auto join = board_.vector(node(step.base).place, node(step.node).place);
+        PointOn<plane> tip = track.tip(step.base);
+        bool parts_drawn = false;
+        if constexpr (is_velocity<plane>) {
+            if (!rest && board_.is_zero(track.spin(step.body))) {
+                board_.statement(statement).message = {
+                    Sentence::translating_velocity,
+                    {body(step.body), PointName{node(step.node).label}, absolute<plane>(step.node)}};
+            } else {
+                const auto turned = board_.scale<plane>(track.spin(step.body), board_.turn(join));
+                tip = board_.carry(tip, turned);
+                track.tangential[{step.base, step.node}] = turned;
+            }
+        } else {
+            const auto normal = normal_of(step.body, step.base, step.node);
+            const auto tangential = board_.scale<plane>(track.spin(step.body), board_.turn(join));
+            track.tangential[{step.base, step.node}] = tangential;
+            const PointOn<plane> middle = board_.carry(tip, normal);
+            const PointOn<plane> end = board_.carry(middle, tangential);
+            if (rest) {  // a crank: its normal and tangential parts are the first vectors of the figure
+                parts_drawn = board_.is_zero(tangential);
+                draw_vector(track, absolute<plane>(step.node, "n"), tip, middle, colour_of(step.node), DrawnVector::Role::normal);
+                if (!parts_drawn)
+                    draw_vector(track, absolute<plane>(step.node, "t"), middle, end, colour_of(step.node),
+                                DrawnVector::Role::tangential);
+                parts_drawn = false;
+            }
+            tip = end;
+        }
+        set_tip(track, step.node, tip, !parts_drawn);
+    }
+
+    /// Two loci meet in the tip sought: the dyad's vector equation, closed.
+    template <Plane plane>
+    void draw_meet(Track<plane>& track, const Step& step) {
+        if (!ready(track, step.first, step.node) || !ready(track, step.second, step.node)) return;
+        const int statement = begin<plane>(either<plane>(Sentence::two_lines_velocity, Sentence::two_lines_acceleration), {}, "");
+        const Chain<plane> first = chain(track, step.first, step.node);
+        const Chain<plane> second = chain(track, step.second, step.node);
+        const auto met = board_.meet(first.line, second.line);
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "the plan lets only lines meet that are not parallel");
+        board_.statement(statement).message.arguments = {image<plane>(step.node), first.reason, second.reason};
+        board_.statement(statement).equation = equation(step.node, first, second);
+        const bool slides = step.first.kind != Locus::Kind::rotation || step.second.kind != Locus::Kind::rotation;
+        board_.statement(statement).source = !is_velocity<plane> && slides ? "Coriolis" : "Rivals";
+        bool absolute_drawn = false;
+        for (const Chain<plane>* drawn : {&first, &second}) {
+            draw_line(track, drawn->line, drawn->reason, {drawn->end.element, met->element});
+            draw_chain(track, *drawn, *met, colour_of(step.node));
+            absolute_drawn = absolute_drawn || drawn->absolute;
+        }
+        remember_tangential(track, step.first, step.node, first, *met);
+        remember_tangential(track, step.second, step.node, second, *met);
+        set_tip(track, step.node, *met, !absolute_drawn);
+    }
+
+    /// ω = v_BA / AB from the part of the velocity ⟂ to the join; α = a_BA^t / AB.
+    template <Plane plane>
+    void spin_from_pair(Track<plane>& track, const Step& step) {
+        if (!track.has(step.base) || !track.has(step.node)) return;
+        if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
+        Symbol relative_symbol = at_rest(step.base) ? absolute<plane>(step.node, is_velocity<plane> ? "" : "t")
+                                                    : relative<plane>(step.node, step.base, is_velocity<plane> ? "" : "t");
+        begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
+                     {spin_symbol<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
+        const auto turned = board_.turn(board_.vector(node(step.base).place, node(step.node).place));
+        const auto found = track.tangential.find({step.base, step.node});
+        VectorOn<plane> tangential;
+        if (found != track.tangential.end()) {
+            tangential = found->second;
+        } else {
+            tangential = board_.vector(track.tip(step.base), track.tip(step.node));
+            if constexpr (!is_velocity<plane>)
+                tangential = board_.subtract(tangential, normal_of(step.body, step.base, step.node));
+            if (!board_.is_zero(tangential) && !board_.parallel(board_.direction(tangential), board_.direction(turned))) {
+                if (is_velocity<plane>) motion_.contradictions.push_back({step.body, step.base, step.node});
+                return;
+            }
+        }
+        track.spins[at(step.body)] = board_.ratio(tangential, turned);
+    }
+
+    /// Assur's point S of a body with two loci: v_S has the same projection as v_X on XS, so its tip lies on the locus of X as on
+    /// that of Y; for accelerations each locus is first shifted by −ω²·XS.
+    template <Plane plane>
+    void draw_auxiliary(Track<plane>& track, const Step& step) {
+        if (!ready(track, step.first, step.first.node) || !ready(track, step.second, step.second.node)) return;
+        if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
+        const int statement = begin<plane>(Sentence::auxiliary_point, {}, "Assur");
+        LineOn<plane> lines[2];
+        LineReason reasons[2];
+        PointOn<plane> ends[2];
+        const Locus* loci[2] = {&step.first, &step.second};
+        for (int i = 0; i < 2; ++i) {
+            const Chain<plane> drawn = chain(track, *loci[i], loci[i]->node);
+            lines[i] = drawn.line;
+            ends[i] = drawn.end;
+            reasons[i] = drawn.reason;
+            if constexpr (!is_velocity<plane>) {
+                ends[i] = board_.carry(drawn.end, normal_of(step.body, loci[i]->node, step.node));
+                lines[i] = board_.through(ends[i], loci[i]->direction);
+            }
+        }
+        const auto met = board_.meet(lines[0], lines[1]);
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "the loci of an auxiliary point are not parallel");
+        for (int i = 0; i < 2; ++i) draw_line(track, lines[i], reasons[i], {ends[i].element, met->element});
+        board_.statement(statement).message.arguments = {Symbol{Symbol::Letter::point, node(step.node).label, {}},
+                                                         body(step.body), reasons[0], reasons[1]};
+        set_tip(track, step.node, *met, false);
+    }
+
+    /// Two parallel loci (S at infinity): the velocities' difference along the loci's normal n is ω (z ∧ XY)·n.
+    template <Plane plane>
+    void spin_from_parallels(Track<plane>& track, const Step& step) {
+        if (!ready(track, step.first, step.first.node) || !ready(track, step.second, step.second.node)) return;
+        if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
+        begin<plane>(either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
+                     {spin_symbol<plane>(step.body), segment(step.first.node, step.second.node), body(step.body)}, "Rivals");
+        const Chain<plane> first = chain(track, step.first, step.first.node);
+        const Chain<plane> second = chain(track, step.second, step.second.node);
+        draw_line(track, first.line, first.reason, {first.end.element});
+        draw_line(track, second.line, second.reason, {second.end.element});
+        // From a place of the first locus, the line ⟂ to the join (the direction of the difference sought) meets the second.
+        const auto join = board_.vector(node(step.first.node).place, node(step.second.node).place);
+        PointOn<plane> from = first.end;
+        if constexpr (!is_velocity<plane>) from = board_.carry(from, normal_of(step.body, step.first.node, step.second.node));
+        const auto turned = board_.turn(join);
+        const auto met = board_.meet(board_.through(from, board_.direction(turned)), second.line);
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that coincide are no two loci");
+        track.spins[at(step.body)] = board_.ratio(board_.vector(from, *met), turned);
+    }
+
+    // --- loci --------------------------------------------------------------------------------------------------------------
+    template <Plane plane>
+    bool ready(const Track<plane>& track, const Locus& locus, NodeIndex sought) const {
+        if (locus.kind != Locus::Kind::component && !track.has(locus.base)) return false;
+        if (locus.node != sought && !track.turns(locus.body)) return false;
+        if constexpr (!is_velocity<plane>) {
+            const auto& before = motion_.velocity;
+            if (locus.kind == Locus::Kind::rotation || locus.node != sought) {
+                if (!before.turns(rotating_body(locus))) return false;
+            }
+            if (locus.kind == Locus::Kind::sleeve || locus.kind == Locus::Kind::slot) {
+                if (!before.turns(mechanism_.joints[at(locus.joint)].bodies[1])) return false;
+                if (!before.has(locus.node) || !before.has(locus.base)) return false;
+            }
+        }
+        return true;
+    }
+
+    /// The body that turns about the base: for a locus shifted from another node it need not be the one that is shifted.
+    BodyIndex rotating_body(const Locus& locus) const {
+        if (locus.kind != Locus::Kind::rotation) return locus.body;
+        for (const BodyIndex candidate : node(locus.node).bodies) {
+            const auto& bodies = node(locus.base).bodies;
+            if (std::find(bodies.begin(), bodies.end(), candidate) != bodies.end()) return candidate;
+        }
+        return locus.body;
+    }
+
+    template <Plane plane>
+    Chain<plane> chain(Track<plane>& track, const Locus& locus, NodeIndex sought) {
+        Chain<plane> result;
+        switch (locus.kind) {
+            case Locus::Kind::rotation:
+                start_rotation(track, locus, result);
+                break;
+            case Locus::Kind::sleeve:
+            case Locus::Kind::slot:
+                start_slide(track, locus, result);
+                break;
+            case Locus::Kind::component:
+                start_component(track, locus, result);
+                break;
+        }
+        result.end = result.start;
+        if (locus.node != sought) shift(track, locus, sought, result);
+        for (const Link<plane>& link : result.known) result.end = set_off(result, link, result.end);
+        result.line = board_.through(result.end, locus.direction);
+        return result;
+    }
+
+    static bool is_backwards(bool inverse, bool is_shift) { return inverse && !is_shift; }
+
+    template <Plane plane>
+    PointOn<plane> set_off(const Chain<plane>& drawn, const Link<plane>& link, PointOn<plane> from) {
+        return board_.carry(from, is_backwards(drawn.inverse, link.shift) ? board_.negate(link.vector) : link.vector);
+    }
+
+    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t.
+    template <Plane plane>
+    void start_rotation(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
+        result.base = locus.base;
+        result.start = track.tip(locus.base);
+        result.from_rest = at_rest(locus.base);
+        result.absolute = is_velocity<plane> && result.from_rest;
+        result.reason = {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
+        result.role = is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential;
+        const auto symbol = [&](std::string term) {
+            return result.from_rest ? absolute<plane>(locus.node, std::move(term))
+                                    : relative<plane>(locus.node, locus.base, std::move(term));
+        };
+        if (result.absolute) result.role = DrawnVector::Role::absolute;
+        const BodyIndex turning = rotating_body(locus);
+        if constexpr (!is_velocity<plane>) {
+            Link<plane> normal;
+            normal.vector = normal_of(turning, locus.base, locus.node);
+            normal.role = DrawnVector::Role::normal;
+            normal.term = {symbol("n"),
+                           true,
+                           true,
+                           {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label},
+                           turning};
+            if (!board_.is_zero(normal.vector)) result.known.push_back(normal);
+        }
+        result.sought = {symbol(is_velocity<plane> ? "" : "t"), false, true, result.reason, turning};
+    }
+
+    /// Known place of the other body, direction ∥ guide: v_X = v_X* + v_XX*; a_X = a_X* + a_XX*^cor + a_XX*^rel.
+    template <Plane plane>
+    void start_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
+        const Joint& joint = mechanism_.joints[at(locus.joint)];
+        result.base = locus.base;
+        result.start = track.tip(locus.base);
+        result.from_rest = at_rest(locus.base);
+        result.inverse = locus.inverse && !result.from_rest;
+        result.reason = along_guide(mechanism_, locus.joint, false);
+        result.role = DrawnVector::Role::sliding;
+        const NodeIndex slider = locus.inverse ? locus.base : locus.node, guide = locus.inverse ? locus.node : locus.base;
+        const BodyIndex colour = joint.bodies[0] == frame ? joint.bodies[1] : joint.bodies[0];
+        const auto symbol = [&](std::string term) {
+            return result.from_rest ? absolute<plane>(locus.node, std::move(term))
+                                    : relative<plane>(slider, guide, std::move(term));
+        };
+        if constexpr (!is_velocity<plane>) {
+            const auto add = [&](std::optional<Link<plane>> link, const LineReason& reason) {
+                if (!link) return;
+                // Seen from a guide's place whose slider rests, the terms change sides: they are the place's own.
+                if (result.from_rest && locus.inverse) link->vector = board_.negate(link->vector);
+                link->term = {symbol(link->term.symbol.term), true, true, reason, colour};
+                result.known.push_back(*link);
+            };
+            add(coriolis_of(locus.joint, slider, guide), along_guide(mechanism_, locus.joint, true));
+            if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide), along_guide(mechanism_, locus.joint, true));
+        }
+        result.absolute = result.from_rest && result.known.empty();
+        if (result.absolute) result.role = DrawnVector::Role::absolute;
+        const bool plain = is_velocity<plane> || result.absolute;
+        result.sought = {symbol(plain ? "" : "rel"), false, true, result.reason, colour};
+    }
+
+    /// A driver gives the component along X: from the pole set it off, then ⟂ to X.
+    template <Plane plane>
+    void start_component(const Track<plane>&, const Locus& locus, Chain<plane>& result) {
+        const auto& driver = std::get<PointDriver>(mechanism_.drivers[at(locus.driver)]);
+        result.start = board_.pole<plane>();
+        result.from_rest = true;
+        result.reason = {LineReason::Kind::driver_component, node(locus.node).label, {}};
+        Link<plane> component;
+        component.vector = board_.scale<plane>(board_.given(is_velocity<plane> ? driver.speed : driver.acceleration),
+                                               board_.driver_unit(locus.driver));
+        component.term = {absolute<plane>(locus.node, "∥"), true, true, {LineReason::Kind::known, {}, {}}, locus.body};
+        result.known.push_back(component);
+        result.sought = {absolute<plane>(locus.node, "⟂"), false, true, result.reason, locus.body};
+    }
+
+    /// The locus of another node of a body whose spin is known, carried to the node sought: + ω ∧ YX (and −ω² YX).
+    template <Plane plane>
+    void shift(const Track<plane>& track, const Locus& locus, NodeIndex sought, Chain<plane>& result) {
+        const auto join = board_.vector(node(locus.node).place, node(sought).place);
+        const LineReason across{LineReason::Kind::perpendicular_to_segment, node(locus.node).label, node(sought).label};
+        const LineReason along{LineReason::Kind::parallel_to_segment, node(locus.node).label, node(sought).label};
+        const auto add = [&](VectorOn<plane> vector, const std::string& term, const LineReason& reason, DrawnVector::Role role) {
+            Link<plane> link;
+            link.vector = vector;
+            link.role = role;
+            link.shift = true;
+            link.term = {relative<plane>(sought, locus.node, term), true, true, reason, locus.body};
+            if (!board_.is_zero(vector)) result.known.push_back(link);
+        };
+        if constexpr (!is_velocity<plane>) add(normal_of(locus.body, locus.node, sought), "n", along, DrawnVector::Role::normal);
+        add(board_.scale<plane>(track.spin(locus.body), board_.turn(join)), is_velocity<plane> ? "" : "t", across,
+            DrawnVector::Role::tangential);
+        result.absolute = false;
+        result.from_rest = false;
+    }
+
+    /// −ω² · (from → to).
+    VectorOn<Plane::acceleration> normal_of(BodyIndex turning, NodeIndex from, NodeIndex to) {
+        auto [entry, fresh] = squares_.try_emplace(turning);
+        if (fresh) {
+            const ScalarHandle omega = motion_.velocity.spin(turning);
+            entry->second = board_.product(omega, omega);
+        }
+        return board_.scale<Plane::acceleration>(entry->second, board_.vector(node(to).place, node(from).place));
+    }
+
+    /// v_rel of the slider seen from the guide, as drawn.
+    VectorOn<Plane::velocity> sliding_velocity(NodeIndex slider, NodeIndex guide) {
+        const auto& tips = motion_.velocity;
+        return board_.vector(tips.tip(guide), tips.tip(slider));
+    }
+
+    /// 2 ω_j ∧ v_rel, nothing where it vanishes.
+    std::optional<Link<Plane::acceleration>> coriolis_of(JointIndex joint, NodeIndex slider, NodeIndex guide) {
+        const BodyIndex guide_body = mechanism_.joints[at(joint)].bodies[1];
+        const ScalarHandle omega = motion_.velocity.spin(guide_body);
+        if (guide_body == frame || board_.is_zero(omega)) return std::nullopt;
+        Link<Plane::acceleration> link;
+        link.vector = board_.scale<Plane::acceleration>(board_.product(board_.given(2), omega),
+                                                        board_.turn(sliding_velocity(slider, guide)));
+        if (board_.is_zero(link.vector)) return std::nullopt;
+        link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
+        link.role = DrawnVector::Role::coriolis;
+        return link;
+    }
+
+    /// A slot curved about C: the pin turns about C as seen from the slot, −ω_r² · CP.
+    std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide) {
+        const auto radius = board_.vector(board_.place(mechanism_.joints[at(joint)].arc), node(slider).place);
+        const ScalarHandle turning = board_.ratio(sliding_velocity(slider, guide), board_.turn(radius));
+        if (board_.is_zero(turning)) return std::nullopt;
+        Link<Plane::acceleration> link;
+        link.vector = board_.negate(board_.scale<Plane::acceleration>(board_.product(turning, turning), radius));
+        link.term.symbol = relative<Plane::acceleration>(slider, guide, "n");
+        link.role = DrawnVector::Role::normal;
+        return link;
+    }
+
+    template <Plane plane>
+    void remember_tangential(Track<plane>& track, const Locus& locus, NodeIndex sought, const Chain<plane>& drawn,
+                             PointOn<plane> met) {
+        if (locus.kind == Locus::Kind::rotation && locus.node == sought)
+            track.tangential[{locus.base, sought}] = board_.vector(drawn.end, met);
+    }
+
+    template <Plane plane>
+    void draw_chain(const Track<plane>& track, const Chain<plane>& drawn, PointOn<plane> met, BodyIndex colour) {
+        PointOn<plane> here = drawn.start;
+        for (const Link<plane>& link : drawn.known) {
+            const PointOn<plane> next = set_off(drawn, link, here);
+            const bool backwards = is_backwards(drawn.inverse, link.shift);
+            draw_vector(track, link.term.symbol, backwards ? next : here, backwards ? here : next,
+                        link.term.body < 0 ? colour : link.term.body, link.role);
+            here = next;
+        }
+        const BodyIndex sought_colour = drawn.sought.body < 0 ? colour : drawn.sought.body;
+        if (drawn.inverse) {
+            draw_vector(track, drawn.sought.symbol, met, drawn.end, sought_colour, drawn.role);
+        } else {
+            draw_vector(track, drawn.sought.symbol, drawn.end, met, sought_colour, drawn.role);
+        }
+    }
+
+    /// The equation that the two chains close, written without minus signs: terms of an inverse chain change sides.
+    template <Plane plane>
+    Equation equation(NodeIndex sought, const Chain<plane>& first, const Chain<plane>& second) const {
+        if (second.from_rest && !first.from_rest) return equation(sought, second, first);
+        std::vector<Term> left, right;
+        const auto write = [&](const Chain<plane>& drawn, std::vector<Term>& own, std::vector<Term>& other) {
+            if (drawn.base >= 0 && !at_rest(drawn.base)) {
+                own.push_back(
+                    {absolute<plane>(drawn.base), true, true, {LineReason::Kind::known, {}, {}}, colour_of(drawn.base)});
+            }
+            for (const Link<plane>& link : drawn.known)
+                (is_backwards(drawn.inverse, link.shift) ? other : own).push_back(link.term);
+            (drawn.inverse ? other : own).push_back(drawn.sought);
+        };
+        write(first, left, right);
+        write(second, right, left);
+        Equation result;
+        if (!first.from_rest && !second.from_rest && !first.inverse && !second.inverse) {
+            Term whole;
+            whole.symbol = absolute<plane>(sought);
+            whole.direction_known = false;
+            whole.body = colour_of(sought);
+            result.sides.push_back({whole});
+        }
+        if (second.inverse) std::swap(left, right);
+        result.sides.push_back(std::move(left));
+        result.sides.push_back(std::move(right));
+        return result;
+    }
+
+    Structure& structure_;
+    Board& board_;
+    const Plan& plan_;
+    const Mechanism& mechanism_;
+    Motion motion_;
+    std::map<BodyIndex, ScalarHandle> squares_;
+};
+
+}  // namespace
+
+std::string relative_name(const std::string& of, const std::string& to) {
+    return is_short(of) && is_short(to) ? of + to : of + "," + to;
+}
+
+LineReason along_guide(const Mechanism& mechanism, JointIndex index, bool perpendicular) {
+    const Joint& joint = mechanism.joints[at(index)];
+    if (joint.along) {
+        if (const auto* between = std::get_if<Bearing::Between>(&joint.along->form)) {
+            const auto& name = [&](PointIndex point) { return mechanism.points[at(point)].name; };
+            return {perpendicular ? LineReason::Kind::perpendicular_to_segment : LineReason::Kind::parallel_to_segment,
+                    name(between->from), name(between->to)};
+        }
+    }
+    return {perpendicular ? LineReason::Kind::perpendicular_to_guide : LineReason::Kind::parallel_to_guide, joint.name, {}};
+}
+
+Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations) {
+    return Recipes(structure, board, plan).run(with_accelerations);
+}
+
+}  // namespace kinegraph

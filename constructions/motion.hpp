@@ -1,0 +1,58 @@
+// The recipes of motion: the plan carried out in the velocity plane and in the acceleration plane. Each recipe reads like the
+// page of the book it comes from: Rivals' theorem for two points of a body, the theorem of relative motion (Coriolis) for a place
+// seen on two bodies, Mehmke's and Burmester's images for further points, Assur's auxiliary point. It asks the board, never
+// computes.
+//
+// Sources: Rivals 1853; Burmester, Lehrbuch der Kinematik (1888), velocity and acceleration images; Assur (1914) for the
+// auxiliary point.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "constructions/plan.hpp"
+#include "constructions/structure.hpp"
+#include "engine/board.hpp"
+
+namespace kinegraph {
+
+/// What has been drawn in one plane (velocity: spins are ω; acceleration: spins are α).
+template <Plane plane>
+struct Track {
+    int polygon = -1;
+    std::vector<std::optional<PointOn<plane>>> tips;                        ///< by NodeIndex
+    std::vector<std::optional<ScalarHandle>> spins;                         ///< by BodyIndex
+    std::map<std::pair<NodeIndex, NodeIndex>, VectorOn<plane>> tangential;  ///< (base, node): v_BA or a_BA^t as drawn
+
+    bool has(NodeIndex node) const {
+        return static_cast<std::size_t>(node) < tips.size() && tips[static_cast<std::size_t>(node)].has_value();
+    }
+    PointOn<plane> tip(NodeIndex node) const { return tips[static_cast<std::size_t>(node)].value(); }
+    bool turns(BodyIndex body) const { return spins[static_cast<std::size_t>(body)].has_value(); }
+    ScalarHandle spin(BodyIndex body) const { return spins[static_cast<std::size_t>(body)].value(); }
+};
+
+/// Two known points of one body whose velocities have different projections on their join: no rigid motion has them.
+struct Contradiction {
+    BodyIndex body = -1;
+    NodeIndex first = -1, second = -1;
+};
+
+struct Motion {
+    Track<Plane::velocity> velocity;
+    Track<Plane::acceleration> acceleration;
+    std::vector<Contradiction> contradictions;
+};
+
+/// Draws the velocity polygon and, where `with_accelerations`, the acceleration polygon.
+Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations);
+
+/// Name of a relative quantity's subscript: of X relative to A → "XA", with a comma where names would run together.
+std::string relative_name(const std::string& of, const std::string& to);
+/// In what words a joint's guide is named: parallel to a segment where the file gives two points, else to the guide of the joint.
+LineReason along_guide(const Mechanism& mechanism, JointIndex joint, bool perpendicular);
+
+}  // namespace kinegraph
