@@ -1,0 +1,50 @@
+// Tables: vector equations with what is known of each term, the results table, the list of centres and the key of bodies, as
+// marks with a size, their origin at the top left. Owns columns and rules; chooses no place on the sheet and computes no
+// mechanics beyond moduli of what was found.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figure.hpp"
+#include "render/page.hpp"
+
+namespace kinegraph::render {
+
+/// Something set and measured, mm, its top left at the origin; to be moved, never scaled.
+struct Block {
+    std::vector<Mark> marks;
+    double width = 0, height = 0;
+};
+
+/// The shortest decimal that reads back as this double, with a point: data attributes.
+std::string shortest(double value);
+/// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
+std::string shortest(double value, Language language);
+
+/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm as
+/// far as its terms can be set closer.
+Block equation_block(const DrawingContext& context, const Equation& equation, double most);
+
+/// One row of the results: a vector as drawn or a scalar of a body.
+struct ResultRow {
+    Symbol symbol;
+    std::string name;                   ///< plain, for the tests and the terminal
+    std::optional<double> millimetres;  ///< measured on the drawing, to 0.1 mm
+    double drawing = 0;                 ///< by the construction, in `unit`
+    std::optional<double> numeric;      ///< by the check, in `unit`
+    std::string unit;
+    std::string group;  ///< "velocity", "acceleration" or the polygon's id; a rule separates groups
+};
+/// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
+std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
+/// Rows as a table with heading, `width` mm wide.
+Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, bool heading);
+
+/// Instant centres: symbol, how found, where. `columns` of lines are not made here: one centre a line.
+std::vector<Block> centre_lines(const DrawingContext& context, double width);
+/// Key of the bodies: colour, number, what it is.
+std::vector<Block> body_lines(const DrawingContext& context, double width);
+
+}  // namespace kinegraph::render
