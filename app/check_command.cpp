@@ -1,0 +1,42 @@
+// check FILE: reads and validates a mechanism file, curves that cannot meet included.
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "engine/mechanism.hpp"
+#include "engine/pose.hpp"
+
+namespace kinegraph::app {
+
+std::string spoken(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+std::string bare_name(const std::string& file) {
+    const std::string name = spoken(file);
+    return name.substr(name.rfind('/') + 1);
+}
+
+Status check_command(const std::string& file) {
+    const std::string name = spoken(file);
+    const auto text = read_whole(file);
+    if (!text) {
+        say(name, text.error());
+        return Status::bad_input;
+    }
+    const auto mechanism = read_mechanism(*text, bare_name(file));
+    if (!mechanism) return say(name, mechanism.error());
+    const auto pose = draw_pose(*mechanism);
+    if (!pose) return say(name, pose.error());
+    for (const std::string& remark : pose->remarks) say(name, "remark: " + remark);
+    const auto counted = [](std::size_t count, const char* thing) {
+        return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+    };
+    const std::string line = one_line(name) + ": in order (" +
+                             (mechanism->bodies.size() == 1 ? "one body" : std::to_string(mechanism->bodies.size()) + " bodies") +
+                             ", " + counted(mechanism->joints.size(), "joint") + ", " +
+                             counted(mechanism->drivers.size(), "driver") + ")\n";
+    if (const auto failure = write_all({{"-", line}})) {
+        say("standard output", "cannot be written: " + failure->why);
+        return Status::output;
+    }
+    return Status::done;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,33 @@
+// The program's commands, each a request as the command line gives it and a function that carries it out and says how it
+// ended. One file for each command; main.cpp alone knows the options' spelling.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/messages.hpp"
+#include "render/sheet.hpp"
+
+namespace kinegraph::app {
+
+/// solve FILE: the table on the terminal, or sheets and results in files.
+struct SolveRequest {
+    std::string file;                  ///< "-" is standard input
+    std::vector<std::string> outputs;  ///< "-" is standard output
+    std::string format;                ///< svg, png, pdf, json: for outputs whose name does not say; may be empty
+    render::Language language = render::Language::en;
+    render::Paper paper = render::Paper::a4;
+    double dpi = 150;
+    bool exact = false;
+};
+Status solve_command(const SolveRequest& request);
+
+/// check FILE: the file is read and its points are found; nothing is solved or written.
+Status check_command(const std::string& file);
+
+/// How messages call a file: its path as given, or "standard input".
+std::string spoken(const std::string& file);
+/// The same without its folder: what a sheet may show, the same wherever it is made.
+std::string bare_name(const std::string& file);
+
+}  // namespace kinegraph::app

@@ -1,0 +1,197 @@
+// Reading whole, writing whole or not at all: plain POSIX calls, every one of them checked.
+#include "app/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+namespace kinegraph::app {
+namespace {
+
+std::string reason() { return std::strerror(errno); }
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string::npos) return ".";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+bool write_to(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+/// Through symbolic links to the name that is to be replaced, so that a link stays one.
+std::string followed(std::string path) {
+    for (int links = 0; links < 40; ++links) {
+        char target[PATH_MAX];
+        const ssize_t length = ::readlink(path.c_str(), target, sizeof target);
+        if (length < 0 || static_cast<std::size_t>(length) == sizeof target) break;
+        const std::string to(target, static_cast<std::size_t>(length));
+        path = to.starts_with('/') ? to : folder_of(path) + '/' + to;
+    }
+    return path;
+}
+
+/// One output under way: what lies on disk for it besides its target is removed with it.
+class Pending {
+public:
+    explicit Pending(const Output& output) : output_(output) {}
+    Pending(const Pending&) = delete;
+    Pending& operator=(const Pending&) = delete;
+    ~Pending() {
+        if (renamed_ && !kept_) undo();
+        if (!temporary_.empty()) ::unlink(temporary_.c_str());
+        if (!backup_.empty()) ::unlink(backup_.c_str());
+    }
+
+    /// Safe on disk beside the target; nothing that is seen has changed.
+    bool prepare() {
+        if (output_.path == "-") {
+            to_stream_ = true;
+            return true;
+        }
+        struct stat status {};
+        existed_ = ::stat(output_.path.c_str(), &status) == 0;
+        if (existed_ && S_ISDIR(status.st_mode)) return fails_with(EISDIR);
+        if (existed_ && !S_ISREG(status.st_mode)) {
+            to_stream_ = true;
+            return true;
+        }
+        if (existed_ && ::access(output_.path.c_str(), W_OK) != 0) return false;
+        target_ = followed(output_.path);
+        const int file = create(temporary_);
+        if (file < 0) return false;
+        const bool written = write_to(file, output_.bytes) && (!existed_ || ::fchmod(file, status.st_mode & 07777) == 0);
+        const int why = errno;
+        if (::close(file) != 0 && written) return false;
+        return written || fails_with(why);
+    }
+    /// Straight to where it goes, if that is no plain file.
+    bool stream() const {
+        if (!to_stream_) return true;
+        if (output_.path == "-") return write_to(STDOUT_FILENO, output_.bytes);
+        const int file = ::open(output_.path.c_str(), O_WRONLY | O_CLOEXEC);
+        if (file < 0) return false;
+        const bool written = write_to(file, output_.bytes);
+        const int why = errno;
+        if (::close(file) != 0 && written) return false;
+        return written || fails_with(why);
+    }
+    bool rename() {
+        if (to_stream_) return true;
+        // A second name for what the target was, in case a later output of the same run can't be written. A file system
+        // without such names goes without.
+        if (existed_) back_up();
+        if (::rename(temporary_.c_str(), target_.c_str()) != 0) return false;
+        temporary_.clear();
+        renamed_ = true;
+        return true;
+    }
+    void keep() { kept_ = true; }
+    const std::string& path() const { return output_.path; }
+
+private:
+    static bool fails_with(int why) {
+        errno = why;
+        return false;
+    }
+    std::string beside(int number) const {
+        return folder_of(target_) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
+    }
+    int create(std::string& name) const {
+        for (int number = 0; number < 10000; ++number) {
+            const std::string candidate = beside(number);
+            const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file >= 0) name = candidate;
+            if (file >= 0 || errno != EEXIST) return file;
+        }
+        return -1;
+    }
+    void back_up() {
+        for (int number = 0; number < 10000; ++number) {
+            const std::string candidate = beside(number);
+            if (::link(target_.c_str(), candidate.c_str()) == 0) {
+                backup_ = candidate;
+                return;
+            }
+            if (errno != EEXIST) return;
+        }
+    }
+    void undo() {
+        if (!existed_)
+            ::unlink(target_.c_str());
+        else if (!backup_.empty() && ::rename(backup_.c_str(), target_.c_str()) == 0)
+            backup_.clear();
+    }
+
+    const Output& output_;
+    std::string target_, temporary_, backup_;
+    bool existed_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
+};
+
+}  // namespace
+
+tl::expected<std::string, std::string> read_whole(const std::string& path) {
+    const bool standard = path == "-";
+    const int file = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return tl::unexpected("cannot be read: " + reason());
+    struct stat status {};
+    const bool known = ::fstat(file, &status) == 0;
+    std::string text;
+    std::string why;
+    if (known && S_ISDIR(status.st_mode)) {
+        why = "is a directory, not a mechanism file";
+    } else {
+        const std::size_t expected =
+            known && S_ISREG(status.st_mode) ? std::min(static_cast<std::size_t>(status.st_size), largest_input) : 65536;
+        std::size_t size = 0;
+        text.resize(expected + 1);  // one more, so that the end is seen without growing
+        while (why.empty()) {
+            const ssize_t got = ::read(file, text.data() + size, text.size() - size);
+            if (got == 0) break;
+            if (got > 0) size += static_cast<std::size_t>(got);
+            if (got < 0 && errno != EINTR) why = "cannot be read: " + reason();
+            if (size > largest_input) why = "is larger than 64 MiB, which no mechanism file is";
+            if (size == text.size()) text.resize(2 * size);
+        }
+        text.resize(size);
+    }
+    if (!standard) ::close(file);
+    if (!why.empty()) return tl::unexpected(why);
+    return text;
+}
+
+bool same_file(const std::string& one, const std::string& other) {
+    struct stat a {};
+    struct stat b {};
+    return ::stat(one.c_str(), &a) == 0 && ::stat(other.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
+std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
+    std::vector<std::unique_ptr<Pending>> all;
+    for (const Output& output : outputs) all.push_back(std::make_unique<Pending>(output));
+    for (const auto& pending : all)
+        if (!pending->prepare()) return NotWritten{pending->path(), reason()};
+    for (const auto& pending : all)
+        if (!pending->stream()) return NotWritten{pending->path(), reason()};
+    for (const auto& pending : all)
+        if (!pending->rename()) return NotWritten{pending->path(), reason()};
+    for (const auto& pending : all) pending->keep();
+    return std::nullopt;
+}
+
+}  // namespace kinegraph::app

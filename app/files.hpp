@@ -1,0 +1,34 @@
+// Files: reading one whole, writing several whole or not at all. "-" is standard input or output. Knows no mechanics.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace kinegraph::app {
+
+/// The largest file that is read, bytes.
+constexpr std::size_t largest_input = std::size_t{64} << 20;
+
+/// The whole text of a file. Error: why it cannot be read, in a few words.
+tl::expected<std::string, std::string> read_whole(const std::string& path);
+
+/// True where both paths exist and are the same file.
+bool same_file(const std::string& one, const std::string& other);
+
+/// Bytes that are to stand under a path, or on standard output ("-").
+struct Output {
+    std::string path;
+    std::string bytes;
+};
+struct NotWritten {
+    std::string path;
+    std::string why;
+};
+/// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as it was.
+/// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.
+std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
+
+}  // namespace kinegraph::app

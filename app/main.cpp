@@ -1,0 +1,158 @@
+// The command line: what may be typed, and how a run ends. A further command is one function here that declares its options
+// and hands its request to a file of its own. Faults of ours are caught here and nowhere else.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "engine/assert.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+constexpr const char* version = "kinegraph " KINEGRAPH_VERSION;
+constexpr const char* statuses =
+    "Exit status: 0 done; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
+    "(locked, dead point): what could be found is written; 4 the output can't be written, or the font is\n"
+    "missing; 70 a fault of ours.";
+
+/// What was typed, waiting to be carried out.
+using Action = std::function<Status()>;
+
+CLI::App* add_command(CLI::App& program, const char* name, const char* purpose) {
+    CLI::App* command = program.add_subcommand(name, purpose);
+    command->set_help_flag("-h,--help", "Print this help");
+    command->set_version_flag("--version", version, "Print the version");
+    command->footer(statuses);
+    return command;
+}
+
+void add_solve(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
+    auto request = std::make_shared<SolveRequest>();
+    auto language = std::make_shared<std::string>("en");
+    auto paper = std::make_shared<std::string>("A4");
+    command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
+    command
+        ->add_option("-o,--output", request->outputs,
+                     "OUT.svg, .png, .pdf or .json; may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+                     "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    command->add_option("--format", request->format, "What to write where the name of the output does not say it")
+        ->check(CLI::IsMember({"svg", "png", "pdf", "json"}, CLI::ignore_case))
+        ->type_name("FORMAT");
+    command->add_option("--lang", *language, "Language of sheet and table: en or it")
+        ->transform(CLI::IsMember({"en", "it"}, CLI::ignore_case))
+        ->type_name("LANG")
+        ->capture_default_str();
+    command->add_option("--paper", *paper, "Size of the sheet: A4, A3 or letter")
+        ->transform(CLI::IsMember({"A4", "A3", "letter"}, CLI::ignore_case))
+        ->type_name("PAPER")
+        ->capture_default_str();
+    command->add_option("--dpi", request->dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
+        ->check([](const std::string& text) {
+            double dpi = 0;
+            // A comparison that is false for what is no number.
+            const bool fits = CLI::detail::lexical_cast(text, dpi) && dpi >= 20 && dpi <= 1200;
+            return fits ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
+        })
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_flag("--exact", request->exact, "Add exact values to the JSON results, as fractions");
+    command->callback([&action, request, language, paper] {
+        request->language = *language == "it" ? render::Language::it : render::Language::en;
+        if (*paper == "A3") request->paper = render::Paper::a3;
+        if (*paper == "letter") request->paper = render::Paper::letter;
+        action = [request] { return solve_command(*request); };
+    });
+}
+
+void add_check(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "check", "Read and validate a mechanism file; nothing is solved or written");
+    auto file = std::make_shared<std::string>();
+    command->add_option("FILE", *file, "The mechanism file; - is standard input")->required();
+    command->callback([&action, file] { action = [file] { return check_command(*file); }; });
+}
+
+Status print(const std::string& text) {
+    if (const auto failure = write_all({{"-", text}})) {
+        say("standard output", "cannot be written: " + failure->why);
+        return Status::output;
+    }
+    return Status::done;
+}
+
+Status run(int count, char** arguments) {
+    CLI::App program("Planar mechanisms solved as at the drawing board, exactly.", "kinegraph");
+    program.set_help_flag("-h,--help", "Print this help; after a command, its own");
+    program.set_version_flag("--version", version, "Print the version");
+    program.footer(statuses);
+    program.require_subcommand(1);
+    Action action;
+    add_solve(program, action);
+    add_check(program, action);
+
+    const std::string first = count > 1 ? arguments[1] : "";
+    if (first.empty() || first[0] != '-') {
+        std::string known;
+        bool named = false;
+        for (const CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+            known += (known.empty() ? "" : ", ") + command->get_name();
+            named = named || command->get_name() == first;
+        }
+        if (!named) {
+            say("kinegraph", (first.empty() ? std::string("a command is missing") : "no command is named \"" + first + '"') +
+                                 "; there are " + known + " (kinegraph --help says more)");
+            return Status::bad_input;
+        }
+    }
+    try {
+        program.parse(count, arguments);
+    } catch (const CLI::CallForHelp&) {
+        return print(program.help());
+    } catch (const CLI::CallForVersion&) {
+        return print(std::string(version) + '\n');
+    } catch (const CLI::ParseError& error) {
+        const auto given = program.get_subcommands();
+        const std::string command = given.empty() ? "kinegraph" : "kinegraph " + given.front()->get_name();
+        say("kinegraph", std::string(error.what()) + " (" + command + " --help says more)");
+        return Status::bad_input;
+    }
+    return action();
+}
+
+/// A closed standard stream would give its number to the next file that is opened, and messages would end in an output.
+void hold_standard_streams() {
+    for (int stream = 0; stream < 3; ++stream)
+        if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+}
+
+}  // namespace
+}  // namespace kinegraph::app
+
+int main(int count, char** arguments) {
+    using namespace kinegraph::app;
+    hold_standard_streams();
+    // A reader that is gone and a file that may not grow are failures to write, told as such.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+        return static_cast<int>(run(count, arguments));
+    } catch (const std::bad_alloc&) {
+        say("kinegraph", "this is a fault of ours: out of memory");
+    } catch (const std::exception& fault) {
+        say("kinegraph", std::string("this is a fault of ours: ") + fault.what());
+    } catch (...) {
+        say("kinegraph", "this is a fault of ours");
+    }
+    return static_cast<int>(Status::fault);
+}

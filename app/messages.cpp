@@ -1,0 +1,43 @@
+// Lines on standard error.
+#include "app/messages.hpp"
+
+#include <cstdio>
+
+namespace kinegraph::app {
+
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '\n') {
+            line += "\\n";
+        } else if (letter == '\t') {
+            line += "\\t";
+        } else if (code < 0x20 || code == 0x7f) {
+            constexpr const char* digits = "0123456789abcdef";
+            line += "\\x";
+            line += digits[code >> 4];
+            line += digits[code & 15];
+        } else {
+            line += letter;
+        }
+    }
+    return line;
+}
+
+void say(std::string_view subject, std::string_view message) {
+    // In one piece, so that the lines of two programs that write to one terminal do not mix.
+    const std::string line = one_line(subject) + ": " + one_line(message) + '\n';
+    std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+Status say(std::string_view file, const Errors& errors) {
+    Status status = Status::bad_input;
+    for (const Error& error : errors) {
+        say(file, error.where.empty() ? error.message : error.where + ": " + error.message);
+        if (error.code == ErrorCode::output) status = Status::output;
+    }
+    return status;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,172 @@
+// solve FILE: reads, solves, draws what is asked and writes it, all or nothing.
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "constructions/solve.hpp"
+#include "render/backends.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+enum class Format { svg, png, pdf, json };
+
+std::optional<Format> format_named(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (name == "svg") return Format::svg;
+    if (name == "png") return Format::png;
+    if (name == "pdf") return Format::pdf;
+    if (name == "json") return Format::json;
+    return std::nullopt;
+}
+
+/// Where a path's last dot is, or its end: "out/sheet.svg" → 9, "a.b/sheet" → 9.
+std::size_t ending_of(const std::string& path) {
+    const std::size_t name = path.rfind('/') + 1;  // 0 where there is no slash
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string::npos || dot <= name ? path.size() : dot;
+}
+
+struct Target {
+    std::string path;
+    Format format = Format::svg;
+    bool standard() const { return path == "-"; }
+    std::string path_of_page(std::size_t page) const {
+        if (page == 0) return path;
+        std::string numbered = path;
+        return numbered.insert(ending_of(path), '-' + std::to_string(page + 1));
+    }
+};
+
+/// What is to be written, or why the command line cannot be meant so.
+tl::expected<std::vector<Target>, std::string> targets_of(const SolveRequest& request) {
+    std::vector<std::string> paths = request.outputs;
+    if (paths.empty() && !request.format.empty()) paths.emplace_back("-");
+    std::vector<Target> targets;
+    for (const std::string& path : paths) {
+        if (path.empty() || path.ends_with('/')) return tl::unexpected("-o \"" + path + "\" names no file");
+        const std::size_t ending = ending_of(path);
+        std::optional<Format> format;
+        if (path != "-" && ending < path.size()) format = format_named(path.substr(ending + 1));
+        if (!format) format = format_named(request.format);
+        if (!format && path == "-") return tl::unexpected(std::string("-o - needs --format svg, png, pdf or json"));
+        if (!format)
+            return tl::unexpected(
+                "-o " + path +
+                ": the ending does not say what to write; it may be .svg, .png, .pdf or .json (or --format says it)");
+        for (const Target& other : targets)
+            if (other.path == path)
+                return tl::unexpected(path == "-" ? std::string("standard output can carry one output only")
+                                                  : "-o " + path + " is given twice");
+        if (path != "-" && same_file(path, request.file))
+            return tl::unexpected("-o " + path + " would overwrite the mechanism file itself");
+        targets.push_back({path, *format});
+    }
+    return targets;
+}
+
+/// "./a.svg" and "a.svg" alike.
+std::string plain(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
+
+/// All bytes of a run, under the names they get. Remarks are added to `remarks`.
+std::vector<Output> outputs_of(const Solution& solution, const std::vector<Target>& targets, const SolveRequest& request,
+                               const std::vector<render::Page>& pages, const std::optional<render::Fonts>& fonts,
+                               std::vector<std::string>& remarks) {
+    std::vector<Output> outputs;
+    for (const Target& target : targets) {
+        if (target.format == Format::json) {
+            outputs.push_back({target.path, results_json(solution, request.exact)});
+            continue;
+        }
+        if (target.format == Format::pdf) {
+            outputs.push_back({target.path, render::to_pdf(pages, *fonts)});
+            continue;
+        }
+        const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
+        for (std::size_t page = 0; page < count; ++page)
+            outputs.push_back({target.path_of_page(page), target.format == Format::svg
+                                                              ? render::to_svg(pages[page], *fonts)
+                                                              : render::to_png(pages[page], *fonts, request.dpi)});
+        if (count < pages.size())
+            remarks.push_back("the sheet has " + std::to_string(pages.size()) +
+                              " pages and standard output carries the first only; a PDF has them all, and so has -o with a name");
+    }
+    if (fonts) {
+        std::string absent;
+        for (const std::string& character : fonts->missing()) absent += (absent.empty() ? "" : ", ") + character;
+        if (!absent.empty()) remarks.push_back("the font has no " + absent + ": drawn as its code in a box");
+    }
+    return outputs;
+}
+
+}  // namespace
+
+Status solve_command(const SolveRequest& request) {
+    const std::string name = spoken(request.file);
+    const auto targets = targets_of(request);
+    if (!targets) {
+        say("kinegraph", targets.error());
+        return Status::bad_input;
+    }
+    const auto text = read_whole(request.file);
+    if (!text) {
+        say(name, text.error());
+        return Status::bad_input;
+    }
+    auto mechanism = read_mechanism(*text, bare_name(request.file));
+    if (!mechanism) return say(name, mechanism.error());
+    const auto solution = solve(*std::move(mechanism));
+    if (!solution) return say(name, solution.error());
+
+    std::vector<std::string> remarks = solution->remarks;
+    std::vector<Output> outputs;
+    if (targets->empty()) {
+        outputs.push_back({"-", render::results_table(*solution, request.language)});
+    } else {
+        const bool drawn =
+            std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.format != Format::json; });
+        std::optional<render::Fonts> fonts;
+        std::vector<render::Page> pages;
+        if (drawn) {
+            auto opened = render::Fonts::open();
+            if (!opened) {
+                say("kinegraph", opened.error());
+                return Status::output;
+            }
+            fonts.emplace(*std::move(opened));
+            render::SheetOptions options;
+            options.paper = request.paper;
+            options.language = request.language;
+            pages = render::lay_out(*solution, options, *fonts);
+        }
+        outputs = outputs_of(*solution, *targets, request, pages, fonts, remarks);
+    }
+    if (request.exact &&
+        std::none_of(targets->begin(), targets->end(), [](const Target& target) { return target.format == Format::json; }))
+        remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");
+
+    // The names of further pages are known only now; none may be another output's, or the mechanism file's.
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
+            say("kinegraph", "two outputs of this run would both be " + outputs[i].path);
+            return Status::bad_input;
+        }
+        if (outputs[i].path != "-" && same_file(outputs[i].path, request.file)) {
+            say("kinegraph", outputs[i].path + " (a further page) would overwrite the mechanism file itself");
+            return Status::bad_input;
+        }
+    }
+    if (const auto failure = write_all(outputs)) {
+        say(failure->path == "-" ? "standard output" : failure->path, "cannot be written: " + failure->why);
+        return Status::output;
+    }
+    for (const std::string& remark : remarks) say(name, "remark: " + remark);
+    for (const Unsolved& unsolved : solution->unsolved) say(name, "unsolved: " + unsolved.what + ": " + unsolved.why);
+    return solution->unsolved.empty() ? Status::done : Status::unsolved;
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,436 @@
+// Every example: solved, in agreement with the check, with the laws of rigid bodies and of three centres, and with the closed
+// form or the published numbers that examples/README.md names.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "constructions/solve.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i{0, 1};
+constexpr double degree = 3.14159265358979323846 / 180;
+
+Solution solved(const std::string& name) {
+    std::ifstream file(std::string(KINEGRAPH_EXAMPLES_DIR) + "/" + name + ".json");
+    std::stringstream text;
+    text << file.rdbuf();
+    auto mechanism = read_mechanism(text.str(), name + ".json");
+    if (!mechanism) {
+        ADD_FAILURE() << name << ": " << mechanism.error().front().where << ": " << mechanism.error().front().message;
+        return {};
+    }
+    auto solution = solve(*std::move(mechanism));
+    if (!solution) {
+        ADD_FAILURE() << name << ": " << solution.error().front().where << ": " << solution.error().front().message;
+        return {};
+    }
+    return *std::move(solution);
+}
+
+/// All examples by name, in order.
+std::vector<std::string> examples() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Complex complex(const Vector& v) { return {v.x.to_double(), v.y.to_double()}; }
+double along(Complex v, Complex direction) { return (v * std::conj(direction)).real() / std::abs(direction); }
+
+/// Reading a solution by the names of its file.
+struct Reading {
+    const Solution& solution;
+
+    BodyIndex body(const char* name) const { return solution.mechanism.body_named(name).value(); }
+    PointIndex point(const char* name) const { return solution.mechanism.point_named(name).value(); }
+    const Vector& place(const char* name) const { return solution.pose.at(point(name)); }
+    Complex at(const char* name) const { return complex(place(name)); }
+    /// The point as the body carries it.
+    const PointMotion& motion(const char* name, const char* carrier) const {
+        for (const PointMotion& node : solution.points)
+            if (node.point == point(name) && std::count(node.bodies.begin(), node.bodies.end(), body(carrier)) > 0) return node;
+        throw std::out_of_range(std::string(name) + " on " + carrier + " has no motion");
+    }
+    const Vector& exact_v(const char* name, const char* carrier) const { return motion(name, carrier).velocity.value(); }
+    const Vector& exact_a(const char* name, const char* carrier) const { return motion(name, carrier).acceleration.value(); }
+    Complex v(const char* name, const char* carrier) const { return complex(exact_v(name, carrier)); }
+    Complex a(const char* name, const char* carrier) const { return complex(exact_a(name, carrier)); }
+    const Exact& exact_omega(const char* name) const {
+        return solution.bodies.at(static_cast<std::size_t>(body(name))).omega.value();
+    }
+    const Exact& exact_alpha(const char* name) const {
+        return solution.bodies.at(static_cast<std::size_t>(body(name))).alpha.value();
+    }
+    double omega(const char* name) const { return exact_omega(name).to_double(); }
+    double alpha(const char* name) const { return exact_alpha(name).to_double(); }
+    const ProjectivePoint& centre(const char* first, const char* second) const {
+        for (const InstantCentre& c : solution.centres)
+            if (c.first == body(first) && c.second == body(second)) return c.at.value();
+        throw std::out_of_range(std::string("no centre ") + first + "," + second);
+    }
+    const Sliding& sliding(const char* joint) const {
+        for (const Sliding& slide : solution.sliding)
+            if (solution.mechanism.joints.at(static_cast<std::size_t>(slide.joint)).name == joint) return slide;
+        throw std::out_of_range(std::string("nothing slides in ") + joint);
+    }
+};
+
+/// Within 1e-12 of the larger of the two and of `scale`.
+void expect_near(Complex actual, Complex expected, const char* what, double scale = 0) {
+    const double size = std::max({std::abs(expected), std::abs(actual), scale});
+    EXPECT_LE(std::abs(actual - expected), 1e-12 * size) << what << ": " << actual << " instead of " << expected;
+}
+
+// --- all of them -------------------------------------------------------------------------------------------------------------
+
+TEST(Examples, AreAllSolved) {
+    for (const std::string& name : examples()) {
+        const Solution solution = solved(name);
+        if (name == "slider_driven_dead_point") continue;
+        for (const Unsolved& unsolved : solution.unsolved) ADD_FAILURE() << name << ": " << unsolved.what << ": " << unsolved.why;
+        EXPECT_TRUE(solution.remarks.empty()) << name << ": " << solution.remarks.front();
+        EXPECT_FALSE(solution.checks.empty()) << name;
+        const std::size_t bodies = solution.mechanism.bodies.size();
+        EXPECT_EQ(solution.centres.size(), bodies * (bodies - 1) / 2) << name;
+        for (const InstantCentre& centre : solution.centres)
+            EXPECT_TRUE(centre.at || centre.everywhere) << name << ": centre " << centre.first << "," << centre.second;
+        EXPECT_EQ(solution.mobility.gruebler, name == "scara" ? 2 : 1) << name;
+        EXPECT_EQ(solution.mobility.effective, solution.mobility.gruebler) << name;
+    }
+}
+
+/// "velocity B x" → "velocity": what is measured in one unit and lies in one polygon.
+std::string kind(const std::string& quantity) { return quantity.substr(0, quantity.find(' ')); }
+
+TEST(Examples, AgreeWithTheCheckTo1e9) {
+    for (const std::string& name : examples()) {
+        const Solution solution = solved(name);
+        std::map<std::string, double> scale;
+        double fastest = 0;
+        for (const CheckRow& row : solution.checks) {
+            double& largest = scale[kind(row.quantity)];
+            largest = std::max({largest, std::abs(row.numeric), std::abs(row.graphical)});
+            if (kind(row.quantity) == "omega") fastest = std::max(fastest, std::abs(row.graphical));
+        }
+        // Where nothing turns faster and faster, ω² is what an α is small against.
+        scale["alpha"] = std::max(scale["alpha"], fastest * fastest);
+        for (const CheckRow& row : solution.checks) {
+            const double size = scale[kind(row.quantity)] > 0 ? scale[kind(row.quantity)] : 1;
+            EXPECT_LE(std::abs(row.difference), 1e-9 * size) << name << ": " << row.quantity;
+            EXPECT_NEAR(row.difference, row.graphical - row.numeric, 1e-15 * size) << name << ": " << row.quantity;
+        }
+    }
+}
+
+TEST(Examples, BodiesAreRigid) {
+    // (v_P − v_Q)·PQ = 0 (velocities project alike on their join) and (a_P − a_Q)·PQ = −|v_P − v_Q|²: exactly, since the
+    // drawing is the truth, with or without a leftover.
+    for (const std::string& name : examples()) {
+        const Solution solution = solved(name);
+        for (BodyIndex body = 1; body < static_cast<BodyIndex>(solution.mechanism.bodies.size()); ++body) {
+            std::vector<const PointMotion*> carried;
+            for (const PointMotion& node : solution.points)
+                if (std::count(node.bodies.begin(), node.bodies.end(), body) > 0) carried.push_back(&node);
+            for (const PointMotion* p : carried) {
+                for (const PointMotion* q : carried) {
+                    const Vector join = solution.pose.at(p->point) - solution.pose.at(q->point);
+                    if (p->velocity && q->velocity) {
+                        EXPECT_EQ(dot(*p->velocity - *q->velocity, join), Exact(0)) << name << body;
+                    }
+                    if (p->acceleration && q->acceleration) {
+                        EXPECT_EQ(dot(*p->acceleration - *q->acceleration, join), -squared_length(*p->velocity - *q->velocity))
+                            << name << body;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Examples, ThreeCentresLieOnALine) {
+    for (const std::string& name : examples()) {
+        const Solution solution = solved(name);
+        const auto centre = [&solution](BodyIndex a, BodyIndex b) -> const ProjectivePoint* {
+            for (const InstantCentre& c : solution.centres)
+                if (c.first == std::min(a, b) && c.second == std::max(a, b) && c.at) return &*c.at;
+            return nullptr;
+        };
+        const auto bodies = static_cast<BodyIndex>(solution.mechanism.bodies.size());
+        for (BodyIndex a = 0; a < bodies; ++a)
+            for (BodyIndex b = a + 1; b < bodies; ++b)
+                for (BodyIndex c = b + 1; c < bodies; ++c) {
+                    const auto *p = centre(a, b), *q = centre(b, c), *r = centre(a, c);
+                    if (!p || !q || !r) continue;
+                    const Exact determinant = p->x * (q->y * r->w - q->w * r->y) - p->y * (q->x * r->w - q->w * r->x) +
+                                              p->w * (q->x * r->y - q->y * r->x);
+                    if (solution.pose.exact) {
+                        EXPECT_EQ(determinant, Exact(0)) << name << ": " << a << b << c;
+                    } else {
+                        EXPECT_LE(std::abs(determinant.to_double()), 1e-24) << name << ": " << a << b << c;
+                    }
+                }
+    }
+}
+
+// --- one by one --------------------------------------------------------------------------------------------------------------
+
+TEST(Examples, FourBarHasTheCentresOfAronholdAndKennedy) {
+    const Solution solution = solved("four_bar");
+    const Reading read{solution};
+    expect_near(read.omega("2"), -4 * 180 * degree, "-120 rpm");
+    expect_near(std::abs(read.at("B") - read.at("A")), 0.15, "the coupler");
+    expect_near(std::abs(read.at("B") - read.at("O4")), 0.08, "the rocker");
+    EXPECT_GT(read.at("B").imag(), 0) << "left of A → O4";
+    // v_A = ω₃ ∧ P₁₃A and v_B = ω₃ ∧ P₁₃B
+    const Complex p13 = complex(read.centre("1", "3").place());
+    ASSERT_EQ(read.centre("1", "3").w, Exact(1));
+    expect_near(read.v("A", "3"), i * read.omega("3") * (read.at("A") - p13), "v_A about P13");
+    expect_near(read.v("B", "3"), i * read.omega("3") * (read.at("B") - p13), "v_B about P13");
+    // ω₄ / ω₂ = O₂P₂₄ / O₄P₂₄
+    const Complex p24 = complex(read.centre("2", "4").place());
+    expect_near(read.omega("4") / read.omega("2"), (p24 - read.at("O2")) / (p24 - read.at("O4")), "the ratio by P24");
+}
+
+/// c, dc/dα, d²c/dα² of the slider-crank whose guide passes e below the crank's centre.
+struct SliderCrank {
+    double c, first, second;
+};
+SliderCrank slider_crank(double a, double b, double e, double angle) {
+    const double beta = std::asin(-(a * std::sin(angle) + e) / b);
+    const double beta_1 = -a * std::cos(angle) / (b * std::cos(beta));
+    const double beta_2 = (a * std::sin(angle) + b * std::sin(beta) * beta_1 * beta_1) / (b * std::cos(beta));
+    return {a * std::cos(angle) + b * std::cos(beta), -a * std::sin(angle) - b * std::sin(beta) * beta_1,
+            -a * std::cos(angle) - b * std::cos(beta) * beta_1 * beta_1 - b * std::sin(beta) * beta_2};
+}
+
+TEST(Examples, SliderCrankFollowsItsClosedForm) {
+    const Solution solution = solved("slider_crank");
+    const Reading read{solution};
+    const double a = 0.05, b = 0.15, angle = 60 * degree, omega = 10, lambda = a / b;
+    const SliderCrank closed = slider_crank(a, b, 0, angle);
+    // The notes' own forms of c and Λ.
+    EXPECT_NEAR(closed.c, a * std::cos(angle) + b * std::sqrt(1 - std::pow(lambda * std::sin(angle), 2)), 1e-15);
+    const double beta = std::asin(-lambda * std::sin(angle));
+    EXPECT_NEAR(closed.first, -a * (std::sin(angle) - std::cos(angle) * std::tan(beta)), 1e-15);
+    expect_near(read.at("B"), closed.c, "c");
+    expect_near(read.v("B", "4"), closed.first * omega, "v_B = Λ ω");
+    expect_near(read.a("B", "4"), closed.second * omega * omega, "a_B");
+    EXPECT_EQ(read.exact_v("B", "4").y, Exact(0)) << "the slider's point stays on its guide";
+    expect_near(read.v("G", "3"), 0.6 * read.v("A", "3") + 0.4 * read.v("B", "3"), "v_G");
+    expect_near(read.a("G", "3"), 0.6 * read.a("A", "3") + 0.4 * read.a("B", "3"), "a_G");
+    EXPECT_TRUE(read.centre("1", "4").at_infinity());
+    EXPECT_EQ(read.centre("1", "4").x, Exact(0)) << "⟂ to the guide";
+    EXPECT_EQ(complex(read.sliding("B").velocity.value()), read.v("B", "4"));
+}
+
+TEST(Examples, OffsetSliderCrankFollowsItsClosedForm) {
+    const Solution solution = solved("slider_crank_offset");
+    const Reading read{solution};
+    const SliderCrank closed = slider_crank(0.05, 0.15, 0.02, 60 * degree);
+    expect_near(read.at("B"), Complex(closed.c, -0.02), "B");
+    expect_near(read.v("B", "4"), closed.first * 10, "v_B");
+    expect_near(read.a("B", "4"), closed.second * 100, "a_B");
+}
+
+TEST(Examples, AtItsDeadPointsTheSliderStandsStillExactly) {
+    // a_B = −ω² a (1 + λ) outside, ω² a (1 − λ) inside; ω = 10 rad/s, a = 0.05 m, λ = 1/3.
+    const Solution outer = solved("slider_crank_outer_dead_point");
+    const Solution inner = solved("slider_crank_inner_dead_point");
+    EXPECT_TRUE(outer.pose.exact);
+    EXPECT_TRUE(inner.pose.exact);
+    EXPECT_EQ(Reading{outer}.exact_v("B", "4"), Vector{});
+    EXPECT_EQ(Reading{inner}.exact_v("B", "4"), Vector{});
+    EXPECT_EQ(Reading{outer}.exact_a("B", "4"), (Vector{Exact::ratio(-20, 3), 0}));
+    EXPECT_EQ(Reading{inner}.exact_a("B", "4"), (Vector{Exact::ratio(10, 3), 0}));
+    EXPECT_EQ(Reading{outer}.exact_omega("3"), Exact::ratio(-10, 3)) << "−λ ω";
+    EXPECT_EQ(Reading{inner}.exact_omega("3"), Exact::ratio(10, 3)) << "λ ω";
+}
+
+TEST(Examples, ASliderCannotDriveAtItsDeadPoint) {
+    const Solution solution = solved("slider_driven_dead_point");
+    ASSERT_FALSE(solution.unsolved.empty());
+    for (const Unsolved& unsolved : solution.unsolved) {
+        EXPECT_FALSE(unsolved.what.empty());
+        EXPECT_FALSE(unsolved.why.empty()) << unsolved.what;
+    }
+    const Reading read{solution};
+    EXPECT_FALSE(solution.bodies.at(static_cast<std::size_t>(read.body("2"))).omega) << "no crank turns on an impossible drive";
+    EXPECT_EQ(read.centre("2", "3").place(), read.place("A")) << "what could be found is there";
+}
+
+/// A lever that pivots in `pivot` and is driven by A in its slot: what A's motion gives it.
+struct SlottedLever {
+    double omega, alpha;
+    Complex v_rel, a_rel, coriolis;
+};
+SlottedLever slotted_lever(Complex pivot, Complex A, Complex v, Complex a) {
+    const double r = std::abs(A - pivot);
+    const Complex u = (A - pivot) / r;
+    const double omega = along(v, i * u) / r;
+    const double slide = along(v, u);
+    return {omega, (along(a, i * u) - 2 * omega * slide) / r, slide * u, (along(a, u) + omega * omega * r) * u,
+            2.0 * i * omega * slide * u};
+}
+void expect_slotted_lever(const Reading& read, const SlottedLever& closed, const char* lever, const char* joint) {
+    expect_near(read.omega(lever), closed.omega, "omega of the lever");
+    expect_near(read.alpha(lever), closed.alpha, "alpha of the lever");
+    const Sliding& slide = read.sliding(joint);
+    expect_near(complex(slide.velocity.value()), closed.v_rel, "sliding velocity");
+    expect_near(complex(slide.acceleration.value()), closed.a_rel, "sliding acceleration");
+    expect_near(complex(slide.coriolis.value()), closed.coriolis, "Coriolis");
+    EXPECT_GT(std::abs(closed.coriolis), 0.01);
+}
+/// The ram D on a horizontal guide, hung on C by a link.
+void expect_ram(const Reading& read, Complex v_C, Complex a_C) {
+    const Complex w = read.at("D") - read.at("C");
+    const double v = v_C.real() + w.imag() * v_C.imag() / w.real();
+    const double a = a_C.real() + (w.imag() * a_C.imag() - std::norm(v - v_C)) / w.real();
+    expect_near(read.v("C", "5"), v_C, "v_C");
+    expect_near(read.a("C", "5"), a_C, "a_C");
+    expect_near(read.v("D", "6"), v, "v_D");
+    expect_near(read.a("D", "6"), a, "a_D");
+}
+
+TEST(Examples, InvertedSliderCrankFollowsItsClosedForm) {
+    const Solution solution = solved("inverted_slider_crank");
+    const Reading read{solution};
+    const Complex A = 0.04 * std::polar(1.0, 60 * degree);
+    expect_slotted_lever(read, slotted_lever(0.15, A, 6.0 * i * A, -36.0 * A), "4", "D");
+    EXPECT_EQ(read.exact_omega("3"), read.exact_omega("4")) << "a sleeve lets no relative rotation";
+    EXPECT_EQ(read.exact_alpha("3"), read.exact_alpha("4"));
+}
+
+TEST(Examples, QuickReturnFollowsItsClosedForm) {
+    const Solution solution = solved("quick_return");
+    const Reading read{solution};
+    const Complex A = 0.06 * std::polar(1.0, 30 * degree), O4(0, -0.15);
+    const SlottedLever lever = slotted_lever(O4, A, 5.0 * i * A, -25.0 * A);
+    expect_slotted_lever(read, lever, "4", "A");
+    const Complex C = 0.32 * (A - O4) / std::abs(A - O4);
+    expect_ram(read, i * lever.omega * C, (i * lever.alpha - lever.omega * lever.omega) * C);
+}
+
+TEST(Examples, WhitworthFollowsItsClosedForm) {
+    const Solution solution = solved("whitworth");
+    const Reading read{solution};
+    const Complex A = 0.1 * std::polar(1.0, 45 * degree), O4(0, -0.04);
+    const SlottedLever lever = slotted_lever(O4, A, -4.0 * i * A, -16.0 * A);
+    expect_slotted_lever(read, lever, "4", "A");
+    const Complex C = -0.06 * (A - O4) / std::abs(A - O4);
+    expect_ram(read, i * lever.omega * C, (i * lever.alpha - lever.omega * lever.omega) * C);
+}
+
+TEST(Examples, ScotchYokeIsHarmonic) {
+    const Solution solution = solved("scotch_yoke");
+    const Reading read{solution};
+    const double a = 0.05, omega = 8, angle = 60 * degree;
+    expect_near(read.at("F"), a * std::cos(angle), "x");
+    expect_near(read.v("B", "4"), -a * omega * std::sin(angle), "v");
+    expect_near(read.a("B", "4"), -a * omega * omega * std::cos(angle), "a");
+    EXPECT_EQ(read.exact_omega("3"), Exact(0));
+    EXPECT_EQ(read.exact_omega("4"), Exact(0));
+    EXPECT_EQ(read.exact_alpha("4"), Exact(0));
+}
+
+TEST(Examples, ParallelCrankIsParallelExactly) {
+    const Solution solution = solved("parallel_crank");
+    const Reading read{solution};
+    EXPECT_TRUE(solution.pose.exact);
+    EXPECT_EQ(read.place("B"), (Vector{Exact::ratio(3, 20), Exact::ratio(1, 25)}));
+    EXPECT_EQ(read.exact_omega("3"), Exact(0));
+    EXPECT_EQ(read.exact_alpha("3"), Exact(0));
+    EXPECT_EQ(read.exact_omega("4"), Exact(5));
+    EXPECT_EQ(read.exact_alpha("4"), Exact(2));
+    const ProjectivePoint& p13 = read.centre("1", "3");
+    EXPECT_TRUE(p13.at_infinity());
+    EXPECT_EQ(4 * p13.x, 3 * p13.y);
+    const ProjectivePoint& p24 = read.centre("2", "4");
+    EXPECT_TRUE(p24.at_infinity());
+    EXPECT_EQ(p24.y, Exact(0));
+    const Vector v{Exact::ratio(-1, 5), Exact::ratio(3, 20)};
+    for (const char* point : {"A", "B", "C"}) EXPECT_EQ(read.exact_v(point, "3"), v) << point;
+}
+
+TEST(Examples, ScaraComposesItsMotionInBothFrames) {
+    const Solution solution = solved("scara");
+    const Reading read{solution};
+    const double alpha_1 = 1.2, alpha_2 = 0.5, beta_1 = 0.8, beta_2 = -1;
+    const Complex OA = 0.3 * std::polar(1.0, 30 * degree), AB = 0.25 * std::polar(1.0, 75 * degree), OB = OA + AB;
+    expect_near(read.at("B"), OB, "B");
+    const double sum_1 = alpha_1 + beta_1, sum_2 = alpha_2 + beta_2;
+    const Complex v_B = i * alpha_1 * OB + i * beta_1 * AB;
+    const Complex a_B = (i * alpha_2 - alpha_1 * alpha_1) * OA + (i * sum_2 - sum_1 * sum_1) * AB;
+    expect_near(read.omega("3"), sum_1, "omega 3");
+    expect_near(read.alpha("3"), sum_2, "alpha 3");
+    expect_near(read.v("B", "3"), v_B, "v_B = α̇ ∧ OB + β̇ ∧ AB");
+    expect_near(read.a("B", "3"), a_B, "a_B");
+
+    ASSERT_EQ(solution.relative_motion.size(), 2U);
+    const RelativeMotion& translating = solution.relative_motion[0];
+    ASSERT_EQ(translating.query.translating_with, read.point("A"));
+    expect_near(complex(translating.velocity.value()), v_B, "v_B");
+    expect_near(complex(translating.transport_velocity.value()), i * alpha_1 * OA, "v_tr = v_A");
+    expect_near(complex(translating.relative_velocity.value()), i * sum_1 * AB, "v_rel");
+    expect_near(complex(translating.acceleration.value()), a_B, "a_B");
+    expect_near(complex(translating.transport_acceleration.value()), (i * alpha_2 - alpha_1 * alpha_1) * OA, "a_tr = a_A");
+    expect_near(complex(translating.relative_acceleration.value()), (i * sum_2 - sum_1 * sum_1) * AB, "a_rel");
+    EXPECT_TRUE(translating.coriolis.value_or(Vector{}).is_zero()) << "a translating frame has no Coriolis term";
+
+    const RelativeMotion& rotating = solution.relative_motion[1];
+    ASSERT_EQ(rotating.query.observer, read.body("2"));
+    ASSERT_LT(rotating.query.translating_with, 0);
+    const Complex v_rel = i * beta_1 * AB;
+    expect_near(complex(rotating.transport_velocity.value()), i * alpha_1 * OB, "v_tr");
+    expect_near(complex(rotating.relative_velocity.value()), v_rel, "v_rel");
+    expect_near(complex(rotating.transport_acceleration.value()), (i * alpha_2 - alpha_1 * alpha_1) * OB, "a_tr");
+    expect_near(complex(rotating.relative_acceleration.value()), (i * beta_2 - beta_1 * beta_1) * AB, "a_rel");
+    expect_near(complex(rotating.coriolis.value()), 2.0 * i * alpha_1 * v_rel, "2 α̇ ∧ v_rel");
+    EXPECT_EQ(*rotating.transport_velocity + *rotating.relative_velocity, *rotating.velocity);
+    EXPECT_EQ(*rotating.transport_acceleration + *rotating.relative_acceleration + *rotating.coriolis, *rotating.acceleration);
+}
+
+TEST(Examples, WattSixBarHasFifteenCentres) {
+    const Solution solution = solved("watt_six_bar");
+    const Reading read{solution};
+    ASSERT_EQ(solution.centres.size(), 15U);
+    // Every absolute centre carries its body: v_P = ω ∧ P₁ₖP.
+    for (const auto& [body, point] : {std::pair{"3", "B"}, {"5", "D"}, {"5", "E"}, {"4", "C"}, {"6", "D"}}) {
+        const ProjectivePoint& centre = read.centre("1", body);
+        ASSERT_FALSE(centre.at_infinity());
+        expect_near(read.v(point, body), i * read.omega(body) * (read.at(point) - complex(centre.place())), point);
+    }
+}
+
+TEST(Examples, EllipticTrammelDrawsItsEllipseExactly) {
+    // x_A = 0.12, y_B = 0.09, ẋ_A = 0.3: ẏ_B = −x_A ẋ_A / y_B = −0.4, ÿ_B = −(ẋ_A² + ẏ_B²) / y_B = −25/9; P a third of the way.
+    const Solution solution = solved("elliptic_trammel");
+    const Reading read{solution};
+    EXPECT_TRUE(solution.pose.exact);
+    EXPECT_EQ(read.place("B"), (Vector{0, Exact::ratio(9, 100)}));
+    EXPECT_EQ(read.exact_v("B", "4"), (Vector{0, Exact::ratio(-2, 5)}));
+    EXPECT_EQ(read.exact_a("B", "4"), (Vector{0, Exact::ratio(-25, 9)}));
+    EXPECT_EQ(read.exact_v("P", "3"), (Vector{Exact::ratio(1, 5), Exact::ratio(-2, 15)}));
+    EXPECT_EQ(read.exact_a("P", "3"), (Vector{0, Exact::ratio(-25, 27)}));
+    const Vector& P = read.place("P");
+    const Vector& v = read.exact_v("P", "3");
+    EXPECT_EQ(square(10 * P.x) + square(20 * P.y), Exact(1)) << "P is on the ellipse";
+    EXPECT_EQ(100 * P.x * v.x + 400 * P.y * v.y, Exact(0)) << "and moves along it";
+    const Vector& M = read.place("M");
+    EXPECT_EQ(dot(M, read.exact_v("M", "3")), Exact(0)) << "M moves on a circle";
+    EXPECT_EQ(read.centre("1", "3").place(), (Vector{Exact::ratio(3, 25), Exact::ratio(9, 100)}));
+}
+
+}  // namespace
+}  // namespace kinegraph
