@@ -122,8 +122,8 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// Encodes cairo's RGB24 pixels. Sheets are mostly blank: neither filters nor a harder search of zlib's pay
-/// (bench/render_bench.cpp).
+/// Encodes cairo's RGB24 pixels. Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the
+/// time for 4 % of the size.
 std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
     const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
     const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface);
