@@ -123,7 +123,7 @@ cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
 }
 
 /// Encodes cairo's RGB24 pixels. Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the
-/// time for 4 % of the size.
+/// time for 3 % of the size.
 std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
     const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
     const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface);
