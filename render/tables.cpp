@@ -1,0 +1,615 @@
+// Tables: see tables.hpp. Columns are as wide as their words ask; rules 0.35 / 0.18 / 0.35, no verticals.
+#include "render/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/assert.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double pitch = 4.4;  // of table rows
+
+void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
+void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
+
+Path rule(double from, double to, double y, double width, Colour colour) {
+    return line({from, y}, {to, y}, {width, colour, {}, false});
+}
+
+void set_right(std::vector<Mark>& marks, const ShapedLine& shaped, double right, double baseline, Colour colour) {
+    set_text(marks, shaped, {right - shaped.width, baseline}, colour, "text");
+}
+void set_centred(std::vector<Mark>& marks, const ShapedLine& shaped, double middle, double baseline, Colour colour) {
+    set_text(marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
+}
+
+/// What the check says, by quantity.
+class Checks {
+public:
+    explicit Checks(const Solution& solution) : solution_(solution) {
+        for (const CheckRow& row : solution.checks) rows_.emplace(row.quantity, &row);
+    }
+    std::optional<double> scalar(const std::string& quantity) const {
+        const auto found = rows_.find(quantity);
+        if (found == rows_.end()) return std::nullopt;
+        return found->second->numeric;
+    }
+    std::optional<Spot> components(const std::string& quantity) const {
+        const auto x = scalar(quantity + " x"), y = scalar(quantity + " y");
+        if (!x || !y) return std::nullopt;
+        return Spot{*x, *y};
+    }
+    std::optional<Spot> of_point(const std::string& kind, std::string name, BodyIndex body) const {
+        while (!name.empty() && name.back() == '*') name.pop_back();
+        if (const auto plain_point = components(kind + " " + name)) return plain_point;
+        return components(kind + " " + name + " on " + body_name(body));
+    }
+    std::string body_name(BodyIndex body) const {
+        return body < 0 ? "" : solution_.mechanism.bodies[static_cast<std::size_t>(body)].name;
+    }
+
+    /// The modulus of a drawn vector as the check has it; nothing where the check has no such thing.
+    std::optional<double> modulus(const DrawnVector& vector) const {
+        const bool acceleration = vector.symbol.letter == Symbol::Letter::a;
+        const std::string kind = acceleration ? "acceleration" : "velocity";
+        const std::string& term = vector.symbol.term;
+        const auto omega = scalar("omega " + body_name(vector.body)), alpha = scalar("alpha " + body_name(vector.body));
+        const auto pair = split(vector.symbol.about);
+        using Role = DrawnVector::Role;
+        if (vector.role == Role::coriolis) {
+            for (const Joint& joint : solution_.mechanism.joints)
+                if (pair ? joint.name == pair->first : joint.name == vector.symbol.about)
+                    if (const auto v = components("sliding " + joint.name + " coriolis")) return length(*v);
+            return std::nullopt;
+        }
+        if (vector.role == Role::sliding || term == "rel") {
+            const std::string point = pair ? pair->first : vector.symbol.about;
+            for (const Joint& joint : solution_.mechanism.joints)
+                if (solution_.mechanism.points[static_cast<std::size_t>(joint.point)].name == point)
+                    if (const auto v = components("sliding " + joint.name + " " + kind)) return length(*v);
+            return std::nullopt;
+        }
+        if (term == "n" || term == "t") {
+            if (!omega || (term == "t" && !alpha)) return std::nullopt;
+            double radius = 0;
+            if (pair) {
+                const auto p = place(pair->first), q = place(pair->second);
+                if (!p || !q) return std::nullopt;
+                radius = length(*p - *q);
+            } else {
+                // A point on a circle about a fixed pivot: its radius from v = ω r.
+                const auto v = of_point("velocity", vector.symbol.about, vector.body);
+                if (!v || *omega == 0) return std::nullopt;
+                radius = length(*v) / std::abs(*omega);
+            }
+            return term == "n" ? *omega * *omega * radius : std::abs(*alpha) * radius;
+        }
+        if (!term.empty()) return std::nullopt;
+        if (const auto v = of_point(kind, vector.symbol.about, vector.body)) return length(*v);
+        if (pair) {
+            const auto p = of_point(kind, pair->first, vector.body), q = of_point(kind, pair->second, vector.body);
+            if (p && q) return length(*p - *q);
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// "BA" is of B relative to A where points of these names exist.
+    std::optional<std::pair<std::string, std::string>> split(const std::string& about) const {
+        for (std::size_t i = 1; i < about.size(); ++i)
+            if (place(about.substr(0, i)) && place(about.substr(i))) return std::pair(about.substr(0, i), about.substr(i));
+        return std::nullopt;
+    }
+    std::optional<Spot> place(std::string name) const {
+        while (!name.empty() && name.back() == '*') name.pop_back();
+        const auto point = solution_.mechanism.point_named(name);
+        if (!point) return std::nullopt;
+        const Vector& at = solution_.pose.at(*point);
+        return Spot{at.x.to_double(), at.y.to_double()};
+    }
+
+    const Solution& solution_;
+    std::map<std::string, const CheckRow*> rows_;
+};
+
+/// Decimals that show five digits of the largest value of a column; nothing where plain decimals would be too long.
+std::optional<int> decimals_for(double largest) {
+    if (!(largest > 0)) return 1;
+    if (largest >= 1e6 || largest < 1e-3) return std::nullopt;
+    const int leading = static_cast<int>(std::floor(std::log10(largest))) + 1;
+    return std::clamp(5 - leading, 0, 7);
+}
+std::string cell(double value, std::optional<int> decimals, Language language) {
+    return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);
+    return {buffer, end.ptr};
+}
+
+std::string shortest(double value, Language language) {
+    for (int digits = 1; digits < 17; ++digits) {
+        const std::string text = number(value, digits, Language::en);
+        char buffer[64];
+        const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+        double back = 0;
+        std::from_chars(buffer, end.ptr, back);
+        if (back == value) return number(value, digits, language);
+    }
+    return number(value, 17, language);
+}
+
+Block equation_block(const DrawingContext& context, const Equation& equation, double most) {
+    const Language language = context.language;
+    const Theme& theme = context.theme;
+    struct Column {
+        const Term* term = nullptr;
+        std::string operation;  // what stands before it
+        ShapedLine symbol, line;
+        double width = 0, middle = 0;
+    };
+    const ShapedLine tick = context.fonts.shape(one_piece("✓"), 10),
+                     question = context.fonts.shape(one_piece("?", Face::bold), 10);
+
+    // Set as in the book; where that is too wide, closer and then smaller.
+    struct Setting {
+        double size, line_size, least_column, gap, operation;
+    };
+    constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6}, Setting{11, 7.5, 7, 1.3, 3.2},
+                                  Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
+    Block block;
+    for (const Setting& setting : settings) {
+        std::vector<Column> columns;
+        for (std::size_t side = 0; side < equation.sides.size(); ++side)
+            for (std::size_t i = 0; i < equation.sides[side].size(); ++i) {
+                const Term& term = equation.sides[side][i];
+                Column column;
+                column.term = &term;
+                column.operation = i > 0 ? "+" : side > 0 ? "=" : "";
+                column.symbol = context.fonts.shape(typeset(term.symbol, language), setting.size);
+                if (term.line.kind != LineReason::Kind::known)
+                    column.line = context.fonts.shape(typeset(term.line, language), setting.line_size);
+                column.width =
+                    std::max({setting.least_column, column.symbol.width + setting.gap, column.line.width + setting.gap});
+                columns.push_back(std::move(column));
+            }
+        const bool has_lines = std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.line.width > 0; });
+        std::vector<std::string> names{word("magnitude", language), word("direction", language)};
+        if (has_lines) names.push_back(word("line", language));
+        double names_width = 0;
+        std::vector<ShapedLine> shaped_names;
+        for (const std::string& name : names) {
+            shaped_names.push_back(context.fonts.shape(one_piece(name), setting.line_size));
+            names_width = std::max(names_width, shaped_names.back().width);
+        }
+        double x = names_width + 2.0;
+        for (Column& column : columns) {
+            if (!column.operation.empty()) x += setting.operation * (column.operation == "=" ? 1.1 : 1.0) - setting.gap / 2;
+            column.middle = x + column.width / 2;
+            x += column.width;
+        }
+        block = {};
+        block.width = x;
+        if (block.width > most && &setting != &settings.back()) continue;
+
+        double baseline = 4.6;
+        double before = names_width + 2.0;
+        for (const Column& column : columns) {
+            const Colour colour = column.term->body > 0 ? theme.body(column.term->body).letter : theme.text;
+            if (!column.operation.empty()) {
+                const ShapedLine sign = context.fonts.shape(one_piece(column.operation), setting.size);
+                set_centred(block.marks, sign, 0.5 * (before + column.middle - column.symbol.width / 2), baseline, theme.text);
+            }
+            set_centred(block.marks, column.symbol, column.middle, baseline, colour);
+            before = column.middle + column.symbol.width / 2;
+        }
+        const double top = 6.6;
+        block.marks.emplace_back(rule(0, block.width, top, theme.thin, theme.text));
+        for (std::size_t row = 0; row < names.size(); ++row) {
+            baseline = top + 3.4 + 4.1 * static_cast<double>(row);
+            set_text(block.marks, shaped_names[row], {0, baseline}, theme.secondary, "text");
+            for (const Column& column : columns) {
+                if (row < 2) {
+                    const bool known = row == 0 ? column.term->magnitude_known : column.term->direction_known;
+                    set_centred(block.marks, known ? tick : question, column.middle, baseline, theme.text);
+                } else {
+                    set_centred(block.marks, column.line, column.middle, baseline, theme.secondary);
+                }
+            }
+        }
+        block.height = baseline + 1.8;
+        block.marks.emplace_back(rule(0, block.width, block.height, theme.thin, theme.text));
+        break;
+    }
+    return block;
+}
+
+std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
+    const Solution& solution = context.solution;
+    const Units& units = solution.mechanism.units;
+    const Checks checks(solution);
+    std::vector<ResultRow> rows;
+
+    const auto measured = [&](const Figure* figure, const std::string& name) -> std::optional<double> {
+        if (!figure) return std::nullopt;
+        for (std::size_t i = 0; i + 1 < figure->marks.size(); ++i) {
+            const auto* group = std::get_if<GroupBegin>(&figure->marks[i]);
+            if (!group || group->cls != "vector" || group->attributes.empty() || group->attributes.front().second != name)
+                continue;
+            if (const auto* axis = std::get_if<Axis>(&figure->marks[i + 1])) return length(axis->tip - axis->tail);
+        }
+        return std::nullopt;
+    };
+    const auto add_bodies = [&](Symbol::Letter letter, const std::string& quantity, const Unit& unit, const std::string& group) {
+        const double si = unit.si.to_double();
+        for (std::size_t b = 1; b < solution.bodies.size(); ++b) {
+            const auto& value = letter == Symbol::Letter::omega ? solution.bodies[b].omega : solution.bodies[b].alpha;
+            if (!value) continue;
+            ResultRow row;
+            row.symbol = {letter, solution.mechanism.bodies[b].name, ""};
+            row.name = name_of(row.symbol);
+            row.drawing = (*value / unit.si).to_double();
+            if (const auto numeric = checks.scalar(quantity + " " + solution.mechanism.bodies[b].name))
+                row.numeric = *numeric / si;
+            row.unit = unit.symbol;
+            row.group = group;
+            rows.push_back(std::move(row));
+        }
+    };
+    const auto add_polygons = [&](Plane plane, bool relative) {
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+            const Polygon& polygon = solution.protocol.polygons[p];
+            if (polygon.plane != plane || polygon.point.empty() == relative) continue;
+            const Unit& unit = plane == Plane::acceleration ? units.acceleration : units.velocity;
+            const Figure* figure = nullptr;
+            for (const Figure& each : figures)
+                if (each.id == legal_id(polygon.id)) figure = &each;
+            std::set<std::string> names;
+            for (const int index : polygon.vectors) {
+                const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(index)];
+                ResultRow row;
+                row.symbol = vector.symbol;
+                row.name = name_of(vector.symbol);
+                if (!names.insert(row.name).second) continue;
+                const Vector value = solution.protocol.value_of(vector);
+                row.drawing = length(Spot{(value.x / unit.si).to_double(), (value.y / unit.si).to_double()});
+                row.millimetres = value.is_zero() ? std::optional<double>(0) : measured(figure, row.name);
+                if (!row.millimetres && figure) row.millimetres = 0;
+                if (const auto numeric = checks.modulus(vector)) row.numeric = *numeric / unit.si.to_double();
+                row.unit = unit.symbol;
+                row.group = polygon.id;
+                rows.push_back(std::move(row));
+            }
+        }
+    };
+    add_polygons(Plane::velocity, false);
+    add_bodies(Symbol::Letter::omega, "omega", units.angular_velocity, "velocity");
+    add_polygons(Plane::acceleration, false);
+    add_bodies(Symbol::Letter::alpha, "alpha", Unit{"rad/s²", 1}, "acceleration");
+    add_polygons(Plane::velocity, true);
+    add_polygons(Plane::acceleration, true);
+    return rows;
+}
+
+Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, bool heading) {
+    const Language language = context.language;
+    const Theme& theme = context.theme;
+    const Fonts& fonts = context.fonts;
+    struct Line {
+        std::array<ShapedLine, 6> cells;  // quantity, mm, drawing, numeric, unit, difference
+    };
+    const auto shape = [&](const std::string& text, double size) { return fonts.shape(one_piece(text), size); };
+
+    std::map<std::pair<std::string, std::string>, double> largest;  // by group and unit
+    for (const ResultRow& row : rows) {
+        double& most = largest[{row.group, row.unit}];
+        most = std::max({most, std::abs(row.drawing), std::abs(row.numeric.value_or(0))});
+    }
+    Line head;
+    head.cells[1] = shape("mm", theme.small);
+    head.cells[2] = shape(word("drawing", language), theme.small);
+    head.cells[3] = shape(word("numeric", language), theme.small);
+    head.cells[4] = shape(word("unit", language), theme.small);
+    head.cells[5] = shape(word("difference", language) + " %", theme.small);
+    std::array<double, 6> widths{};
+    for (std::size_t c = 0; c < 6; ++c) widths[c] = head.cells[c].width;
+    std::vector<Line> lines;
+    for (const ResultRow& row : rows) {
+        const double most = largest[{row.group, row.unit}];
+        const auto decimals = decimals_for(most);
+        const bool is_scalar = row.symbol.letter == Symbol::Letter::omega || row.symbol.letter == Symbol::Letter::alpha;
+        const auto value = [&](double v) {
+            std::string text = cell(v, decimals, language);
+            // Positive turns are said to be so.
+            return is_scalar && v > 0 && text.find_first_of("123456789") != std::string::npos ? "+" + text : text;
+        };
+        RichText quantity = typeset(row.symbol, language);
+        for (Piece& piece : quantity)
+            if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector, a scalar
+        Line each;
+        each.cells[0] = fonts.shape(quantity, theme.body_text + 0.5);
+        each.cells[1] = shape(row.millimetres ? fixed(*row.millimetres, 1, language) : "–", theme.body_text);
+        each.cells[2] = shape(value(row.drawing), theme.body_text);
+        each.cells[3] = shape(row.numeric ? value(*row.numeric) : "–", theme.body_text);
+        each.cells[4] = shape(row.unit, theme.body_text);
+        std::string difference = "–";
+        if (row.numeric) {
+            const double gap = row.drawing - *row.numeric;
+            const double percent = std::abs(gap) <= 1e-9 * most ? 0
+                                   : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
+                                                                : 100;
+            difference = fixed(percent, 2, language);
+            if (percent >= 0.005) difference = "+" + difference;
+        }
+        each.cells[5] = shape(difference, theme.body_text);
+        for (std::size_t c = 0; c < 6; ++c) widths[c] = std::max(widths[c], each.cells[c].width);
+        lines.push_back(std::move(each));
+    }
+    double total = 0;
+    for (const double w : widths) total += w;
+    const double gap = std::clamp((width - total) / 5, 1.6, 9.0);
+    std::array<double, 6> left{};
+    for (std::size_t c = 1; c < 6; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
+
+    Block block;
+    block.width = left[5] + widths[5];
+    double y = 0;
+    if (heading) {
+        set_text(block.marks, fonts.shape(one_piece(word("results", language), Face::bold), theme.label), {0, 3.6}, theme.text,
+                 "text");
+        y = 5.6;
+    }
+    const auto set_line = [&](const Line& each, double baseline, Colour colour) {
+        set_text(block.marks, each.cells[0], {left[0], baseline}, theme.text, "text");
+        set_text(block.marks, each.cells[4], {left[4], baseline}, colour, "text");
+        for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}})
+            set_right(block.marks, each.cells[c], left[c] + widths[c], baseline, colour);
+    };
+    block.marks.emplace_back(rule(0, block.width, y, theme.outline, theme.text));
+    set_line(head, y + 3.4, theme.secondary);
+    y += 4.8;
+    block.marks.emplace_back(rule(0, block.width, y, theme.thin, theme.text));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (i > 0 && rows[i].group != rows[i - 1].group) {
+            y += 0.4;
+            block.marks.emplace_back(rule(0, block.width, y, theme.thin, theme.secondary));
+        }
+        set_line(lines[i], y + 3.3, theme.text);
+        y += pitch;
+    }
+    y += 0.6;
+    block.marks.emplace_back(rule(0, block.width, y, theme.outline, theme.text));
+    block.height = y + 0.2;
+    return block;
+}
+
+namespace {
+
+Symbol symbol_of(const InstantCentre& centre, const Mechanism& mechanism) {
+    const std::string& i = mechanism.bodies[static_cast<std::size_t>(centre.first)].name;
+    const std::string& j = mechanism.bodies[static_cast<std::size_t>(centre.second)].name;
+    const bool infinite = centre.at && centre.at->at_infinity();
+    return {Symbol::Letter::centre, i.size() == 1 && j.size() == 1 ? i + j : i + "," + j, infinite ? "∞" : ""};
+}
+
+/// The joint that holds two bodies, if one does.
+const Joint* joint_of(const InstantCentre& centre, const Mechanism& mechanism) {
+    const auto holds = [](const Joint& joint, BodyIndex body) {
+        return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
+    };
+    for (const Joint& joint : mechanism.joints)
+        if (holds(joint, centre.first) && holds(joint, centre.second)) return &joint;
+    return nullptr;
+}
+
+const std::string& point_name(const Mechanism& mechanism, PointIndex point) {
+    return mechanism.points[static_cast<std::size_t>(point)].name;
+}
+
+/// A centre inside the name of a line: its hinge where it has one, else its symbol.
+RichText in_a_line(const InstantCentre& centre, const Mechanism& mechanism, Language language) {
+    const Joint* joint = centre.how == InstantCentre::How::primary ? joint_of(centre, mechanism) : nullptr;
+    if (joint && centre.at && !centre.at->at_infinity())
+        return typeset(Symbol{Symbol::Letter::point, point_name(mechanism, joint->point), ""}, language);
+    return typeset(symbol_of(centre, mechanism), language);
+}
+
+RichText how_found(const InstantCentre& centre, const Solution& solution, Language language) {
+    const Mechanism& mechanism = solution.mechanism;
+    const auto point = [&](PointIndex p) {
+        return typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language);
+    };
+    RichText text;
+    if (centre.how == InstantCentre::How::unknown && !centre.at && !centre.everywhere)
+        return one_piece(word("not found", language));
+    if (centre.how == InstantCentre::How::primary) {
+        if (const Joint* joint = joint_of(centre, mechanism)) {
+            switch (joint->kind) {
+                case JointKind::revolute:
+                    append(text, word("hinge", language) + " ");
+                    break;
+                case JointKind::prismatic:
+                    append(text, word("normal to guide", language) + " ");
+                    break;
+                case JointKind::rolling:
+                    append(text, word("contact", language) + " ");
+                    break;
+                case JointKind::gear:
+                    append(text, word("pitch point", language) + " ");
+                    break;
+                case JointKind::weld:
+                    append(text, word("clamped at", language) + " ");
+                    break;
+                case JointKind::pin_slot:
+                case JointKind::contact:
+                    append(text, word("normal at", language) + " ");
+                    break;
+            }
+            append(text, point(joint->point));
+            return text;
+        }
+    }
+    const auto join = [&] {
+        if (!text.empty()) append(text, " " + word("and", language) + " ");
+    };
+    for (const auto& [first, second] : centre.through) {
+        join();
+        append(text, in_a_line(solution.centres[static_cast<std::size_t>(first)], mechanism, language));
+        append(text, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
+    }
+    for (const PointIndex p : centre.normals) {
+        join();
+        append(text, word("normal at", language) + " ");
+        append(text, point(p));
+    }
+    if (text.empty() && centre.how == InstantCentre::How::velocities) append(text, word("from velocities", language));
+    return text;
+}
+
+RichText where_found(const InstantCentre& centre, const Solution& solution, Language language) {
+    if (centre.at && !centre.at->at_infinity()) {
+        const Unit& unit = solution.mechanism.units.length;
+        const Vector place = centre.at->place();
+        const double x = (place.x / centre.at->w / unit.si).to_double(), y = (place.y / centre.at->w / unit.si).to_double();
+        const double size = (solution.pose.size / unit.si).to_double();
+        const auto decimals = decimals_for(std::max({std::abs(x), std::abs(y), size}));
+        const auto coordinate = [&](double v) {
+            return decimals ? fixed(v, std::min(*decimals, 4), language) : number(v, 5, language);
+        };
+        const std::string separator = language == Language::it ? "; " : ", ";
+        return one_piece("(" + coordinate(x) + separator + coordinate(y) + ")");
+    }
+    if (centre.at) {
+        double angle = std::atan2(centre.at->y.to_double(), centre.at->x.to_double()) * 180 / std::acos(-1.0);
+        if (angle < 0) angle += 180;
+        if (angle >= 180) angle -= 180;
+        return one_piece("∞, " + fixed(angle, 2, language) + "°");
+    }
+    if (centre.everywhere) return one_piece(word("everywhere", language));
+    return {};
+}
+
+RichText describe(BodyIndex index, const Solution& solution, Language language) {
+    const Mechanism& mechanism = solution.mechanism;
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(index)];
+    std::vector<PointIndex> hinges;
+    bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
+    for (const Joint& joint : mechanism.joints) {
+        const auto found = std::find(joint.bodies.begin(), joint.bodies.end(), index);
+        if (found == joint.bodies.end()) continue;
+        const bool with_frame = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+        if (joint.kind == JointKind::revolute) {
+            hinges.push_back(joint.point);
+            on_frame = on_frame || with_frame;
+        }
+        if (joint.kind == JointKind::prismatic) {
+            slides_on_frame = slides_on_frame || with_frame;
+            (found == joint.bodies.begin() ? slides : carries_guide) = true;
+        }
+        if (joint.kind == JointKind::pin_slot && found != joint.bodies.begin()) carries_guide = true;
+    }
+    for (const Driver& driver : mechanism.drivers)
+        if (const auto* spin = std::get_if<SpinDriver>(&driver)) driven = driven || spin->body == index;
+
+    RichText text;
+    if (!body.label.empty()) {
+        append(text, in(body.label, language));
+        append(text, " ");
+    } else {
+        const char* kind = body.circle                       ? "disc"
+                           : slides_on_frame                 ? "slider"
+                           : carries_guide                   ? "slotted link"
+                           : slides                          ? "sleeve"
+                           : on_frame && driven              ? "crank"
+                           : on_frame && hinges.size() == 2  ? "rocker"
+                           : !on_frame && hinges.size() == 2 ? "coupler"
+                                                             : "link";
+        append(text, word(kind, language) + " ");
+    }
+    std::vector<PointIndex> points = hinges;
+    for (const PointIndex p : body.points)
+        if (std::find(points.begin(), points.end(), p) == points.end() && points.size() < 6) points.push_back(p);
+    for (const PointIndex p : points)
+        append(text, typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language));
+    if (points.size() == 2 && !slides && !slides_on_frame) {
+        const Unit& unit = mechanism.units.length;
+        const Vector between = solution.pose.at(points[1]) - solution.pose.at(points[0]);
+        const double l = length(Spot{(between.x / unit.si).to_double(), (between.y / unit.si).to_double()});
+        // A length that the file gives shows as given; one that follows, to four digits.
+        const double nice = std::round(l * 1e6) / 1e6;
+        const std::string exact = shortest(nice, language);
+        append(text, ", " + (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<Block> centre_lines(const DrawingContext& context, double width) {
+    const Theme& theme = context.theme;
+    std::vector<Block> lines;
+    std::vector<const InstantCentre*> centres;
+    for (const InstantCentre& centre : context.solution.centres) centres.push_back(&centre);
+    double symbols = 8;
+    std::vector<ShapedLine> shaped;
+    for (const InstantCentre* centre : centres) {
+        shaped.push_back(
+            context.fonts.shape(typeset(symbol_of(*centre, context.solution.mechanism), context.language), theme.derived));
+        symbols = std::max(symbols, shaped.back().width + 2.5);
+    }
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        const InstantCentre& centre = *centres[i];
+        Block block;
+        RichText how = how_found(centre, context.solution, context.language);
+        if (centre.depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
+        const ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
+        const auto wrapped = context.fonts.wrap(how, theme.body_text, std::max(20.0, width - symbols - where.width - 3));
+        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
+        double baseline = 3.2;
+        for (const ShapedLine& each : wrapped) {
+            set_text(block.marks, each, {symbols, baseline}, theme.text, "text");
+            baseline += 4.1;
+        }
+        set_right(block.marks, where, width, 3.2, theme.text);
+        block.width = width;
+        block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
+        lines.push_back(std::move(block));
+    }
+    return lines;
+}
+
+std::vector<Block> body_lines(const DrawingContext& context, double width) {
+    const Theme& theme = context.theme;
+    std::vector<Block> lines;
+    for (std::size_t b = 1; b < context.solution.mechanism.bodies.size(); ++b) {
+        Block block;
+        const BodyColour colour = theme.body(static_cast<int>(b));
+        block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
+        const ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.bodies[b].name), theme.body_text);
+        set_text(block.marks, name, {11, 3.2}, colour.letter, "text");
+        const double x = 11 + std::max(4.5, name.width + 2);
+        double baseline = 3.2;
+        for (const ShapedLine& each : context.fonts.wrap(describe(static_cast<BodyIndex>(b), context.solution, context.language),
+                                                         theme.body_text, width - x)) {
+            set_text(block.marks, each, {x, baseline}, theme.text, "text");
+            baseline += 4.1;
+        }
+        block.width = width;
+        block.height = std::max(4.8, baseline - 3.2 + 0.7);
+        lines.push_back(std::move(block));
+    }
+    return lines;
+}
+
+}  // namespace kinegraph::render
