@@ -1,0 +1,48 @@
+#!/bin/bash
+# Whole commands, timed from outside: start of the process to its end, median and best of RUNS, on the processor this is pinned
+# to, with the largest memory it held (GNU time, where installed). "nothing" is a process that only starts and ends.
+#   program_bench.sh [PROGRAM] [RUNS]
+set -u
+export LC_ALL=C
+top=$(cd "$(dirname "$0")/.." && pwd)
+program=${1:-$top/build/kinegraph}
+runs=${2:-50}
+example=$top/examples/four_bar.json
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+[ -x "$program" ] || { echo "$program is not there: build it first" >&2; exit 2; }
+command -v taskset >/dev/null && taskset -p -c 0 $$ >/dev/null 2>&1
+
+# measure NAME COMMAND…: one row of the table.
+measure() {
+    local name=$1 start end memory=-
+    shift
+    "$@" >/dev/null || { echo "$name: status $?" >&2; return; }
+    for ((run = 0; run < runs; ++run)); do
+        start=${EPOCHREALTIME/./}
+        "$@" >/dev/null
+        end=${EPOCHREALTIME/./}
+        echo $((end - start))
+    done | sort -n >"$folder/times"
+    if [ -x /usr/bin/time ]; then
+        memory=$(/usr/bin/time -f %M "$@" 2>&1 >/dev/null | tail -n 1)
+        memory=$(awk -v kib="$memory" 'BEGIN { printf "%.1f", kib / 1024 }')
+    fi
+    awk -v name="$name" -v memory="$memory" '{ t[NR] = $1 / 1000 }
+        END { printf "%-28s %8.1f %8.1f %10s\n", name, t[int((NR + 1) / 2)], t[1], memory }' "$folder/times"
+}
+
+printf '%-28s %8s %8s %10s\n' "command" "median" "best" "memory"
+printf '%-28s %8s %8s %10s\n' "" "ms" "ms" "MiB"
+measure "nothing" /bin/true
+measure "--version" "$program" --version
+measure "check" "$program" check "$example"
+measure "solve: table" "$program" solve "$example"
+measure "solve: JSON" "$program" solve "$example" -o "$folder/a.json"
+measure "solve: SVG, A4" "$program" solve "$example" -o "$folder/a.svg"
+measure "solve: PDF, A4" "$program" solve "$example" -o "$folder/a.pdf"
+measure "solve: PNG, A4, 150 dpi" "$program" solve "$example" -o "$folder/a.png" --dpi 150
+for path in "$top"/examples/*.json; do
+    name=$(basename "$path" .json)
+    [ "$name" = slider_driven_dead_point ] || [ "$name" = four_bar ] || measure "SVG of $name" "$program" solve "$path" -o "$folder/b.svg"
+done
