@@ -177,7 +177,8 @@ private:
                 const BodyIndex body = joint.bodies[inverse ? 1 : 0], other = joint.bodies[inverse ? 0 : 1];
                 if (body_known(body)) continue;
                 NodeIndex base = known_on(joint.point, other);
-                if (base < 0 && joint.kind == JointKind::prismatic) {  // any known place of the other serves: no relative rotation
+                if (base < 0 &&
+                    joint.kind == JointKind::prismatic) {  // any known place of the other serves: no relative rotation
                     base = base_of(other, -1);
                 }
                 if (base < 0 || structure_.node(base).point < 0) continue;
@@ -205,7 +206,8 @@ private:
         const auto key = std::minmax(base, node);
         const auto [entry, fresh] = joins_.try_emplace(key);
         if (fresh) {
-            entry->second = board_.perpendicular(board_.direction(board_.vector(structure_.node(key.first).place, structure_.node(key.second).place)));
+            entry->second = board_.perpendicular(
+                board_.direction(board_.vector(structure_.node(key.first).place, structure_.node(key.second).place)));
         }
         return entry->second;
     }
@@ -245,7 +247,8 @@ private:
             const std::vector<Slide>& sleeves = structure_.sleeves_of(body);
             for (const Slide& slide : sleeves) add_slide(Locus::Kind::sleeve, slide, node, point, body, loci);
             for (const Slide& slide : structure_.slots_of(body)) {
-                if (mechanism_.joints[at(slide.joint)].point == point) add_slide(Locus::Kind::slot, slide, node, point, body, loci);
+                if (mechanism_.joints[at(slide.joint)].point == point)
+                    add_slide(Locus::Kind::slot, slide, node, point, body, loci);
             }
             for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
                 const auto* driven = std::get_if<PointDriver>(&mechanism_.drivers[d]);
@@ -261,7 +264,8 @@ private:
         }
     }
 
-    void add_slide(Locus::Kind kind, const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci) {
+    void add_slide(Locus::Kind kind, const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body,
+                   std::vector<Locus>& loci) {
         if (point < 0) return;
         const NodeIndex base = known_on(point, slide.other);
         if (base < 0 || base == node) return;
@@ -300,7 +304,8 @@ private:
         return loci;
     }
 
-    /// Nodes that may be sought: those of the file, then the places where a sleeve lets one body's known point be seen on the other.
+    /// Nodes that may be sought: those of the file, then the places where a sleeve lets one body's known point be seen on the
+    /// other.
     std::vector<NodeIndex> candidates() {
         const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
         for (BodyIndex body = 0; body < bodies; ++body) {
@@ -381,7 +386,8 @@ private:
         for (const bool want_parallel : {true, false}) {
             for (std::size_t i = 0; i < loci.size(); ++i) {
                 for (std::size_t k = i + 1; k < loci.size(); ++k) {
-                    if (loci[i].node == loci[k].node || board_.parallel(loci[i].direction, loci[k].direction) != want_parallel) continue;
+                    if (loci[i].node == loci[k].node || board_.parallel(loci[i].direction, loci[k].direction) != want_parallel)
+                        continue;
                     const auto first = board_.through(structure_.node(loci[i].node).place, perpendicular_to(loci[i].direction));
                     const auto second = board_.through(structure_.node(loci[k].node).place, perpendicular_to(loci[k].direction));
                     const auto met = board_.meet(first, second);
@@ -421,6 +427,8 @@ private:
 
 }  // namespace
 
-Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers) { return Planner(structure, board, drivers).run(); }
+Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers) {
+    return Planner(structure, board, drivers).run();
+}
 
 }  // namespace kinegraph

@@ -1,6 +1,6 @@
-// The planner: in which order the motion of a mechanism can be drawn, and by which rule each body is reached. It sees structure and
-// directions only (predicates of the board), so that one plan serves velocities, accelerations and every speed of the drivers.
-// It computes no number of its own.
+// The planner: in which order the motion of a mechanism can be drawn, and by which rule each body is reached. It sees structure
+// and directions only (predicates of the board), so that one plan serves velocities, accelerations and every speed of the
+// drivers. It computes no number of its own.
 #pragma once
 
 #include <string>
@@ -20,24 +20,24 @@ struct Locus {
         component  ///< a driver fixes the component along a direction
     };
     Kind kind = Kind::rotation;
-    BodyIndex body = -1;      ///< the body that carries the node
-    NodeIndex node = -1;      ///< whose tip it holds (differs from the node sought where the locus is shifted by a known ω)
+    BodyIndex body = -1;  ///< the body that carries the node
+    NodeIndex node = -1;  ///< whose tip it holds (differs from the node sought where the locus is shifted by a known ω)
     NodeIndex base = -1;
     JointIndex joint = -1;
-    bool inverse = false;     ///< the node is the guide's point, the base the slider's
+    bool inverse = false;  ///< the node is the guide's point, the base the slider's
     int driver = -1;
     DirectionHandle direction;
 };
 
 struct Step {
     enum class Kind {
-        spin_by_joint,    ///< ω of `body` equals that of `other`: a sleeve or weld holds them
-        spin_by_driver,   ///< ω of `body` from that of `other` and the driver between them
-        slide_by_driver,  ///< `node` from `base` and a driven slide
-        image,            ///< `node` from `base` and ω of `body`
-        meet,             ///< `node` where two loci meet
-        spin_from_pair,   ///< ω of `body` from `base` and `node`
-        auxiliary,        ///< Assur's point `node` of `body`: where the perpendiculars to the loci of two nodes meet
+        spin_by_joint,       ///< ω of `body` equals that of `other`: a sleeve or weld holds them
+        spin_by_driver,      ///< ω of `body` from that of `other` and the driver between them
+        slide_by_driver,     ///< `node` from `base` and a driven slide
+        image,               ///< `node` from `base` and ω of `body`
+        meet,                ///< `node` where two loci meet
+        spin_from_pair,      ///< ω of `body` from `base` and `node`
+        auxiliary,           ///< Assur's point `node` of `body`: where the perpendiculars to the loci of two nodes meet
         spin_from_parallels  ///< ω of `body` from two parallel loci (auxiliary point at infinity)
     };
     Kind kind = Kind::image;

@@ -48,6 +48,12 @@ struct RelativeMotion {
     std::optional<Vector> velocity, transport_velocity, relative_velocity;
     std::optional<Vector> acceleration, transport_acceleration, relative_acceleration, coriolis;
 };
+/// An angular velocity found a second time, by instant centres.
+struct SecondWay {
+    BodyIndex body = -1;
+    Exact omega;
+    bool agrees = false;  ///< with the polygon, by exact predicate
+};
 /// One scalar held against the check.
 struct CheckRow {
     std::string quantity;  ///< "omega 3", "velocity B x"
@@ -68,6 +74,7 @@ struct Solution {
     std::vector<Sliding> sliding;
     std::vector<InstantCentre> centres;  ///< all n(n−1)/2, in the order of their keys
     std::vector<RelativeMotion> relative_motion;
+    std::vector<SecondWay> second_way;
     std::vector<CheckRow> checks;
     std::vector<Unsolved> unsolved;    ///< not empty: exit 3
     std::vector<std::string> remarks;  ///< redundant constraints, points moved onto curves …

@@ -1,0 +1,325 @@
+#include "constructions/instant_centres.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr BodyIndex frame = 0;
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using Drawing = PointOn<Plane::drawing>;
+
+}  // namespace
+
+InstantCentres::InstantCentres(Structure& structure, Board& board)
+    : structure_(structure), board_(board), count_(static_cast<int>(structure.mechanism().bodies.size())) {
+    for (BodyIndex i = 0; i < count_; ++i) {
+        for (BodyIndex j = i + 1; j < count_; ++j) {
+            Pair entry;
+            entry.centre.first = i;
+            entry.centre.second = j;
+            pairs_.push_back(std::move(entry));
+        }
+    }
+}
+
+std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
+    if (i > j) std::swap(i, j);
+    // Row i of the upper triangle starts after the rows before it.
+    return at(i * (2 * count_ - i - 1) / 2 + (j - i - 1));
+}
+
+Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) const {
+    if (i > j) std::swap(i, j);
+    const std::string& first = structure_.body_name(i);
+    const std::string& second = structure_.body_name(j);
+    Symbol result;
+    result.letter = Symbol::Letter::centre;
+    result.about = first.size() == 1 && second.size() == 1 ? first + second : first + "," + second;
+    const Pair& entry = pairs_[index(i, j)];
+    if (entry.point && board_.is_at_infinity(*entry.point)) result.term = "∞";
+    return result;
+}
+
+int InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
+    Statement statement;
+    statement.message = {sentence, std::move(arguments)};
+    statement.section = "centres";
+    statement.source = "Aronhold–Kennedy";
+    return board_.state(std::move(statement));
+}
+
+void InstantCentres::settle(Pair& entry, Drawing point, InstantCentre::How how) {
+    entry.point = point;
+    entry.centre.how = how;
+    entry.centre.at = board_.value(point);
+    entry.centre.order = order_++;
+}
+
+void InstantCentres::primary(JointIndex j) {
+    const Joint& joint = structure_.mechanism().joints[at(j)];
+    for (std::size_t a = 0; a < joint.bodies.size(); ++a) {
+        for (std::size_t b = a + 1; b < joint.bodies.size(); ++b) primary(j, joint.bodies[a], joint.bodies[b]);
+    }
+}
+
+void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j) {
+    const Joint& joint = structure_.mechanism().joints[at(index_of_joint)];
+    Pair& entry = pair(i, j);
+    if (joint.kind == JointKind::pin_slot || joint.kind == JointKind::contact) {
+        entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
+        return;
+    }
+    if (entry.centre.everywhere) return;
+    if (joint.kind == JointKind::weld) {
+        entry.centre.everywhere = true;
+        entry.centre.how = InstantCentre::How::primary;
+        entry.centre.order = order_++;
+        entry.centre.statement =
+            say(Sentence::primary_weld, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+        return;
+    }
+    const Drawing point = joint.kind == JointKind::prismatic
+                              ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
+                              : board_.place(joint.point);
+    if (entry.point) {
+        // Two pairs between the same bodies: they agree, or the bodies cannot move against each other.
+        if (!board_.coincide(*entry.point, point)) entry.centre.everywhere = true;
+        return;
+    }
+    settle(entry, point, InstantCentre::How::primary);
+    const Sentence sentence = joint.kind == JointKind::prismatic ? Sentence::primary_prismatic
+                              : joint.kind == JointKind::rolling ? Sentence::primary_rolling
+                              : joint.kind == JointKind::gear    ? Sentence::primary_gear
+                                                                 : Sentence::primary_revolute;
+    entry.centre.statement = say(sentence, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+}
+
+/// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be drawn.
+std::vector<BodyIndex> InstantCentres::intermediates(BodyIndex i, BodyIndex j) {
+    std::vector<BodyIndex> finite, infinite;
+    for (BodyIndex k = 0; k < count_; ++k) {
+        if (k == i || k == j) continue;
+        const Pair& first = pair(i, k);
+        const Pair& second = pair(k, j);
+        if (!first.point || !second.point || first.centre.everywhere || second.centre.everywhere) continue;
+        const bool both_finite = !board_.is_at_infinity(*first.point) && !board_.is_at_infinity(*second.point);
+        (both_finite ? finite : infinite).push_back(k);
+    }
+    finite.insert(finite.end(), infinite.begin(), infinite.end());
+    return finite;
+}
+
+LineOn<Plane::drawing> InstantCentres::line_over(BodyIndex i, BodyIndex k, BodyIndex j) {
+    return board_.join(*pair(i, k).point, *pair(k, j).point);
+}
+
+bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
+    Pair& entry = pair(i, j);
+    std::vector<Line> lines;
+    for (const auto& [line, point] : entry.normals) lines.push_back({line, -1, point});
+    const auto meet_with_all = [&](const Line& candidate) {
+        for (const Line& earlier : lines) {
+            const auto met = board_.meet(earlier.line, candidate.line);
+            if (!met) continue;  // the same line once more
+            settle(entry, *met, InstantCentre::How::kennedy);
+            const auto point_name = [&](const Line& l) { return PointName{structure_.mechanism().points[at(l.normal)].name}; };
+            const Symbol sought = symbol(i, j);
+            for (const Line* used : {&earlier, &candidate}) {
+                if (used->by >= 0) {
+                    entry.centre.through.emplace_back(static_cast<int>(index(i, used->by)), static_cast<int>(index(used->by, j)));
+                } else {
+                    entry.centre.normals.push_back(used->normal);
+                }
+            }
+            const auto centres = [&](const Line& l) { return std::pair(symbol(i, l.by), symbol(l.by, j)); };
+            if (earlier.by < 0 && candidate.by < 0) {
+                entry.centre.statement = say(Sentence::kennedy_two_normals, {sought, point_name(earlier), point_name(candidate)});
+            } else if (earlier.by < 0) {
+                const auto [first, second] = centres(candidate);
+                entry.centre.statement = say(Sentence::kennedy_line, {sought, first, second, point_name(earlier)});
+            } else {
+                const auto [first, second] = centres(earlier);
+                const auto [third, fourth] = centres(candidate);
+                entry.centre.statement = say(Sentence::kennedy, {sought, first, second, third, fourth});
+            }
+            return true;
+        }
+        return false;
+    };
+    if (lines.size() > 1) {
+        std::vector<Line> all;
+        all.swap(lines);
+        for (const Line& line : all) {
+            if (meet_with_all(line)) return true;
+            lines.push_back(line);
+        }
+    }
+    for (const BodyIndex k : intermediates(i, j)) {
+        if (board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
+        const Line candidate{line_over(i, k, j), k, -1};
+        if (meet_with_all(candidate)) return true;
+        lines.push_back(candidate);
+    }
+    return false;
+}
+
+bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) {
+    Pair& entry = pair(i, j);
+    for (BodyIndex k = 0; k < count_; ++k) {
+        if (k == i || k == j) continue;
+        for (const auto& [rigid, other] : {std::pair(index(i, k), index(k, j)), std::pair(index(k, j), index(i, k))}) {
+            if (!pairs_[rigid].centre.everywhere || !solved(pairs_[other])) continue;
+            const Pair& source = pairs_[other];
+            if (source.point) {
+                settle(entry, *source.point, InstantCentre::How::kennedy);
+            } else {
+                entry.centre.how = InstantCentre::How::kennedy;
+                entry.centre.order = order_++;
+            }
+            entry.centre.everywhere = source.centre.everywhere;
+            entry.centre.statement =
+                say(Sentence::centre_by_rigidity, {symbol(i, j), symbol(source.centre.first, source.centre.second)});
+            return true;
+        }
+    }
+    return false;
+}
+
+bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
+    for (const BodyIndex k : intermediates(i, j)) {
+        if (!board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
+        Pair& entry = pair(i, j);
+        settle(entry, *pair(i, k).point, InstantCentre::How::kennedy);
+        entry.centre.statement = say(Sentence::kennedy_same, {symbol(i, j), symbol(i, k), symbol(k, j)});
+        return true;
+    }
+    return false;
+}
+
+void InstantCentres::draw() {
+    const auto joints = static_cast<JointIndex>(structure_.mechanism().joints.size());
+    for (JointIndex joint = 0; joint < joints; ++joint) primary(joint);
+    const auto sweep = [&](auto rule) {
+        bool found = false;
+        for (BodyIndex i = 0; i < count_; ++i) {
+            for (BodyIndex j = i + 1; j < count_; ++j) found = (!solved(pair(i, j)) && rule(i, j)) || found;
+        }
+        return found;
+    };
+    while (sweep([&](BodyIndex i, BodyIndex j) { return by_rigidity(i, j) || kennedy(i, j); }) ||
+           sweep([&](BodyIndex i, BodyIndex j) { return by_coincidence(i, j); })) {
+    }
+}
+
+namespace {
+
+/// The velocity of the place of a node as carried by a body whose motion is known.
+std::optional<PointOn<Plane::velocity>> tip_on(Structure& structure, Board& board, const Track<Plane::velocity>& track,
+                                               BodyIndex body, Drawing place) {
+    if (body == frame) return board.pole<Plane::velocity>();
+    for (const NodeIndex base : structure.nodes_of(body)) {
+        if (!track.has(base)) continue;
+        const auto join = board.vector(structure.node(base).place, place);
+        return board.carry(track.tip(base), board.scale<Plane::velocity>(track.spin(body), board.turn(join)));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void InstantCentres::complete(const Motion& motion, int freedoms) {
+    const Track<Plane::velocity>& track = motion.velocity;
+    for (Pair& entry : pairs_) {
+        if (!track.turns(entry.centre.first) || !track.turns(entry.centre.second)) continue;
+        if (!solved(entry)) {
+            from_velocities(entry, motion);
+            entry.centre.depends_on_drivers = freedoms > 1;
+        } else if (!entry.centre.everywhere && at_relative_rest(entry, motion)) {
+            entry.centre.everywhere = true;
+        }
+    }
+}
+
+bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
+    const auto& track = motion.velocity;
+    const BodyIndex i = entry.centre.first, j = entry.centre.second;
+    if (!board_.is_zero(board_.difference(track.spin(i), track.spin(j)))) return false;
+    if (structure_.nodes_of(j).empty()) return false;
+    const Drawing place = structure_.node(structure_.nodes_of(j).front()).place;
+    const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
+    return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
+}
+
+void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
+    const BodyIndex i = entry.centre.first, j = entry.centre.second;
+    const auto& track = motion.velocity;
+    std::vector<std::pair<LineOn<Plane::drawing>, std::string>> lines;
+    const int statement = say(Sentence::centre_from_velocities, {});
+    const auto settle_here = [&](Drawing point, const std::string& first, const std::string& second) {
+        settle(entry, point, InstantCentre::How::velocities);
+        entry.centre.statement = statement;
+        board_.statement(statement).message = {Sentence::centre_from_velocities,
+                                               {symbol(i, j), PointName{first}, PointName{second}}};
+    };
+    std::vector<NodeIndex> nodes;
+    for (const BodyIndex body : {j, i})
+        nodes.insert(nodes.end(), structure_.nodes_of(body).begin(), structure_.nodes_of(body).end());
+    const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));
+    for (const NodeIndex node : nodes) {
+        const Drawing place = structure_.node(node).place;
+        const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
+        if (!on_i || !on_j) return;
+        const std::string& name = structure_.node(node).label;
+        const auto relative = board_.vector(*on_i, *on_j);
+        const bool still = board_.is_zero(relative);
+        if (equal_spins) {
+            if (still) {
+                entry.centre.everywhere = true;
+                entry.centre.how = InstantCentre::How::velocities;
+                entry.centre.statement = statement;
+                board_.statement(statement).message = {Sentence::centre_by_rigidity, {symbol(i, j), symbol(i, j)}};
+            } else {
+                settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), name, name);
+            }
+            return;
+        }
+        if (still) return settle_here(place, name, name);
+        const auto line = board_.through(place, board_.perpendicular(board_.direction(relative)));
+        for (const auto& [earlier, other] : lines) {
+            if (const auto met = board_.meet(earlier, line)) return settle_here(*met, other, name);
+        }
+        lines.emplace_back(line, name);
+    }
+}
+
+void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vector<SecondWay>& results) {
+    const auto& track = motion.velocity;
+    if (!track.turns(driver) || !pair(frame, driver).point || board_.is_at_infinity(*pair(frame, driver).point)) return;
+    for (BodyIndex body = 1; body < count_; ++body) {
+        if (body == driver || !track.turns(body)) continue;
+        const Pair& absolute = pair(frame, body);
+        const Pair& relative = pair(driver, body);
+        if (!absolute.point || !relative.point || absolute.centre.everywhere || relative.centre.everywhere) continue;
+        if (board_.is_at_infinity(*absolute.point) || board_.is_at_infinity(*relative.point)) continue;
+        if (board_.coincide(*absolute.point, *relative.point)) continue;
+        Symbol omega{Symbol::Letter::omega, structure_.body_name(body), {}};
+        Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
+        say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
+        const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
+        const auto from_body = board_.vector(*absolute.point, *relative.point);
+        const ScalarHandle found = board_.product(track.spin(driver), board_.ratio(from_driver, from_body));
+        results.push_back({body, board_.value(found), board_.is_zero(board_.difference(found, track.spin(body)))});
+    }
+}
+
+std::vector<InstantCentre> InstantCentres::results() const {
+    std::vector<InstantCentre> centres;
+    for (const Pair& entry : pairs_) centres.push_back(entry.centre);
+    return centres;
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,203 @@
+#include "constructions/relative_motion.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace kinegraph {
+namespace {
+
+constexpr BodyIndex frame = 0;
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// The node of a point that moves with the body the question is about: any of its nodes but one of the observer's own.
+NodeIndex node_of_point(const Structure& structure, PointIndex point, BodyIndex observer) {
+    NodeIndex best = -1;
+    for (NodeIndex node = 0; at(node) < structure.nodes().size(); ++node) {
+        if (structure.node(node).point != point) continue;
+        const auto& bodies = structure.node(node).bodies;
+        const bool observers = std::find(bodies.begin(), bodies.end(), observer) != bodies.end();
+        if (!observers && structure.node(node).carried) return node;
+        if (best < 0 || structure.node(node).carried) best = node;
+    }
+    return best;
+}
+
+class Observer {
+public:
+    Observer(Structure& structure, Board& board, const Motion& motion) : structure_(structure), board_(board), motion_(motion) {}
+
+    RelativeMotion see(const RelativeMotionQuery& query, bool with_accelerations) {
+        RelativeMotion result;
+        result.query = query;
+        translating_ = query.translating_with >= 0;
+        point_ = node_of_point(structure_, query.point, translating_ ? -1 : query.observer);
+        transport_ =
+            translating_ ? node_of_point(structure_, query.translating_with, -1) : structure_.on(query.point, query.observer);
+        observer_ = query.observer;
+        if (!motion_.velocity.has(point_) || !motion_.velocity.has(transport_)) return result;
+        const auto v = velocities();
+        result.velocity = place_of(motion_.velocity.tip(point_));
+        result.transport_velocity = place_of(motion_.velocity.tip(transport_));
+        result.relative_velocity = board_.value(v);
+        const bool drawn = motion_.acceleration.has(point_) && motion_.acceleration.has(transport_);
+        if (with_accelerations && drawn && (translating_ || motion_.velocity.turns(observer_))) accelerations(v, result);
+        return result;
+    }
+
+private:
+    template <Plane plane>
+    Vector place_of(PointOn<plane> tip) const {
+        return board_.value(tip).place();
+    }
+
+    template <Plane plane>
+    int polygon(const char* kind) {
+        Polygon polygon;
+        polygon.plane = plane;
+        polygon.point = structure_.node(point_).label;
+        polygon.translating = translating_;
+        polygon.observer = translating_ ? structure_.node(transport_).label : structure_.body_name(observer_);
+        polygon.id = std::string(kind) + "-" + polygon.point + (translating_ ? "-with-" : "-on-") + polygon.observer;
+        const int index = board_.add_polygon(std::move(polygon));
+        Image pole;
+        pole.symbol = {Symbol::Letter::pole, plane == Plane::velocity ? "v" : "a", {}};
+        pole.polygon = index;
+        pole.point = board_.pole<plane>().element;
+        pole.body = frame;
+        board_.label(std::move(pole));
+        return index;
+    }
+
+    template <Plane plane>
+    void draw(int polygon, std::string term, PointOn<plane> tail, PointOn<plane> tip, DrawnVector::Role role) {
+        DrawnVector drawn;
+        drawn.symbol = {plane == Plane::velocity ? Symbol::Letter::v : Symbol::Letter::a, structure_.node(point_).label,
+                        std::move(term)};
+        drawn.polygon = polygon;
+        drawn.tail = tail.element;
+        drawn.tip = tip.element;
+        drawn.body = role == DrawnVector::Role::transport && !translating_ ? observer_ : structure_.node(point_).bodies.front();
+        drawn.role = role;
+        board_.draw(std::move(drawn));
+    }
+
+    void say(Sentence rotating, Sentence translating, Symbol::Letter letter, const char* source) {
+        Statement statement;
+        const std::string& name = structure_.node(point_).label;
+        const auto symbol = [&](const char* term) { return Symbol{letter, name, term}; };
+        std::vector<Argument> arguments{PointName{name}};
+        if (translating_) {
+            arguments.emplace_back(PointName{structure_.node(transport_).label});
+        } else {
+            arguments.emplace_back(BodyName{structure_.body_name(observer_)});
+        }
+        arguments.emplace_back(symbol("tr"));
+        if (letter == Symbol::Letter::a && !translating_) arguments.emplace_back(symbol("cor"));
+        arguments.emplace_back(symbol("rel"));
+        statement.message = {translating_ ? translating : rotating, std::move(arguments)};
+        statement.section = "relative motion";
+        statement.source = source;
+        board_.state(std::move(statement));
+    }
+
+    /// v_P = v_tr + v_rel
+    VectorOn<Plane::velocity> velocities() {
+        say(Sentence::relative_transport_velocity, Sentence::relative_translating_velocity, Symbol::Letter::v, "");
+        const auto from = motion_.velocity.tip(transport_), to = motion_.velocity.tip(point_);
+        const int figure = polygon<Plane::velocity>("velocity");
+        draw(figure, "", board_.pole<Plane::velocity>(), to, DrawnVector::Role::absolute);
+        draw(figure, "tr", board_.pole<Plane::velocity>(), from, DrawnVector::Role::transport);
+        draw(figure, "rel", from, to, DrawnVector::Role::relative);
+        return board_.vector(from, to);
+    }
+
+    /// a_P = a_tr + a_cor + a_rel, a_cor = 2 ω ∧ v_rel: zero for an observer that only translates.
+    void accelerations(VectorOn<Plane::velocity> relative, RelativeMotion& result) {
+        say(Sentence::relative_transport_acceleration, Sentence::relative_translating_acceleration, Symbol::Letter::a,
+            "Coriolis");
+        const auto from = motion_.acceleration.tip(transport_), to = motion_.acceleration.tip(point_);
+        const ScalarHandle omega = translating_ ? board_.given(0) : motion_.velocity.spin(observer_);
+        const auto coriolis = board_.scale<Plane::acceleration>(board_.product(board_.given(2), omega), board_.turn(relative));
+        const auto middle = board_.carry(from, coriolis);
+        const int figure = polygon<Plane::acceleration>("acceleration");
+        draw(figure, "", board_.pole<Plane::acceleration>(), to, DrawnVector::Role::absolute);
+        draw(figure, "tr", board_.pole<Plane::acceleration>(), from, DrawnVector::Role::transport);
+        draw(figure, "cor", from, middle, DrawnVector::Role::coriolis);
+        draw(figure, "rel", middle, to, DrawnVector::Role::relative);
+        result.acceleration = place_of(to);
+        result.transport_acceleration = place_of(from);
+        result.coriolis = board_.value(coriolis);
+        result.relative_acceleration = board_.value(board_.vector(middle, to));
+    }
+
+    Structure& structure_;
+    Board& board_;
+    const Motion& motion_;
+    NodeIndex point_ = -1, transport_ = -1;
+    BodyIndex observer_ = -1;
+    bool translating_ = false;
+};
+
+}  // namespace
+
+void add_nodes_of_interest(Structure& structure) {
+    const Mechanism& mechanism = structure.mechanism();
+    for (const Joint& joint : mechanism.joints) {
+        if (joint.kind != JointKind::prismatic && joint.kind != JointKind::pin_slot) continue;
+        for (const BodyIndex body : joint.bodies) structure.on(joint.point, body);
+    }
+    for (const RelativeMotionQuery& query : mechanism.find.relative_motion) {
+        if (query.translating_with < 0) structure.on(query.point, query.observer);
+    }
+}
+
+std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Motion& motion, bool with_accelerations) {
+    const Mechanism& mechanism = structure.mechanism();
+    std::vector<Sliding> results;
+    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+        const Joint& joint = mechanism.joints[j];
+        if (joint.kind != JointKind::prismatic && joint.kind != JointKind::pin_slot) continue;
+        const NodeIndex slider = structure.find(joint.point, joint.bodies[0]),
+                        guide = structure.find(joint.point, joint.bodies[1]);
+        if (slider < 0 || guide < 0 || !motion.velocity.has(slider) || !motion.velocity.has(guide)) continue;
+        Sliding result;
+        result.joint = static_cast<JointIndex>(j);
+        const Symbol relative{Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
+        const auto say = [&](Sentence sentence, const Symbol& symbol, const char* section) {
+            Statement statement;
+            statement.message = {sentence,
+                                 {symbol, PointName{structure.node(slider).label}, BodyName{structure.body_name(joint.bodies[0])},
+                                  BodyName{structure.body_name(joint.bodies[1])}}};
+            statement.section = section;
+            board.state(std::move(statement));
+        };
+        say(Sentence::slide_velocity, relative, "velocity");
+        const auto velocity = board.vector(motion.velocity.tip(guide), motion.velocity.tip(slider));
+        result.velocity = board.value(velocity);
+        if (with_accelerations && motion.acceleration.has(slider) && motion.acceleration.has(guide) &&
+            motion.velocity.turns(joint.bodies[1])) {
+            Symbol symbol = relative;
+            symbol.letter = Symbol::Letter::a;
+            symbol.term = "rel";
+            say(Sentence::slide_acceleration, symbol, "acceleration");
+            const ScalarHandle twice = board.product(board.given(2), motion.velocity.spin(joint.bodies[1]));
+            const auto coriolis = board.scale<Plane::acceleration>(twice, board.turn(velocity));
+            const auto difference = board.vector(motion.acceleration.tip(guide), motion.acceleration.tip(slider));
+            result.coriolis = board.value(coriolis);
+            result.acceleration = board.value(board.subtract(difference, coriolis));
+        }
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+
+std::vector<RelativeMotion> draw_relative_motions(Structure& structure, Board& board, const Motion& motion,
+                                                  bool with_accelerations) {
+    std::vector<RelativeMotion> results;
+    for (const RelativeMotionQuery& query : structure.mechanism().find.relative_motion) {
+        results.push_back(Observer(structure, board, motion).see(query, with_accelerations));
+    }
+    return results;
+}
+
+}  // namespace kinegraph

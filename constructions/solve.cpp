@@ -1,0 +1,351 @@
+#include "constructions/solve.hpp"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "constructions/instant_centres.hpp"
+#include "constructions/motion.hpp"
+#include "constructions/plan.hpp"
+#include "constructions/relative_motion.hpp"
+#include "constructions/structure.hpp"
+#include "engine/assert.hpp"
+#include "engine/check.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr BodyIndex frame = 0;
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// What is to be found: what the file asks, else all that its data allow.
+struct Wanted {
+    bool centres = false, velocities = false, accelerations = false, forces = false;
+    bool stated = false;
+};
+
+Wanted wanted_of(const Mechanism& mechanism) {
+    const Find& find = mechanism.find;
+    const bool driven = !mechanism.drivers.empty();
+    const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
+    if (!find.stated) return {true, driven, driven, loaded, false};
+    Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true};
+    if (!find.relative_motion.empty()) wanted.velocities = wanted.accelerations = true;
+    return wanted;
+}
+
+bool is_moving(const Mechanism& mechanism) {
+    for (const Driver& driver : mechanism.drivers) {
+        const bool still = std::visit(
+            [](const auto& given) {
+                if constexpr (requires { given.omega; }) {
+                    return given.omega.is_zero();
+                } else {
+                    return given.speed.is_zero();
+                }
+            },
+            driver);
+        if (!still) return true;
+    }
+    return false;
+}
+
+/// Draws everything on one board and collects what it found.
+class Solver {
+public:
+    explicit Solver(Solution& solution)
+        : solution_(solution),
+          mechanism_(solution.mechanism),
+          wanted_(wanted_of(mechanism_)),
+          board_(solution.pose, [this]() -> const Pose& { return finer_pose(); }),
+          structure_(mechanism_, board_) {}
+
+    void run() {
+        solution_.remarks = solution_.pose.remarks;
+        remark_redundancies();
+        add_nodes_of_interest(structure_);
+        InstantCentres centres(structure_, board_);
+        if (wanted_.centres) centres.draw();
+        solution_.bodies.resize(mechanism_.bodies.size());
+        if (wanted_.velocities || wanted_.accelerations) {
+            draw_motion_of_bodies();
+            if (wanted_.centres) {
+                second_way(centres);
+                if (is_moving(mechanism_)) centres.complete(motion_, solution_.mobility.effective);
+            }
+            solution_.sliding = draw_slidings(structure_, board_, motion_, wanted_.accelerations);
+            solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            collect_motion();
+            explain_missing_motion();
+        }
+        collect_points();
+        if (wanted_.centres) collect_centres(centres);
+        if (wanted_.forces) unsolved("forces", "this version solves motion only; forces are read and checked, but not drawn yet");
+        if (mechanism_.motion) unsolved("motion", "this version does not draw the act of motion of a single body yet");
+        hold_against_check();
+        solution_.protocol = std::move(board_).finish();
+    }
+
+private:
+    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
+    void unsolved(std::string what, std::string why) { solution_.unsolved.push_back({std::move(what), std::move(why)}); }
+
+    const Pose& finer_pose() {
+        if (!finer_) {
+            auto finer = draw_pose(mechanism_, 2 * solution_.pose.bits);
+            KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
+            finer_ = std::make_unique<Pose>(std::move(*finer));
+        }
+        return *finer_;
+    }
+
+    void remark_redundancies() {
+        for (const Mobility::Redundant& redundant : solution_.mobility.redundant) {
+            const Joint& joint = mechanism_.joints[at(redundant.joint)];
+            solution_.remarks.push_back("joint " + joint.name + " repeats " + std::to_string(redundant.rows) +
+                                        (redundant.rows == 1 ? " constraint" : " constraints") +
+                                        " that the others impose already at this position");
+        }
+    }
+
+    void draw_motion_of_bodies() {
+        std::vector<bool> use(mechanism_.drivers.size(), true);
+        for (const int idle : solution_.mobility.idle_drivers) use[at(idle)] = false;
+        plan_ = plan_motion(structure_, board_, use);
+        motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
+        for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
+    }
+
+    /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point or a lock.
+    void hold_against_motion(int driver) {
+        const auto* spin = std::get_if<SpinDriver>(&mechanism_.drivers[at(driver)]);
+        const auto& track = motion_.velocity;
+        if (spin != nullptr) {
+            if (track.turns(spin->body) && track.turns(spin->relative_to)) {
+                const ScalarHandle asked = board_.given(spin->omega);
+                if (board_.is_zero(
+                        board_.difference(board_.difference(track.spin(spin->body), track.spin(spin->relative_to)), asked)))
+                    return;
+            }
+            unsolved("driver of body " + body_name(spin->body), idle_reason());
+            return;
+        }
+        if (const auto* slide = std::get_if<SlideDriver>(&mechanism_.drivers[at(driver)])) {
+            if (slide->speed.is_zero() && slide->acceleration.is_zero()) return;
+            unsolved("driver of joint " + mechanism_.joints[at(slide->joint)].name, idle_reason());
+        } else if (const auto* point = std::get_if<PointDriver>(&mechanism_.drivers[at(driver)])) {
+            if (point->speed.is_zero() && point->acceleration.is_zero()) return;
+            unsolved("driver of body " + body_name(point->body), idle_reason());
+        }
+    }
+
+    std::string idle_reason() const {
+        if (solution_.mobility.effective == 0) return "the mechanism is locked in this position: it has no freedom left to drive";
+        if (solution_.mobility.driven < solution_.mobility.effective) {
+            return "it cannot be driven here: a dead point; what it drives stands still whatever the rest does, and the motion of the rest stays free";
+        }
+        return "the other drivers fix this motion already, and differently";
+    }
+
+    void second_way(InstantCentres& centres) {
+        if (solution_.mobility.effective != 1 || !is_moving(mechanism_)) return;
+        for (const Driver& driver : mechanism_.drivers) {
+            const auto* spin = std::get_if<SpinDriver>(&driver);
+            if (spin != nullptr && spin->relative_to == frame)
+                return centres.second_way(motion_, spin->body, solution_.second_way);
+        }
+    }
+
+    void collect_motion() {
+        for (std::size_t body = 0; body < mechanism_.bodies.size(); ++body) {
+            const auto index = static_cast<BodyIndex>(body);
+            if (motion_.velocity.turns(index)) solution_.bodies[body].omega = board_.value(motion_.velocity.spin(index));
+            if (wanted_.accelerations && motion_.acceleration.turns(index))
+                solution_.bodies[body].alpha = board_.value(motion_.acceleration.spin(index));
+        }
+    }
+
+    void collect_points() {
+        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+            const Node& here = structure_.node(node);
+            if (!here.carried) continue;
+            PointMotion point;
+            point.point = here.point;
+            point.bodies = here.bodies;
+            point.label = here.label;
+            if (motion_.velocity.polygon >= 0 && motion_.velocity.has(node))
+                point.velocity = board_.value(motion_.velocity.tip(node)).place();
+            if (motion_.acceleration.polygon >= 0 && motion_.acceleration.has(node)) {
+                point.acceleration = board_.value(motion_.acceleration.tip(node)).place();
+            }
+            solution_.points.push_back(std::move(point));
+        }
+    }
+
+    bool reached(BodyIndex body) const {
+        if (!motion_.velocity.turns(body)) return false;
+        for (const NodeIndex node : structure_.nodes_of(body)) {
+            if (motion_.velocity.has(node)) return true;
+        }
+        return false;
+    }
+
+    void explain_missing_motion() {
+        for (const Contradiction& contradiction : motion_.contradictions) {
+            const auto label = [&](NodeIndex node) { return structure_.node(node).label; };
+            unsolved("velocity of body " + body_name(contradiction.body),
+                     "no rigid motion has these velocities: those of " + label(contradiction.first) + " and " +
+                         label(contradiction.second) + " have different projections on their join");
+        }
+        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
+            if (!reached(body)) {
+                unsolved("motion of body " + body_name(body), reason_for(body));
+            } else if (wanted_.accelerations && !motion_.acceleration.turns(body)) {
+                unsolved("acceleration of body " + body_name(body), "it depends on bodies whose motion is not determined");
+            }
+        }
+    }
+
+    std::string reason_for(BodyIndex body) const {
+        const Mobility& mobility = solution_.mobility;
+        if (mechanism_.drivers.empty()) {
+            return "nothing drives the mechanism, which has " + freedoms(mobility.effective) + "; give \"drivers\"";
+        }
+        if (at(body) < mobility.determined.size() && !mobility.determined[at(body)]) {
+            if (!mobility.idle_drivers.empty()) return "it stays free: the driver moves nothing at this position (dead point)";
+            return "the mechanism has " + freedoms(mobility.effective) + " and " + std::to_string(mobility.driven) +
+                   " of them driven; give one driver more";
+        }
+        for (const DeadPoint& dead : plan_.dead_points) {
+            if (carries(dead.node, body)) {
+                return "dead point at " + structure_.node(dead.node).label +
+                       ": the two lines on which its velocity must lie are parallel";
+            }
+        }
+        return "it is determined, but no driven body, dyad or triad leads to it, and this version draws no further groups yet";
+    }
+
+    bool carries(NodeIndex node, BodyIndex body) const {
+        for (const BodyIndex carrier : structure_.node(node).bodies) {
+            if (carrier == body) return true;
+        }
+        return false;
+    }
+
+    static std::string freedoms(int count) { return std::to_string(count) + (count == 1 ? " freedom" : " freedoms"); }
+
+    void collect_centres(const InstantCentres& centres) {
+        solution_.centres = centres.results();
+        for (const InstantCentre& centre : solution_.centres) {
+            if (centre.at || centre.everywhere) continue;
+            unsolved(
+                "instant centre " + body_name(centre.first) + "," + body_name(centre.second),
+                solution_.mobility.effective > solution_.mobility.driven
+                    ? "the theorem of Aronhold and Kennedy gives one line at most, and the motion is not determined"
+                    : "the theorem of Aronhold and Kennedy gives one line at most, and the bodies' motion against each other is not known");
+        }
+    }
+
+    // --- the check ---------------------------------------------------------------------------------------------------------
+    void hold_against_check() {
+        if (!wanted_.velocities && !wanted_.accelerations) return;
+        const NumericMotion numeric = check_motion(mechanism_, solution_.pose);
+        const auto row = [&](std::string quantity, double graphical, double independent) {
+            solution_.checks.push_back({std::move(quantity), graphical, independent, graphical - independent});
+        };
+        const auto vector_row = [&](const std::string& quantity, const Vector& graphical,
+                                    const std::array<double, 2>& independent) {
+            row(quantity + " x", graphical.x.to_double(), independent[0]);
+            row(quantity + " y", graphical.y.to_double(), independent[1]);
+        };
+        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
+            const auto& state = numeric.bodies[at(body)];
+            const BodyMotion& found = solution_.bodies[at(body)];
+            if (found.omega && state.velocity_known) row("omega " + body_name(body), found.omega->to_double(), state.omega);
+            if (found.alpha && state.acceleration_known) row("alpha " + body_name(body), found.alpha->to_double(), state.alpha);
+        }
+        for (const PointMotion& point : solution_.points) {
+            const BodyIndex body = point.bodies.front();
+            if (body == frame) continue;
+            const auto& state = numeric.bodies[at(body)];
+            const std::string name =
+                mechanism_.points[at(point.point)].name + (nodes_at(point.point) > 1 ? " on " + body_name(body) : std::string());
+            const Vector& place = solution_.pose.at(point.point);
+            if (point.velocity && state.velocity_known)
+                vector_row("velocity " + name, *point.velocity, numeric.velocity(body, place));
+            if (point.acceleration && state.acceleration_known) {
+                vector_row("acceleration " + name, *point.acceleration, numeric.acceleration(body, place));
+            }
+        }
+        for (const Sliding& sliding : solution_.sliding) check_sliding(sliding, numeric, vector_row);
+        for (const InstantCentre& centre : solution_.centres) check_centre(centre, numeric, vector_row);
+    }
+
+    int nodes_at(PointIndex point) const {
+        int count = 0;
+        for (const Node& node : structure_.nodes()) count += node.carried && node.point == point ? 1 : 0;
+        return count;
+    }
+
+    template <class VectorRow>
+    void check_sliding(const Sliding& sliding, const NumericMotion& numeric, const VectorRow& vector_row) const {
+        const Joint& joint = mechanism_.joints[at(sliding.joint)];
+        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
+        const auto& slider = numeric.bodies[at(i)];
+        const auto& guide = numeric.bodies[at(j)];
+        const Vector& place = solution_.pose.at(joint.point);
+        if (!slider.velocity_known || !guide.velocity_known) return;
+        const auto minus = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+            return std::array{a[0] - b[0], a[1] - b[1]};
+        };
+        const auto velocity = minus(numeric.velocity(i, place), numeric.velocity(j, place));
+        if (sliding.velocity) vector_row("sliding " + joint.name + " velocity", *sliding.velocity, velocity);
+        if (!slider.acceleration_known || !guide.acceleration_known || !sliding.acceleration) return;
+        const std::array coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
+        const auto acceleration = minus(minus(numeric.acceleration(i, place), numeric.acceleration(j, place)), coriolis);
+        vector_row("sliding " + joint.name + " acceleration", *sliding.acceleration, acceleration);
+        vector_row("sliding " + joint.name + " coriolis", *sliding.coriolis, coriolis);
+    }
+
+    /// A finite centre against the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
+    template <class VectorRow>
+    void check_centre(const InstantCentre& centre, const NumericMotion& numeric, const VectorRow& vector_row) const {
+        if (!centre.at || centre.at->at_infinity() || centre.everywhere) return;
+        const auto& first = numeric.bodies[at(centre.first)];
+        const auto& second = numeric.bodies[at(centre.second)];
+        if (!first.velocity_known || !second.velocity_known) return;
+        const double omega = second.omega - first.omega;
+        // Below this the two bodies hardly turn against each other, and the quotient says nothing about the place.
+        constexpr double least_relative_spin = 1e-6;
+        if (std::abs(omega) <= least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega)) || omega == 0)
+            return;
+        const Vector place = centre.at->place();
+        const auto a = numeric.velocity(centre.first, place), b = numeric.velocity(centre.second, place);
+        const std::array found{place.x.to_double() - (b[1] - a[1]) / omega, place.y.to_double() + (b[0] - a[0]) / omega};
+        vector_row("centre " + body_name(centre.first) + "," + body_name(centre.second), place, found);
+    }
+
+    Solution& solution_;
+    const Mechanism& mechanism_;
+    Wanted wanted_;
+    std::unique_ptr<Pose> finer_;
+    Board board_;
+    Structure structure_;
+    Plan plan_;
+    Motion motion_;
+};
+
+}  // namespace
+
+Result<Solution> solve(Mechanism mechanism) {
+    auto pose = draw_pose(mechanism);
+    if (!pose) return tl::unexpected(std::move(pose.error()));
+    Solution solution;
+    solution.mechanism = std::move(mechanism);
+    solution.pose = std::move(*pose);
+    solution.mobility = mobility_of(solution.mechanism, solution.pose);
+    Solver(solution).run();
+    return solution;
+}
+
+}  // namespace kinegraph
