@@ -524,6 +524,13 @@ private:
                 pose_.driver_units[i] = unit_along(*along, pose_.bits);
             }
         }
+        if (mechanism_.motion) {
+            for (const auto* values : {&mechanism_.motion->velocities, &mechanism_.motion->accelerations}) {
+                for (const GivenMotion& given : *values) {
+                    if (const auto* along = std::get_if<Bearing>(&given.value)) direction(*along, mechanism_.motion->where);
+                }
+            }
+        }
         for (const Load& load : mechanism_.loads) {
             const auto* force = std::get_if<ForceLoad>(&load);
             if (force != nullptr && force->magnitude) note(force->magnitude->second, force->where);

@@ -1,0 +1,472 @@
+// Counts freedoms: Grübler's formula from the kinds of joints, and the rank of their constraints at this pose, joint by joint, so
+// that a redundant one is named. The constraints are written once, over a field: residues modulo a large prime where the pose is
+// exact, 512-bit reals where roots were taken. Speeds are unknown here.
+#include "engine/mobility.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+std::size_t slot(int index) { return static_cast<std::size_t>(index); }
+
+// --- two fields ----------------------------------------------------------------------------------------------------------------
+
+/// Integers modulo a prime p < 2^61. A rank found here is never above the true one, and below it only if p happens to divide a
+/// minor, which for one prime has a chance of about 2^-60 and for two is not worth a thought.
+class Residues {
+public:
+    using Number = std::uint64_t;
+    explicit Residues(std::uint64_t prime) : prime_(prime) {}
+
+    /// Zero for a number whose denominator the prime divides; `failed` then tells to take another prime (as after a division by
+    /// what is zero to this prime only).
+    Number from(const Exact& value) {
+        const auto above = mpz_fdiv_ui(value.rational().get_num_mpz_t(), prime_);
+        const auto below = mpz_fdiv_ui(value.rational().get_den_mpz_t(), prime_);
+        failed_ = failed_ || below == 0;
+        if (below == 1) return above;
+        return below == 0 ? 0 : product(above, inverse(below));
+    }
+    bool failed() const { return failed_; }
+    Number zero() const { return 0; }
+    Number difference(Number a, Number b) const { return a >= b ? a - b : a + prime_ - b; }
+    Number product(Number a, Number b) const { return static_cast<Number>(static_cast<Wide>(a) * b % prime_); }
+    void divide(Number& a, Number b) {
+        failed_ = failed_ || b == 0;
+        a = product(a, inverse(b));
+    }
+    void subtract_product(Number& from, Number a, Number b) const { from = difference(from, product(a, b)); }
+    /// Any pivot is as good as another.
+    double magnitude(Number a) const { return a == 0 ? 0 : 1; }
+
+private:
+    __extension__ using Wide = unsigned __int128;
+    Number inverse(Number a) const {
+        // Euclid: a·x ≡ r throughout
+        std::int64_t x = 1, next_x = 0;
+        auto r = static_cast<std::int64_t>(a);
+        auto next_r = static_cast<std::int64_t>(prime_);
+        while (next_r != 0) {
+            const std::int64_t q = r / next_r;
+            x = std::exchange(next_x, x - q * next_x);
+            r = std::exchange(next_r, r - q * next_r);
+        }
+        return x < 0 ? static_cast<Number>(x + static_cast<std::int64_t>(prime_)) : static_cast<Number>(x);
+    }
+    std::uint64_t prime_;
+    bool failed_ = false;
+};
+
+/// Reals of 512 bits: five times the digits of a pose, so that what is small is small because of the pose.
+class Reals {
+public:
+    using Number = mpf_class;
+    static constexpr mp_bitcnt_t bits = 512;
+
+    Number from(const Exact& value) const {
+        Number number(0, bits);
+        mpf_set_q(number.get_mpf_t(), value.rational().get_mpq_t());
+        return number;
+    }
+    Number zero() const { return Number(0, bits); }
+    Number difference(const Number& a, const Number& b) const {
+        Number result(0, bits);
+        mpf_sub(result.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
+        return result;
+    }
+    Number product(const Number& a, const Number& b) const {
+        Number result(0, bits);
+        mpf_mul(result.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
+        return result;
+    }
+    void divide(Number& a, const Number& b) const { mpf_div(a.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t()); }
+    void subtract_product(Number& from, const Number& a, const Number& b) {
+        mpf_mul(product_.get_mpf_t(), a.get_mpf_t(), b.get_mpf_t());
+        mpf_sub(from.get_mpf_t(), from.get_mpf_t(), product_.get_mpf_t());
+        // What is left of a cancellation to this depth is rounding; a finer pose errs by 2^-200 at most.
+        constexpr long rounding = -400;
+        long exponent = 0;
+        mpf_get_d_2exp(&exponent, from.get_mpf_t());
+        if (exponent < rounding) mpf_set_ui(from.get_mpf_t(), 0);
+    }
+    double magnitude(const Number& a) const { return std::abs(mpf_get_d(a.get_mpf_t())); }
+
+private:
+    Number product_{0, bits};
+};
+
+// --- the constraints -----------------------------------------------------------------------------------------------------------
+
+/// Coefficients of one constraint; unknowns of body b > 0 are columns 3(b−1): v_x, v_y of the origin's place, +2: ω.
+template <class Number>
+using Row = std::vector<std::pair<int, Number>>;
+
+/// Whose row: a joint or a driver, by index; a given motion's is neither.
+struct Owner {
+    JointIndex joint = -1;
+    int driver = -1;
+};
+
+template <class Field>
+class Constraints {
+public:
+    using Number = typename Field::Number;
+    std::vector<Row<Number>> rows;
+    std::vector<Owner> owners;  ///< joints first, then drivers
+
+    Constraints(Field& field, const Mechanism& mechanism, const Pose& pose) : field_(field), mechanism_(mechanism), pose_(pose) {
+        // Lengths from the first point and over the size, so that no entry is large for being far away.
+        size_ = field.from(pose.size);
+        points_.reserve(pose.points.size());
+        if (!pose.points.empty()) origin_ = converted(pose.points.front());
+        for (const Vector& point : pose.points) {
+            Pair place = converted(point);
+            for (const std::size_t k : {0U, 1U}) {
+                place[k] = field.difference(place[k], origin_[k]);
+                field.divide(place[k], size_);
+            }
+            points_.push_back(std::move(place));
+        }
+        for (std::size_t i = 0; i < mechanism.joints.size(); ++i) write(mechanism.joints[i], static_cast<int>(i));
+        for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+            owner_ = {-1, static_cast<int>(i)};
+            std::visit([&](const auto& driver) { write(driver); }, mechanism.drivers[i]);
+        }
+        owner_ = {};
+        if (mechanism.motion) write(*mechanism.motion);
+    }
+
+private:
+    using Pair = std::array<Number, 2>;
+
+    Pair converted(const Vector& a) { return {field_.from(a.x), field_.from(a.y)}; }
+    /// A direction, its larger component one.
+    Pair direction(const Vector& a) {
+        const Exact largest = std::max(abs(a.x), abs(a.y));
+        KG_ASSERT(!largest.is_zero(), "a constraint has a direction");
+        return converted({a.x / largest, a.y / largest});
+    }
+
+    /// Σ ± (n·v_b at the point) = 0: n·v = n_x v_x + n_y v_y + ω (P × n).
+    void equal_speeds(BodyIndex i, BodyIndex j, PointIndex point, const Pair& n) {
+        Row<Number> row;
+        const Pair& place = points_[slot(point)];
+        Number moment = field_.product(place[0], n[1]);
+        field_.subtract_product(moment, place[1], n[0]);
+        const auto add = [&](BodyIndex body, bool negative) {
+            if (body == 0) return;
+            const auto signed_of = [&](const Number& value) {
+                return negative ? field_.difference(field_.zero(), value) : value;
+            };
+            const int first = 3 * (body - 1);
+            row.emplace_back(first, signed_of(n[0]));
+            row.emplace_back(first + 1, signed_of(n[1]));
+            row.emplace_back(first + 2, signed_of(moment));
+        };
+        add(i, false);
+        add(j, true);
+        enter(std::move(row));
+    }
+    void equal_turns(BodyIndex i, BodyIndex j) {
+        Row<Number> row;
+        if (i != 0) row.emplace_back(3 * (i - 1) + 2, field_.from(1));
+        if (j != 0) row.emplace_back(3 * (j - 1) + 2, field_.from(-1));
+        enter(std::move(row));
+    }
+    void enter(Row<Number> row) {
+        rows.push_back(std::move(row));
+        owners.push_back(owner_);
+    }
+    void pinned(BodyIndex i, BodyIndex j, PointIndex point) {
+        for (const Vector& n : {Vector{1, 0}, Vector{0, 1}}) equal_speeds(i, j, point, direction(n));
+    }
+
+    void write(const Joint& joint, int index) {
+        owner_ = {index, -1};
+        const BodyIndex i = joint.bodies[0];
+        const BodyIndex j = joint.bodies[1];
+        switch (joint.kind) {
+            case JointKind::revolute:
+                for (std::size_t k = 1; k < joint.bodies.size(); ++k) pinned(i, joint.bodies[k], joint.point);
+                return;
+            case JointKind::weld:
+                for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
+                    pinned(i, joint.bodies[k], joint.point);
+                    equal_turns(i, joint.bodies[k]);
+                }
+                return;
+            case JointKind::prismatic:
+                equal_speeds(i, j, joint.point, direction(quarter_turn(pose_.guides[slot(index)])));
+                equal_turns(i, j);
+                return;
+            case JointKind::pin_slot:
+            case JointKind::contact:
+                equal_speeds(i, j, joint.point, direction(pose_.normals[slot(index)]));
+                return;
+            case JointKind::rolling:
+                pinned(i, j, joint.point);
+                return;
+            case JointKind::gear:
+                equal_speeds(i, j, joint.point, direction(pose_.tangents[slot(index)]));
+                return;
+        }
+    }
+    void write(const SpinDriver& driver) { equal_turns(driver.body, driver.relative_to); }
+    void write(const SlideDriver& driver) {
+        const Joint& joint = mechanism_.joints[slot(driver.joint)];
+        const Vector& guide = pose_.guides[slot(driver.joint)];
+        equal_speeds(joint.bodies[0], joint.bodies[1], joint.point,
+                     direction(guide.is_zero() ? quarter_turn(pose_.normals[slot(driver.joint)]) : guide));
+    }
+    void write(const PointDriver& driver) {
+        equal_speeds(driver.body, 0, driver.at, direction(direction_of(driver.along, pose_)));
+    }
+    void write(const ActOfMotion& motion) {
+        for (const GivenMotion& given : motion.velocities) {
+            if (const auto* along = std::get_if<Bearing>(&given.value)) {
+                equal_speeds(motion.body, 0, given.point, direction(quarter_turn(direction_of(*along, pose_))));
+            } else {
+                pinned(motion.body, 0, given.point);
+            }
+        }
+    }
+
+    Field& field_;
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    Number size_;
+    Pair origin_;
+    std::vector<Pair> points_;
+    Owner owner_;
+};
+
+// --- elimination ---------------------------------------------------------------------------------------------------------------
+
+/// Rows reduced by those kept before; a kept row is scaled to one in its pivot column.
+template <class Field>
+class Echelon {
+public:
+    using Number = typename Field::Number;
+    Echelon(Field& field, int columns) : field_(field), row_(slot(columns), field.zero()) {}
+
+    /// Takes a row and removes what the kept rows say already.
+    void reduce(const Row<Number>& row) {
+        for (Number& entry : row_) entry = 0;
+        for (const auto& [column, value] : row) row_[slot(column)] = value;
+        for (const auto& [pivot, kept] : kept_) {
+            if (row_[slot(pivot)] == 0) continue;
+            std::swap(factor_, row_[slot(pivot)]);
+            row_[slot(pivot)] = 0;
+            for (const auto& [column, value] : kept) field_.subtract_product(row_[slot(column)], factor_, value);
+        }
+    }
+    /// The column of what is left that is largest (the first of equals), and its size; zero where nothing is left.
+    std::pair<int, double> largest() const {
+        std::pair<int, double> found{-1, 0};
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            if (row_[i] == 0) continue;
+            const double size = field_.magnitude(row_[i]);
+            if (size > found.second) found = {static_cast<int>(i), size};
+        }
+        return found;
+    }
+    void keep(int pivot) {
+        const Number scale = row_[slot(pivot)];
+        Row<Number> kept;
+        for (std::size_t i = 0; i < row_.size(); ++i) {
+            if (static_cast<int>(i) == pivot || row_[i] == 0) continue;
+            Number entry = row_[i];
+            field_.divide(entry, scale);
+            kept.emplace_back(static_cast<int>(i), std::move(entry));
+        }
+        kept_.emplace_back(pivot, std::move(kept));
+    }
+    int rank() const { return static_cast<int>(kept_.size()); }
+    int columns() const { return static_cast<int>(row_.size()); }
+
+private:
+    Field& field_;
+    std::vector<Number> row_;
+    Number factor_{field_.zero()};
+    std::vector<std::pair<int, Row<Number>>> kept_;  ///< pivot column, and the row but for its one there
+};
+
+/// Which rows add to the rank of those before them, and which bodies all rows together determine.
+struct Verdict {
+    std::vector<bool> independent;
+    std::vector<Owner> owners;
+    std::vector<bool> determined;
+    bool decided_by_finer_pose = false;
+    bool is_full = false;  ///< no rank could be higher
+};
+
+/// `keep(i)`: reduces row i, keeps what is left of it, and says whether anything was. `spanned(row)`: says whether nothing was.
+template <class Field, class Keep, class Spanned>
+Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, Keep keep, Spanned spanned) {
+    Verdict verdict;
+    verdict.owners = constraints.owners;
+    const auto one = field.from(1);
+    int rank = 0;
+    for (std::size_t i = 0; i < constraints.rows.size(); ++i) {
+        verdict.independent.push_back(keep(i));
+        if (verdict.independent.back()) ++rank;
+    }
+    const int columns = 3 * (bodies - 1);
+    verdict.is_full = rank == columns || rank == static_cast<int>(constraints.rows.size());
+    verdict.determined.assign(slot(bodies), true);
+    for (int body = 1; body < bodies && rank < columns; ++body) {
+        for (int k = 0; k < 3 && verdict.determined[slot(body)]; ++k) {
+            verdict.determined[slot(body)] = spanned({{3 * (body - 1) + k, one}});
+        }
+    }
+    return verdict;
+}
+
+std::optional<Verdict> judge_exactly(const Mechanism& mechanism, const Pose& pose, std::uint64_t prime) {
+    Residues field(prime);
+    const Constraints<Residues> constraints(field, mechanism, pose);
+    if (field.failed()) return std::nullopt;
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    Echelon<Residues> echelon(field, 3 * (bodies - 1));
+    const auto keep = [&](std::size_t i) {
+        echelon.reduce(constraints.rows[i]);
+        const int pivot = echelon.largest().first;
+        if (pivot >= 0) echelon.keep(pivot);
+        return pivot >= 0;
+    };
+    const auto spanned = [&](const Row<std::uint64_t>& row) {
+        echelon.reduce(row);
+        return echelon.largest().first < 0;
+    };
+    return judge(field, constraints, bodies, keep, spanned);
+}
+
+Verdict judge_exactly(const Mechanism& mechanism, const Pose& pose) {
+    // The largest primes below 2^61.
+    constexpr std::array<std::uint64_t, 6> primes{2305843009213693951U, 2305843009213693921U, 2305843009213693907U,
+                                                  2305843009213693723U, 2305843009213693693U, 2305843009213693669U};
+    std::optional<Verdict> best;
+    int looks = 0;
+    for (const std::uint64_t prime : primes) {
+        auto verdict = judge_exactly(mechanism, pose, prime);
+        if (!verdict) continue;
+        const auto rank = [](const Verdict& v) { return std::count(v.independent.begin(), v.independent.end(), true); };
+        if (!best || rank(*verdict) > rank(*best)) best = std::move(verdict);
+        if (best->is_full || ++looks == 2) break;
+    }
+    KG_ASSERT(best, "six primes do not all divide the denominators of one drawing");
+    return *std::move(best);
+}
+
+/// On an inexact pose, in step with a finer one once a pivot is so small that the pose may be to blame: what shrinks with the
+/// pose is zero, what stays is not. Nothing where the finer pose is needed and not given.
+std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& pose, const Pose* finer) {
+    const double suspicious = std::ldexp(1, -pose.bits * 2 / 5);
+    const double shrinks = std::ldexp(1, -pose.bits / 2);
+    Reals field;
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    const Constraints<Reals> rows(field, mechanism, pose);
+    Echelon<Reals> echelon(field, 3 * (bodies - 1));
+    std::optional<Constraints<Reals>> finer_rows;
+    Echelon<Reals> finer_echelon(field, 3 * (bodies - 1));
+    if (finer != nullptr) finer_rows.emplace(field, mechanism, *finer);
+    bool needs_finer = false;
+    bool decided = false;
+
+    // Reduces in both; the pivot column, or −1 where what is left is zero.
+    const auto left_of = [&](const Row<mpf_class>& row, const Row<mpf_class>& finer_row) {
+        echelon.reduce(row);
+        const auto [pivot, size] = echelon.largest();
+        if (finer != nullptr) finer_echelon.reduce(finer_row);
+        if (pivot < 0 || size > suspicious) return pivot;
+        if (finer == nullptr) {
+            needs_finer = true;
+            return -1;
+        }
+        if (finer_echelon.largest().second > shrinks * size) return pivot;
+        decided = true;
+        return -1;
+    };
+    const auto keep = [&](std::size_t i) {
+        if (needs_finer) return false;
+        const int pivot = left_of(rows.rows[i], finer_rows ? finer_rows->rows[i] : rows.rows[i]);
+        if (pivot < 0) return false;
+        echelon.keep(pivot);
+        if (finer != nullptr) finer_echelon.keep(pivot);
+        return true;
+    };
+    const auto spanned = [&](const Row<mpf_class>& row) { return needs_finer || left_of(row, row) < 0; };
+    Verdict verdict = judge(field, rows, bodies, keep, spanned);
+    if (needs_finer) return std::nullopt;
+    verdict.decided_by_finer_pose = decided;
+    return verdict;
+}
+
+Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose) {
+    if (auto verdict = judge_in_reals(mechanism, pose, nullptr)) return *std::move(verdict);
+    const auto finer = draw_pose(mechanism, 2 * pose.bits);
+    // A drawing that closes on 100 bits and not on 200 hangs on a coincidence of its numbers; then nothing shrinks.
+    const auto verdict = judge_in_reals(mechanism, pose, finer ? &*finer : &pose);
+    KG_ASSERT(verdict, "a finer pose decides every pivot");
+    return *verdict;
+}
+
+void count_joints(const Mechanism& mechanism, Mobility& mobility) {
+    for (const Joint& joint : mechanism.joints) {
+        const auto pairs = static_cast<int>(joint.bodies.size()) - 1;
+        switch (joint.kind) {
+            case JointKind::revolute:
+                mobility.class_1 += pairs;
+                break;
+            case JointKind::prismatic:
+            case JointKind::rolling:
+                ++mobility.class_1;
+                break;
+            case JointKind::pin_slot:
+            case JointKind::contact:
+            case JointKind::gear:
+                ++mobility.class_2;
+                break;
+            case JointKind::weld:
+                mobility.welds += pairs;
+                break;
+        }
+    }
+    mobility.bodies = static_cast<int>(mechanism.bodies.size());
+    mobility.gruebler = 3 * (mobility.bodies - 1) - 2 * mobility.class_1 - mobility.class_2 - 3 * mobility.welds;
+}
+
+}  // namespace
+
+Mobility mobility_of(const Mechanism& mechanism, const Pose& pose) {
+    Mobility mobility;
+    count_joints(mechanism, mobility);
+    Verdict verdict = pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose);
+    int rank = 0;
+    for (std::size_t i = 0; i < verdict.owners.size(); ++i) {
+        const auto [joint, driver] = verdict.owners[i];
+        if (verdict.independent[i]) {
+            ++(joint >= 0 ? rank : mobility.driven);
+        } else if (joint >= 0) {
+            auto& redundant = mobility.redundant;
+            if (redundant.empty() || redundant.back().joint != joint) redundant.push_back({joint, 0});
+            ++redundant.back().rows;
+        } else if (driver >= 0) {
+            mobility.idle_drivers.push_back(driver);
+        }
+    }
+    mobility.effective = 3 * (mobility.bodies - 1) - rank;
+    mobility.determined = std::move(verdict.determined);
+    mobility.decided_by_finer_pose = verdict.decided_by_finer_pose;
+    return mobility;
+}
+
+}  // namespace kinegraph
