@@ -1,0 +1,1494 @@
+// The reader of mechanism files: docs/format.md turned into checks, and a Mechanism made of what passes them. Each fault is
+// reported once, where it stands; what only the drawing can tell (curves that do not meet, a misfit) is left to the pose.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/assert.hpp"
+#include "engine/json_source.hpp"
+#include "engine/mechanism.hpp"
+#include "engine/schema_gate.hpp"
+#include "engine/units.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+// --- words of messages -------------------------------------------------------------------------------------------------------
+
+std::string described(JsonValue value) {
+    switch (value.kind()) {
+        case Kind::null:
+            return "null";
+        case Kind::boolean:
+            return std::string(value.text());
+        case Kind::number:
+            return "the number " + shown(value.text(), 40);
+        case Kind::string:
+            return quoted(value.text());
+        case Kind::array:
+            return value.size() == 0 ? "an empty array" : "an array of " + std::to_string(value.size());
+        case Kind::object:
+            return "an object";
+    }
+    KG_ASSERT(false, "every kind of value has a description");
+}
+
+bool is_whole_number(JsonValue value) {
+    // The names of bodies are short; longer ones would not survive other JSON readers.
+    constexpr std::size_t longest = 18;
+    if (!value.is_number() || value.text().size() > longest) return false;
+    const std::string_view digits = value.text().substr(value.text().starts_with('-') ? 1 : 0);
+    return std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_true(JsonValue value) { return value.kind() == Kind::boolean && value.text() == "true"; }
+
+/// "a", "b" and "c".
+std::string listed(std::span<const std::string_view> words) {
+    std::string list;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
+        list += '"' + std::string(words[i]) + '"';
+    }
+    return list;
+}
+
+/// The C0, DEL and C1 characters, at any place of well-formed UTF-8; a tab or line break only where `also_blank`.
+bool has_control_character(std::string_view text, bool also_blank) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        const bool blank = c == '\t' || c == '\n' || c == '\r';
+        if ((c < 0x20 && (also_blank || !blank)) || c == 0x7F) return true;
+        if (c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) return true;
+    }
+    return false;
+}
+
+/// Finds the name nearest to a misspelt one, as long as the work for all of them stays small.
+class Speller {
+public:
+    template <class Names>
+    std::optional<std::string> nearest(std::string_view word, const Names& names) {
+        constexpr std::size_t longest = 64;
+        constexpr int most = 2;
+        if (word.size() > longest) return std::nullopt;
+        using Rank = std::tuple<std::size_t, std::uint64_t, std::ptrdiff_t>;
+        std::optional<std::pair<Rank, std::string_view>> best;
+        for (const std::string_view name : names) {
+            if (budget_ == 0) break;
+            --budget_;
+            if (name.size() > longest) continue;
+            const std::size_t distance = edit_distance(word, name, most);
+            const std::size_t length = std::max(word.size(), name.size());
+            if (distance > std::clamp<std::size_t>(length / 2, 1, most)) continue;
+            const auto prefix = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first - word.begin();
+            const Rank rank{distance, numbers_apart(word, name), -prefix};
+            if (!best || rank < best->first) best = {rank, name};
+        }
+        if (!best) return std::nullopt;
+        return std::string(best->second);
+    }
+
+private:
+    /// Between two numbers the nearer is the likelier: 5 is 4 rather than 1.
+    static std::uint64_t numbers_apart(std::string_view a, std::string_view b) {
+        const auto value = [](std::string_view text) -> std::optional<std::int64_t> {
+            constexpr std::size_t longest = 18;
+            if (text.empty() || text.size() > longest) return std::nullopt;
+            std::int64_t sum = 0;
+            for (const char c : text) {
+                if (c < '0' || c > '9') return std::nullopt;
+                sum = sum * 10 + (c - '0');
+            }
+            return sum;
+        };
+        const auto x = value(a);
+        const auto y = value(b);
+        if (!x || !y) return 0;
+        return static_cast<std::uint64_t>(*x > *y ? *x - *y : *y - *x);
+    }
+    long budget_ = 200'000;
+};
+
+std::string did_you_mean(const std::optional<std::string>& name) { return name ? " (did you mean " + quoted(*name) + "?)" : ""; }
+
+// --- cycles of points --------------------------------------------------------------------------------------------------------
+
+/// Which points each point is placed by: of point i, `targets[first[i]]` up to `targets[first[i + 1]]`.
+struct Dependencies {
+    std::vector<std::size_t> first;
+    std::vector<PointIndex> targets;
+    std::span<const PointIndex> of(PointIndex point) const {
+        const auto i = static_cast<std::size_t>(point);
+        return std::span(targets).subspan(first[i], first[i + 1] - first[i]);
+    }
+};
+
+/// One shortest cycle through the first point of each knot of points that depend on each other (Tarjan's strongly connected
+/// components, with a stack of our own so that no chain is too long).
+std::vector<std::vector<PointIndex>> cycles(const Dependencies& graph) {
+    const std::size_t count = graph.first.size() - 1;
+    constexpr int unseen = -1;
+    std::vector<int> number(count, unseen), low(count, 0), component(count, unseen);
+    std::vector<PointIndex> open;
+    std::vector<std::pair<PointIndex, std::size_t>> path;
+    int next_number = 0;
+    int components = 0;
+    std::vector<int> sizes;
+    const auto at = [](PointIndex point) { return static_cast<std::size_t>(point); };
+    for (std::size_t start = 0; start < count; ++start) {
+        if (number[start] != unseen) continue;
+        path.emplace_back(static_cast<PointIndex>(start), 0);
+        while (!path.empty()) {
+            auto& [point, edge] = path.back();
+            if (edge == 0) {
+                number[at(point)] = low[at(point)] = next_number++;
+                open.push_back(point);
+            }
+            const auto targets = graph.of(point);
+            if (edge < targets.size()) {
+                const PointIndex target = targets[edge++];
+                if (number[at(target)] == unseen) {
+                    path.emplace_back(target, 0);
+                } else if (component[at(target)] == unseen) {
+                    low[at(point)] = std::min(low[at(point)], number[at(target)]);
+                }
+                continue;
+            }
+            const PointIndex done = point;
+            path.pop_back();
+            if (!path.empty()) low[at(path.back().first)] = std::min(low[at(path.back().first)], low[at(done)]);
+            if (low[at(done)] != number[at(done)]) continue;
+            sizes.push_back(0);
+            PointIndex member = -1;
+            do {
+                member = open.back();
+                open.pop_back();
+                component[at(member)] = components;
+                ++sizes.back();
+            } while (member != done);
+            ++components;
+        }
+    }
+    std::vector<std::vector<PointIndex>> found;
+    std::vector<bool> told(static_cast<std::size_t>(components), false);
+    std::vector<PointIndex> reached_from(count, -1);
+    for (std::size_t start = 0; start < count; ++start) {
+        const auto own = static_cast<std::size_t>(component[start]);
+        const auto first = static_cast<PointIndex>(start);
+        const auto targets = graph.of(first);
+        const bool knotted = sizes[own] > 1 || std::find(targets.begin(), targets.end(), first) != targets.end();
+        if (!knotted || told[own]) continue;
+        told[own] = true;
+        std::vector<PointIndex> queue{first};
+        PointIndex last = -1;
+        for (std::size_t i = 0; i < queue.size() && last < 0; ++i) {
+            for (const PointIndex target : graph.of(queue[i])) {
+                if (target == first) {
+                    last = queue[i];
+                    break;
+                }
+                if (component[at(target)] != component[start] || reached_from[at(target)] >= 0) continue;
+                reached_from[at(target)] = queue[i];
+                queue.push_back(target);
+            }
+        }
+        std::vector<PointIndex> cycle;
+        for (PointIndex point = last; point != first; point = reached_from[at(point)]) cycle.push_back(point);
+        cycle.push_back(first);
+        std::reverse(cycle.begin(), cycle.end());
+        found.push_back(std::move(cycle));
+    }
+    return found;
+}
+
+// --- the reader --------------------------------------------------------------------------------------------------------------
+
+/// The members of an object that its form knows.
+class Members {
+public:
+    JsonValue operator[](std::string_view key) const {
+        const auto found = std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
+        return found == known_.end() ? JsonValue() : *found;
+    }
+    /// There, or there in a spelling that has been reported.
+    bool has_or_misspells(std::string_view key) const {
+        return (*this)[key] || std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end();
+    }
+
+private:
+    friend class Reader;
+    JsonValue object_;
+    std::vector<JsonValue> known_;
+    std::vector<std::string> misspelt_;
+};
+
+class Reader {
+public:
+    Reader(const JsonSource& source, std::string name) : source_(source) { mechanism_.source = std::move(name); }
+
+    Result<Mechanism> read() {
+        for (const JsonValue& twice : source_.duplicates()) {
+            fault(twice, quoted(twice.key()) + " stands twice in this object; rename one or take it out");
+        }
+        if (const JsonValue root = source_.root(); !root.is_object()) {
+            fault(root, "a mechanism is a JSON object, not " + described(root));
+        } else {
+            read_file(root);
+        }
+        if (faults_.empty()) return std::move(mechanism_);
+        std::stable_sort(faults_.begin(), faults_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        Errors errors;
+        errors.reserve(faults_.size());
+        for (auto& [order, error] : faults_) errors.push_back(std::move(error));
+        return tl::make_unexpected(std::move(errors));
+    }
+
+private:
+    // ----- faults and forms
+
+    void fault(JsonValue at, std::string message) {
+        faults_.emplace_back(at.order(), Error{ErrorCode::bad_input, at.pointer(), std::move(message)});
+    }
+
+    bool expect(JsonValue value, Kind kind, std::string_view wanted) {
+        if (value.kind() == kind) return true;
+        fault(value, std::string(wanted) + " is wanted here, not " + described(value));
+        return false;
+    }
+
+    /// Sorts an object's members; reports those that `form` ("a driver") does not know.
+    Members members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form) {
+        Members result;
+        result.object_ = object;
+        for (const JsonValue member : object) {
+            if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
+                if (!result[member.key()]) result.known_.push_back(member);
+                continue;
+            }
+            const auto meant = speller_.nearest(member.key(), known);
+            std::string message = "unknown key " + quoted(member.key());
+            if (meant) {
+                message += did_you_mean(meant);
+                result.misspelt_.push_back(*meant);
+            } else {
+                message += "; the keys of " + std::string(form) + " are " + listed({known.begin(), known.size()});
+            }
+            fault(member, std::move(message));
+        }
+        return result;
+    }
+
+    /// The member, or a fault that says what it is needed for.
+    JsonValue required(const Members& of, std::string_view key, std::string_view meaning) {
+        if (of[key]) return of[key];
+        if (!of.has_or_misspells(key)) fault(of.object_, '"' + std::string(key) + "\" is missing: " + std::string(meaning));
+        return {};
+    }
+
+    /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.
+    JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true) {
+        JsonValue only;
+        for (const std::string_view key : keys) {
+            if (!of[key]) continue;
+            if (only) {
+                const JsonValue later = only.order() < of[key].order() ? of[key] : only;
+                const JsonValue earlier = only.order() < of[key].order() ? only : of[key];
+                fault(later, quoted(later.key()) + " and " + quoted(earlier.key()) + " do not go together; take one of them out");
+                return {};
+            }
+            only = of[key];
+        }
+        const bool misspelt =
+            std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
+        if (!only && needed && !misspelt) {
+            fault(of.object_, "one of " + listed({keys.begin(), keys.size()}) + " is missing");
+        }
+        return only;
+    }
+
+    // ----- names
+
+    /// Whether the text may be a name; a fault at `at` if not.
+    void check_name(JsonValue at, std::string_view name) {
+        if (name.empty()) {
+            fault(at, "a name must not be empty");
+        } else if (name.find(',') != std::string_view::npos) {
+            fault(at, "the name " + quoted(name) + " has a comma; names in results are separated by commas, so choose another");
+        } else if (name.find(" on ") != std::string_view::npos) {
+            fault(at, "the name " + quoted(name) + " has \" on \" in it; results say \"3 on 2\", so choose another");
+        } else if (has_control_character(name, true)) {
+            fault(at, "the name " + quoted(name) + " has a control character; take it out");
+        }
+    }
+
+    /// A new name as a member's value.
+    std::string new_name(JsonValue value, std::string_view wanted) {
+        if (!expect(value, Kind::string, wanted)) return {};
+        check_name(value, value.text());
+        return std::string(value.text());
+    }
+
+    PointIndex look_up_point(JsonValue at, std::string_view name) {
+        const auto found = points_by_name_.find(name);
+        if (found != points_by_name_.end()) {
+            if (collected_ != nullptr) collected_->push_back(found->second);
+            return found->second;
+        }
+        if (points_known_) fault(at, "no point is named " + quoted(name) + did_you_mean(speller_.nearest(name, point_names_)));
+        return -1;
+    }
+    /// A point's name; in an array an integer will do.
+    PointIndex point(JsonValue value, bool in_array = false) {
+        if (!value) return -1;
+        if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
+        fault(value, "a point's name is wanted here, not " + described(value));
+        return -1;
+    }
+
+    BodyIndex look_up_body(JsonValue at, std::string_view name) {
+        const auto found = bodies_by_name_.find(name);
+        if (found != bodies_by_name_.end()) return found->second;
+        if (bodies_known_) fault(at, "no body is named " + quoted(name) + did_you_mean(speller_.nearest(name, body_names_)));
+        return -1;
+    }
+    BodyIndex body(JsonValue value) {
+        if (!value) return -1;
+        if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
+        fault(value, "a body's name is wanted here, not " + described(value));
+        return -1;
+    }
+    /// A body that moves: the frame is refused with `why`.
+    BodyIndex moving_body(JsonValue value, std::string_view why) {
+        const BodyIndex found = body(value);
+        if (found == 0) fault(value, std::string(why));
+        return found;
+    }
+
+    Words words(JsonValue value) {
+        const auto line = [&](JsonValue text) -> std::string {
+            if (!expect(text, Kind::string, "a text")) return {};
+            if (has_control_character(text.text(), false))
+                fault(text, "a control character cannot be drawn; take it out of " + quoted(text.text()));
+            std::string clean(text.text());
+            std::replace_if(
+                clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+            return clean;
+        };
+        Words result;
+        if (value.is_string()) {
+            result.en = result.it = line(value);
+        } else if (value.is_object()) {
+            const Members by_language = members(value, {"en", "it"}, "a text in several languages");
+            one_of_both(by_language);
+            if (by_language["en"]) result.en = line(by_language["en"]);
+            result.it = by_language["it"] ? line(by_language["it"]) : result.en;
+            if (!by_language["en"]) result.en = result.it;
+        } else {
+            fault(value, "a text or {\"en\": …, \"it\": …} is wanted here, not " + described(value));
+        }
+        return result;
+    }
+    void one_of_both(const Members& by_language) {
+        if (!by_language.has_or_misspells("en") && !by_language.has_or_misspells("it")) {
+            fault(by_language.object_, "neither \"en\" nor \"it\" is given");
+        }
+    }
+
+    // ----- numbers
+
+    const KnownUnit& bare_unit(QuantityKind kind) const {
+        const auto set =
+            std::find_if(bare_units_.begin(), bare_units_.end(), [&](const KnownUnit* unit) { return unit->kind == kind; });
+        return set == bare_units_.end() ? default_unit(kind) : **set;
+    }
+
+    /// A number or a string with a unit, as written; range checked in SI.
+    std::optional<Quantity> quantity_as_written(JsonValue value, QuantityKind kind) {
+        if (!value) return std::nullopt;
+        tl::expected<Quantity, std::string> result = tl::make_unexpected(std::string());
+        if (value.is_number()) {
+            auto number = read_decimal(value.text());
+            if (number) {
+                result = Quantity{std::move(*number), &bare_unit(kind)};
+            } else {
+                result = tl::make_unexpected(std::move(number.error()));
+            }
+        } else if (value.is_string()) {
+            result = read_quantity(value.text(), kind);
+            if (result && result->unit->kind != kind) {
+                result = tl::make_unexpected(quoted(value.text()) + " is " + with_article(result->unit->kind) + "; " +
+                                             with_article(kind) + " is wanted here");
+            }
+        } else {
+            result = tl::make_unexpected(with_article(kind) + " is wanted here, not " + described(value));
+        }
+        if (result && !is_within_range(result->in_si())) {
+            result = tl::make_unexpected(shown(value.text(), 40) +
+                                         " is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie");
+        }
+        if (!result) {
+            fault(value, std::move(result.error()));
+            return std::nullopt;
+        }
+        return std::move(*result);
+    }
+    /// In SI.
+    std::optional<Exact> quantity(JsonValue value, QuantityKind kind) {
+        const auto written = quantity_as_written(value, kind);
+        if (!written) return std::nullopt;
+        return written->in_si();
+    }
+    Exact quantity_or_zero(JsonValue value, QuantityKind kind) { return quantity(value, kind).value_or(Exact()); }
+
+    Exact positive(JsonValue value, QuantityKind kind, std::string_view what) {
+        const auto number = quantity(value, kind);
+        if (number && number->sign() <= 0) fault(value, std::string(what) + " must be greater than zero");
+        return number.value_or(Exact(1));
+    }
+    Exact not_negative(JsonValue value, QuantityKind kind, std::string_view what) {
+        const auto number = quantity(value, kind);
+        if (number && number->sign() < 0) fault(value, std::string(what) + " must not be negative");
+        return number.value_or(Exact());
+    }
+
+    std::optional<Exact> bare_number(JsonValue value) {
+        if (!value || !expect(value, Kind::number, "a bare number")) return std::nullopt;
+        auto number = read_decimal(value.text());
+        if (number && !is_within_range(*number)) {
+            number = tl::make_unexpected(shown(value.text(), 40) +
+                                         " is outside 1e-60 … 1e60, where a number other than zero must lie");
+        }
+        if (!number) {
+            fault(value, std::move(number.error()));
+            return std::nullopt;
+        }
+        return std::move(*number);
+    }
+
+    std::optional<Angle> angle(JsonValue value) {
+        const auto written = quantity_as_written(value, QuantityKind::angle);
+        if (!written) return std::nullopt;
+        return Angle{written->value, written->unit->symbol == "deg"};
+    }
+
+    /// [x, y], each a quantity (or a bare number where dimensionless).
+    std::optional<Vector> vector(JsonValue value, QuantityKind kind, std::string_view wanted) {
+        if (!value) return std::nullopt;
+        if (!value.is_array() || value.size() != 2) {
+            fault(value, std::string(wanted) + " is wanted here, not " + described(value));
+            return std::nullopt;
+        }
+        const JsonValue first = *value.begin();
+        const JsonValue second = *++value.begin();
+        const bool bare = kind == QuantityKind::dimensionless;
+        auto x = bare ? bare_number(first) : quantity(first, kind);
+        auto y = bare ? bare_number(second) : quantity(second, kind);
+        if (!x || !y) return std::nullopt;
+        return Vector{std::move(*x), std::move(*y)};
+    }
+    std::optional<Vector> sense(JsonValue value) {
+        auto direction = vector(value, QuantityKind::dimensionless, "a vector [dx, dy]");
+        if (direction && direction->is_zero()) {
+            fault(value, "[0, 0] has no direction");
+            return std::nullopt;
+        }
+        return direction;
+    }
+
+    /// Two points whose join has a direction.
+    Bearing::Between between(JsonValue value) {
+        const JsonValue first = *value.begin();
+        const JsonValue second = *++value.begin();
+        const Bearing::Between ends{point(first, true), point(second, true)};
+        if (ends.from >= 0 && ends.from == ends.to) fault(value, "a point and itself give no direction; name two points");
+        return ends;
+    }
+
+    /// FORMAT "X, a direction".
+    std::optional<Bearing> bearing(JsonValue value) {
+        if (!value) return std::nullopt;
+        if (value.is_string() && points_by_name_.contains(value.text()) && !read_quantity(value.text(), QuantityKind::angle)) {
+            fault(value, quoted(value.text()) + " is a point, no direction; two points in an array give one: [" +
+                             quoted(value.text()) + ", …]");
+            return std::nullopt;
+        }
+        if (value.is_number() || value.is_string()) {
+            auto turned = angle(value);
+            if (!turned) return std::nullopt;
+            return Bearing{std::move(*turned)};
+        }
+        if (value.is_array() && value.size() == 2) {
+            const JsonValue first = *value.begin();
+            const JsonValue second = *++value.begin();
+            if (first.is_string() && second.is_string()) return Bearing{between(value)};
+            if (first.is_number() && second.is_number()) {
+                auto direction = sense(value);
+                if (!direction) return std::nullopt;
+                return Bearing{std::move(*direction)};
+            }
+        }
+        fault(value,
+              "a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not " + described(value));
+        return std::nullopt;
+    }
+    Bearing bearing_or_default(JsonValue value) { return bearing(value).value_or(Bearing{}); }
+
+    /// A point's name or bare coordinates.
+    Place place(JsonValue value) {
+        if (value.is_array())
+            return vector(value, QuantityKind::length, "a point's name or its coordinates [x, y]").value_or(Vector{});
+        return point(value);
+    }
+
+    // ----- the file
+
+    void read_file(JsonValue root) {
+        const Members file = members(root,
+                                     {"$schema", "kinegraph", "title", "units", "frame", "points", "bodies", "joints", "drivers",
+                                      "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
+                                     "a mechanism");
+        const JsonValue version = required(file, "kinegraph", "write \"kinegraph\": 1, the version of the format");
+        if (version) read_version(version);
+        if (file["$schema"]) expect(file["$schema"], Kind::string, "a text");
+        if (file["title"]) mechanism_.title = words(file["title"]);
+        read_units(file["units"]);
+        const JsonValue points = required(file, "points", "an object of points by name");
+        const JsonValue bodies = required(file, "bodies", "an object of bodies by name");
+        if (points && expect(points, Kind::object, "an object of points by name")) {
+            points_known_ = true;
+            for (const JsonValue member : points) register_point(member);
+        }
+        const bool bodies_readable = bodies && expect(bodies, Kind::object, "an object of bodies by name");
+        bodies_known_ = bodies_readable;
+        register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
+        if (points_known_) read_points(points);
+        if (bodies_readable) read_bodies(bodies);
+        read_joints(file);
+        each(file["drivers"], "an array of drivers", [&](JsonValue v) { read_driver(v); });
+        read_masses(file["masses"]);
+        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, "a vector [gx, gy]");
+        if (const JsonValue inertia = file["inertia forces"]; inertia && expect(inertia, Kind::boolean, "true or false")) {
+            mechanism_.inertia_forces = is_true(inertia);
+        }
+        each(file["loads"], "an array of loads", [&](JsonValue v) { read_load(v); });
+        if (const JsonValue effort = file["effort"]; effort && effort.is_object()) {
+            read_effort(effort);
+        } else {
+            each(effort, "an array of efforts", [&](JsonValue v) { read_effort(v); });
+        }
+        if (file["motion"]) read_motion(file["motion"]);
+        if (file["find"]) mechanism_.find.stated = true;
+        each(file["find"], "an array of what to find", [&](JsonValue v) { read_wish(v); });
+        read_scales(file["scales"]);
+    }
+
+    template <class Action>
+    void each(JsonValue array, std::string_view wanted, Action&& action) {
+        if (!array || !expect(array, Kind::array, wanted)) return;
+        for (const JsonValue element : array) action(element);
+    }
+
+    void read_version(JsonValue version) {
+        const auto number = version.is_number() ? read_decimal(version.text()) : tl::expected<Exact, std::string>(Exact());
+        if (!number || *number != Exact(1)) {
+            fault(version, "the version of the format is 1, not " + described(version) + "; a newer program may read this file");
+        }
+    }
+
+    // ----- units
+
+    void read_units(JsonValue units) {
+        constexpr std::array kinds{
+            std::pair{std::string_view("length"), QuantityKind::length},
+            std::pair{std::string_view("angle"), QuantityKind::angle},
+            std::pair{std::string_view("angular velocity"), QuantityKind::angular_velocity},
+            std::pair{std::string_view("velocity"), QuantityKind::velocity},
+            std::pair{std::string_view("acceleration"), QuantityKind::acceleration},
+            std::pair{std::string_view("mass"), QuantityKind::mass},
+            std::pair{std::string_view("force"), QuantityKind::force},
+            std::pair{std::string_view("moment"), QuantityKind::moment},
+            std::pair{std::string_view("inertia"), QuantityKind::inertia},
+        };
+        if (units && expect(units, Kind::object, "an object of units by quantity")) {
+            const Members set = members(
+                units, {"length", "angle", "angular velocity", "velocity", "acceleration", "mass", "force", "moment", "inertia"},
+                "\"units\"");
+            for (const auto& [key, kind] : kinds) {
+                if (set[key]) read_unit(set[key], kind);
+            }
+        }
+        Units& all = mechanism_.units;
+        const std::array<Unit*, kinds.size()> targets{&all.length,   &all.angle,        &all.angular_velocity,
+                                                      &all.velocity, &all.acceleration, &all.mass,
+                                                      &all.force,    &all.moment,       &all.inertia};
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const KnownUnit& unit = bare_unit(kinds[i].second);
+            *targets[i] = {std::string(unit.symbol), unit.si};
+        }
+    }
+
+    void read_unit(JsonValue value, QuantityKind kind) {
+        if (!expect(value, Kind::string, "a unit")) return;
+        const KnownUnit* unit = unit_spelt(value.text());
+        if (unit == nullptr) {
+            fault(value, unknown_unit_message(value.text(), kind));
+        } else if (unit->kind != kind) {
+            fault(value, quoted(value.text()) + " is a unit of " + std::string(name_of(unit->kind)) + "; the units of " +
+                             std::string(name_of(kind)) + " are " + units_of(kind));
+        } else {
+            bare_units_.push_back(unit);
+        }
+    }
+
+    // ----- points
+
+    void register_point(JsonValue member) {
+        if (!points_by_name_.emplace(member.key(), static_cast<PointIndex>(point_names_.size())).second) return;
+        point_names_.push_back(member.key());
+        check_name(member, member.key());
+    }
+
+    void read_points(JsonValue points) {
+        Dependencies graph;
+        std::vector<JsonValue> places;
+        graph.first.push_back(0);
+        collected_ = &graph.targets;
+        mechanism_.points.reserve(point_names_.size());
+        for (const JsonValue member : points) {
+            const bool again = points_by_name_.at(member.key()) != static_cast<PointIndex>(mechanism_.points.size());
+            if (again) {
+                // A second one of the same name: its own faults are told, but it is not in the drawing.
+                const std::size_t kept = graph.targets.size();
+                placement(member);
+                graph.targets.resize(kept);
+                continue;
+            }
+            mechanism_.points.push_back({std::string(member.key()), placement(member), member.pointer()});
+            places.push_back(member);
+            graph.first.push_back(graph.targets.size());
+        }
+        collected_ = nullptr;
+        for (const auto& cycle : cycles(graph)) report_cycle(cycle, places);
+    }
+
+    void report_cycle(const std::vector<PointIndex>& cycle, const std::vector<JsonValue>& places) {
+        constexpr std::size_t most_named = 12;
+        const auto name = [&](PointIndex i) { return quoted(point_names_[static_cast<std::size_t>(i)]); };
+        std::string chain = name(cycle.front());
+        for (std::size_t i = 1; i < std::min(cycle.size(), most_named); ++i) chain += " → " + name(cycle[i]);
+        if (cycle.size() > most_named) chain += " → … (" + std::to_string(cycle.size()) + " points)";
+        chain += " → " + name(cycle.front());
+        fault(places[static_cast<std::size_t>(cycle.front())],
+              cycle.size() == 1
+                  ? "the point " + name(cycle.front()) + " is placed by itself; place it by others or by coordinates"
+                  : "these points are placed by each other in a cycle: " + chain +
+                        "; place one of them by others or by coordinates");
+    }
+
+    Placement placement(JsonValue value) {
+        if (value.is_array()) return Coordinates{vector(value, QuantityKind::length, "coordinates [x, y]").value_or(Vector{})};
+        if (!value.is_object()) {
+            fault(value, "a point is [x, y] or an object that says how to place it, not " + described(value));
+            return Coordinates{};
+        }
+        if (value["meet"] || value["near"] || value["side"]) return meet(value);
+        if (value["to"] || value["ratio"]) return point_on_line(value);
+        if (value["circle"] || value["line"]) {
+            fault(value, "a curve alone is no point; write {\"meet\": [curve, curve]}");
+            return Coordinates{};
+        }
+        const Members form = members(value, {"from", "distance", "angle", "relative to", "to", "ratio", "meet"}, "a point");
+        if (form.has_or_misspells("meet") || form.has_or_misspells("to") || form.has_or_misspells("ratio")) return Coordinates{};
+        Polar polar;
+        polar.from = point(required(form, "from", "the point from which the distance is taken"));
+        polar.distance = quantity_or_zero(required(form, "distance", "how far from there the point lies"), QuantityKind::length);
+        polar.angle = angle(required(form, "angle", "in which direction (or give \"to\")")).value_or(Angle{});
+        if (const JsonValue base = form["relative to"]) {
+            if (base.is_array() && base.size() == 2) {
+                polar.relative_to = between(base);
+            } else {
+                fault(base, "the names of two points [\"P\", \"Q\"] are wanted here, not " + described(base));
+            }
+        }
+        return polar;
+    }
+
+    Placement point_on_line(JsonValue value) {
+        const Members form = members(value, {"from", "to", "distance", "ratio"}, "a point on a line");
+        Along along;
+        along.from = point(required(form, "from", "the point from which the distance is taken"));
+        along.to = point(required(form, "to", "the point towards which it is taken"));
+        if (along.from >= 0 && along.from == along.to) fault(form["to"], "a point and itself give no line; name another");
+        if (const JsonValue amount = one_of(form, {"distance", "ratio"})) {
+            along.is_ratio = amount.key() == "ratio";
+            along.amount =
+                along.is_ratio ? bare_number(amount).value_or(Exact()) : quantity_or_zero(amount, QuantityKind::length);
+        }
+        return along;
+    }
+
+    Placement meet(JsonValue value) {
+        const Members form = members(value, {"meet", "near", "side"}, "a meet");
+        Meet meet;
+        if (const JsonValue curves = required(form, "meet", "two curves"); curves) {
+            if (curves.is_array() && curves.size() == 2) {
+                meet.first = curve(*curves.begin());
+                meet.second = curve(*++curves.begin());
+            } else {
+                fault(curves, "two curves are wanted here, not " + described(curves));
+            }
+        }
+        one_of(form, {"near", "side"}, false);
+        meet.near = vector(form["near"], QuantityKind::length, "a place [x, y]");
+        if (const JsonValue side = form["side"]) {
+            if (side.is_string() && side.text() == "left") {
+                meet.side = Meet::Side::left;
+            } else if (side.is_string() && side.text() == "right") {
+                meet.side = Meet::Side::right;
+            } else {
+                fault(side, "\"left\" or \"right\" is wanted here, not " + described(side));
+            }
+        }
+        return meet;
+    }
+
+    Curve curve(JsonValue value) {
+        if (!expect(value, Kind::object, "a curve, {\"circle\": …} or {\"line\": …},")) return CircleCurve{};
+        if (value["circle"] || value["radius"]) {
+            const Members form = members(value, {"circle", "radius"}, "a circle");
+            CircleCurve circle;
+            if (const JsonValue centre = required(form, "circle", "the circle's centre")) circle.centre = place(centre);
+            circle.radius = positive(required(form, "radius", "the circle's radius"), QuantityKind::length, "a radius");
+            return circle;
+        }
+        const Members form = members(value, {"line", "angle", "to", "parallel", "perpendicular", "circle"}, "a line");
+        LineCurve line;
+        if (form.has_or_misspells("circle")) return line;
+        if (const JsonValue through = required(form, "line", "a point on the line")) line.through = place(through);
+        const JsonValue how = one_of(form, {"angle", "to", "parallel", "perpendicular"});
+        if (!how) return line;
+        if (how.key() == "angle") {
+            line.angle = angle(how).value_or(Angle{});
+        } else if (how.key() == "to") {
+            line.by = LineCurve::By::to;
+            line.to = point(how);
+            const auto* through = std::get_if<PointIndex>(&line.through);
+            if (through != nullptr && *through >= 0 && *through == line.to)
+                fault(how, "a point and itself give no line; name another");
+        } else {
+            line.by = how.key() == "parallel" ? LineCurve::By::parallel : LineCurve::By::perpendicular;
+            line.bearing = bearing_or_default(how);
+        }
+        return line;
+    }
+
+    // ----- bodies
+
+    void register_bodies(JsonValue frame, JsonValue bodies) {
+        std::string_view frame_name = "0";
+        if (frame) {
+            if (frame.is_string() || is_whole_number(frame)) {
+                frame_name = frame.text();
+                check_name(frame, frame_name);
+            } else {
+                fault(frame, "a body's name is wanted here, not " + described(frame));
+                bodies_known_ = false;
+            }
+        }
+        const auto add = [&](std::string_view name, std::string where) {
+            if (!bodies_by_name_.emplace(name, static_cast<BodyIndex>(body_names_.size())).second) return false;
+            body_names_.push_back(name);
+            Body added;
+            added.name = name;
+            added.where = std::move(where);
+            mechanism_.bodies.push_back(std::move(added));
+            return true;
+        };
+        add(frame_name, frame ? frame.pointer() : "");
+        if (!bodies) return;
+        for (const JsonValue member : bodies) {
+            if (add(member.key(), member.pointer())) {
+                check_name(member, member.key());
+            } else if (member.key() == frame_name) {
+                mechanism_.bodies.front().where = member.pointer();
+            }
+        }
+    }
+
+    Body& body_at(BodyIndex index) { return mechanism_.bodies[static_cast<std::size_t>(index)]; }
+
+    void carry(BodyIndex on, PointIndex carried) {
+        if (on < 0 || carried < 0) return;
+        const std::uint64_t pair = (static_cast<std::uint64_t>(on) << 32U) | static_cast<std::uint64_t>(carried);
+        if (carried_.insert(pair).second) body_at(on).points.push_back(carried);
+    }
+
+    void read_bodies(JsonValue bodies) {
+        for (const JsonValue member : bodies) {
+            const BodyIndex index = bodies_by_name_.at(member.key());
+            JsonValue points = member;
+            if (member.is_object()) {
+                const Members form = members(member, {"points", "label", "circle"}, "a body");
+                points = form["points"];
+                if (form["label"]) body_at(index).label = words(form["label"]);
+                if (form["circle"]) read_body_circle(form["circle"], index);
+                if (!points) continue;
+                if (!expect(points, Kind::array, "an array of points")) continue;
+            } else if (!expect(points, Kind::array, "an array of points, or {\"points\": […], …},")) {
+                continue;
+            }
+            for (const JsonValue name : points) carry(index, point(name, true));
+        }
+    }
+
+    void read_body_circle(JsonValue value, BodyIndex index) {
+        if (!expect(value, Kind::object, "{\"centre\": …, \"radius\": …}")) return;
+        const Members form = members(value, {"centre", "radius"}, "a body's circle");
+        Circle circle;
+        circle.centre = point(required(form, "centre", "the circle's centre"));
+        circle.radius = positive(required(form, "radius", "the circle's radius"), QuantityKind::length, "a radius");
+        body_at(index).circle = std::move(circle);
+    }
+
+    // ----- joints
+
+    static bool is_sliding(const Joint& joint) { return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot; }
+
+    void read_joints(const Members& file) {
+        const JsonValue joints = file["joints"];
+        if (file["motion"]) {
+            for (const std::string_view key : {"joints", "drivers"}) {
+                if (file[key])
+                    fault(file[key], '"' + std::string(key) + "\" and \"motion\" do not go together; take one of them out");
+            }
+        } else if (!file.has_or_misspells("motion")) {
+            required(file, "joints", "an array of joints (or \"motion\", one body's act of motion)");
+        }
+        joints_known_ = joints && joints.is_array();
+        each(joints, "an array of joints", [&](JsonValue v) { read_joint(v); });
+    }
+
+    void read_joint(JsonValue value) {
+        using enum JointKind;
+        constexpr std::array kinds{
+            std::pair{std::string_view("revolute"), revolute}, std::pair{std::string_view("prismatic"), prismatic},
+            std::pair{std::string_view("pin-slot"), pin_slot}, std::pair{std::string_view("rolling"), rolling},
+            std::pair{std::string_view("contact"), contact},   std::pair{std::string_view("gear"), gear},
+            std::pair{std::string_view("weld"), weld},
+        };
+        if (!expect(value, Kind::object, "a joint")) {
+            joints_known_ = false;
+            return;
+        }
+        const std::pair<std::string_view, JointKind>* kind = nullptr;
+        for (const auto& candidate : kinds) {
+            if (!value[candidate.first]) continue;
+            if (kind != nullptr) {
+                fault(value[candidate.first], "a joint is of one kind; this one is " + quoted(kind->first) + " already");
+                joints_known_ = false;
+                return;
+            }
+            kind = &candidate;
+        }
+        if (kind == nullptr) {
+            // The key that is meant to be the kind is misspelt, or there is none.
+            joints_known_ = false;
+            const Members form = members(value,
+                                         {"revolute", "prismatic", "pin-slot", "rolling", "contact", "gear", "weld", "bodies",
+                                          "name", "along", "arc", "profiles", "tangent", "pushes", "pressure angle", "arm"},
+                                         "a joint");
+            if (form.misspelt_.empty()) {
+                fault(
+                    value,
+                    "the kind of joint is missing: one of \"revolute\", \"prismatic\", \"pin-slot\", \"rolling\", \"contact\", \"gear\" and \"weld\"");
+            }
+            return;
+        }
+        Joint joint;
+        joint.kind = kind->second;
+        joint.where = value.pointer();
+        const Members form = joint_members(value, joint.kind);
+        const JsonValue at = form[kind->first];
+        joint.point = point(at);
+        joint.name = at.is_string() ? at.text() : std::string_view();
+        if (form["name"]) {
+            joint.named = true;
+            joint.name = new_name(form["name"], "a name");
+        }
+        if (!at.is_string() && !joint.named) joints_known_ = false;
+        read_joint_bodies(form, joint);
+        if (joint.kind == prismatic) joint.along = bearing(required(form, "along", "the direction of the guide"));
+        if (joint.kind == pin_slot) read_slot(form, joint);
+        if (joint.kind == rolling || joint.kind == contact || joint.kind == gear) read_profiles(form, joint);
+        joint.pushes = sense(form["pushes"]);
+        if (const JsonValue pressure = form["pressure angle"]) {
+            joint.pressure_angle = angle(pressure);
+            if (joint.pressure_angle) check_pressure_angle(pressure, *joint.pressure_angle);
+        }
+        if (const JsonValue arm = form["arm"]) {
+            joint.arm = body(arm);
+            if (std::find(joint.bodies.begin(), joint.bodies.end(), joint.arm) != joint.bodies.end() && joint.arm >= 0) {
+                fault(arm, "the carrier of the two gears is a third body");
+            }
+        }
+        if (joint.kind == revolute || joint.kind == weld) {
+            for (const BodyIndex on : joint.bodies) carry(on, joint.point);
+        }
+        if (is_sliding(joint) && !joint.name.empty()) {
+            const auto [found, first] = sliding_by_name_.emplace(joint.name, static_cast<JointIndex>(mechanism_.joints.size()));
+            if (!first) {
+                fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " +
+                                 mechanism_.joints[static_cast<std::size_t>(found->second)].where +
+                                 "); give one of them a \"name\"");
+            }
+        }
+        if (!is_sliding(joint) && !joint.name.empty()) other_joints_.emplace(joint.name, kind->first);
+        mechanism_.joints.push_back(std::move(joint));
+    }
+
+    Members joint_members(JsonValue value, JointKind kind) {
+        switch (kind) {
+            case JointKind::revolute:
+                return members(value, {"revolute", "bodies", "name"}, "a revolute");
+            case JointKind::prismatic:
+                return members(value, {"prismatic", "bodies", "along", "name"}, "a prismatic joint");
+            case JointKind::pin_slot:
+                return members(value, {"pin-slot", "bodies", "along", "arc", "name"}, "a pin-slot");
+            case JointKind::rolling:
+                return members(value, {"rolling", "bodies", "profiles", "tangent", "name"}, "a rolling joint");
+            case JointKind::contact:
+                return members(value, {"contact", "bodies", "profiles", "tangent", "pushes", "name"}, "a contact");
+            case JointKind::gear:
+                return members(value, {"gear", "bodies", "profiles", "tangent", "pressure angle", "arm", "name"}, "a gear");
+            case JointKind::weld:
+                return members(value, {"weld", "bodies", "name"}, "a weld");
+        }
+        KG_ASSERT(false, "every kind of joint has its keys");
+    }
+
+    void read_joint_bodies(const Members& form, Joint& joint) {
+        const JsonValue bodies = required(form, "bodies", "the bodies that the joint connects");
+        if (!bodies || !expect(bodies, Kind::array, "an array of bodies")) return;
+        const bool any_number = joint.kind == JointKind::revolute;
+        if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
+            fault(bodies,
+                  std::string(any_number ? "two bodies or more" : "two bodies") + " are wanted here, not " + described(bodies));
+        }
+        std::unordered_set<BodyIndex> seen;
+        for (const JsonValue name : bodies) {
+            const BodyIndex connected = body(name);
+            if (connected >= 0 && !seen.insert(connected).second) {
+                fault(name, "the body " + quoted(name.text()) + " stands twice in one joint");
+            }
+            joint.bodies.push_back(connected);
+        }
+    }
+
+    void read_slot(const Members& form, Joint& joint) {
+        const JsonValue shape = one_of(form, {"along", "arc"});
+        if (!shape) return;
+        if (shape.key() == "along") {
+            joint.along = bearing(shape);
+        } else {
+            joint.arc = point(shape);
+            if (joint.arc >= 0 && joint.arc == joint.point)
+                fault(shape, "a slot about its own pin has no radius; name the arc's centre");
+        }
+    }
+
+    void check_pressure_angle(JsonValue value, const Angle& angle) {
+        const Exact right_angle = angle.in_degrees ? Exact(90) : pi() / 2;
+        if (angle.value.sign() < 0 || angle.value >= right_angle) fault(value, "a pressure angle lies between 0° and 90°");
+    }
+
+    void read_profiles(const Members& form, Joint& joint) {
+        const JsonValue shape = one_of(form, {"profiles", "tangent"}, false);
+        if (form["profiles"] && form["tangent"]) return;
+        if (shape && shape.key() == "tangent") {
+            joint.tangent = bearing(shape);
+            return;
+        }
+        if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
+        bool complete = joint.bodies.size() == 2 && joint.bodies[0] >= 0 && joint.bodies[1] >= 0;
+        if (shape) {
+            if (!expect(shape, Kind::object, "an object of profiles by body")) return;
+            for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
+        }
+        if (!complete) return;
+        const JsonValue place = shape ? shape : form.object_;
+        for (const BodyIndex on : joint.bodies) {
+            if (joint.profiles.contains(on)) continue;
+            const Body& owner = body_at(on);
+            if (owner.circle) {
+                if (owner.circle->centre == joint.point && joint.point >= 0) {
+                    fault(place, "the circle of body " + quoted(owner.name) + " has its centre at the contact itself");
+                }
+                joint.profiles.emplace(on, CircleProfile{owner.circle->centre});
+            } else {
+                fault(place, "the profile of body " + quoted(owner.name) +
+                                 " is missing: give it under \"profiles\", or the body a \"circle\", or the joint a \"tangent\"");
+                complete = false;
+            }
+        }
+        if (!complete || joint.bodies[0] == joint.bodies[1]) return;
+        const Profile& first = joint.profiles.at(joint.bodies[0]);
+        const Profile& second = joint.profiles.at(joint.bodies[1]);
+        if (std::holds_alternative<LineProfile>(first) && std::holds_alternative<LineProfile>(second)) {
+            fault(place, "two lines are no contact: they touch everywhere or nowhere; one of the bodies has another profile");
+        }
+        if (std::holds_alternative<TipProfile>(first) && std::holds_alternative<TipProfile>(second)) {
+            fault(place, "two tips are no contact: they have no common tangent; one of the bodies has another profile");
+        }
+    }
+
+    bool read_profile(JsonValue member, Joint& joint) {
+        const BodyIndex on = look_up_body(member, member.key());
+        if (on >= 0 && std::find(joint.bodies.begin(), joint.bodies.end(), on) == joint.bodies.end()) {
+            if (std::find(joint.bodies.begin(), joint.bodies.end(), -1) == joint.bodies.end()) {
+                fault(member, "the body " + quoted(member.key()) + " is not in this joint");
+            }
+            return false;
+        }
+        if (!expect(member, Kind::object, "a profile, {\"line\": …}, {\"circle\": …} or {\"tip\": true},")) return false;
+        const Members form = members(member, {"line", "circle", "tip"}, "a profile");
+        const JsonValue shape = one_of(form, {"line", "circle", "tip"});
+        if (!shape) return false;
+        if (shape.key() == "line") {
+            const auto along = bearing(shape);
+            if (!along) return false;
+            joint.profiles.emplace(on, LineProfile{*along});
+        } else if (shape.key() == "circle") {
+            const PointIndex centre = point(shape);
+            if (centre >= 0 && centre == joint.point)
+                fault(shape, "a circle about the contact itself has no radius; name its centre");
+            joint.profiles.emplace(on, CircleProfile{centre});
+        } else {
+            if (!is_true(shape)) {
+                fault(shape, "a tip is {\"tip\": true}");
+                return false;
+            }
+            joint.profiles.emplace(on, TipProfile{});
+        }
+        return on >= 0;
+    }
+
+    /// A sliding joint by its name, or −1 with a fault; `remedy` is for those who name a joint of another kind.
+    JointIndex sliding_joint(JsonValue value, std::string_view remedy) {
+        if (!value || !expect(value, Kind::string, "a joint's name")) return -1;
+        const std::string name(value.text());
+        if (const auto found = sliding_by_name_.find(name); found != sliding_by_name_.end()) return found->second;
+        if (const auto other = other_joints_.find(name); other != other_joints_.end()) {
+            fault(value,
+                  "the joint " + quoted(name) + " is of kind \"" + std::string(other->second) + "\"; " + std::string(remedy));
+        } else if (joints_known_) {
+            std::vector<std::string_view> names;
+            for (const Joint& joint : mechanism_.joints) {
+                if (is_sliding(joint)) names.push_back(joint.name);
+            }
+            fault(value, "no sliding joint is named " + quoted(name) + did_you_mean(speller_.nearest(name, names)));
+        }
+        return -1;
+    }
+
+    // ----- drivers
+
+    void read_driver(JsonValue value) {
+        if (!expect(value, Kind::object, "a driver")) return;
+        if (value["joint"]) {
+            const Members form = members(value, {"joint", "speed", "acceleration"}, "a driver of a joint");
+            SlideDriver driver;
+            driver.where = value.pointer();
+            driver.joint =
+                sliding_joint(form["joint"], "a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here");
+            if (driver.joint >= 0 && mechanism_.joints[static_cast<std::size_t>(driver.joint)].arc >= 0) {
+                fault(form["joint"], "the slot of " + quoted(form["joint"].text()) + " is curved; drive a \"body\" instead");
+            }
+            driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
+            driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
+            mechanism_.drivers.emplace_back(std::move(driver));
+            return;
+        }
+        constexpr std::string_view frame_rests = "the frame does not move; drive another body";
+        if (value["at"] || value["along"] || value["speed"] || value["acceleration"]) {
+            const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "joint"}, "a driver of a point");
+            PointDriver driver;
+            driver.where = value.pointer();
+            if (form.has_or_misspells("joint")) return;
+            if (!form.has_or_misspells("body") && !form.has_or_misspells("at") && !form.has_or_misspells("along")) {
+                fault(value, "what is driven is missing: \"joint\", or \"body\", \"at\" and \"along\"");
+                return;
+            }
+            driver.body = moving_body(required(form, "body", "the body that is driven"), frame_rests);
+            driver.at = point(required(form, "at", "the point that is driven"));
+            driver.along = bearing_or_default(required(form, "along", "the direction in which it is driven"));
+            driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
+            driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
+            mechanism_.drivers.emplace_back(std::move(driver));
+            return;
+        }
+        const Members form = members(
+            value, {"body", "relative to", "omega", "alpha", "joint", "at", "along", "speed", "acceleration"}, "a driver");
+        for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
+            if (form.has_or_misspells(key)) return;
+        }
+        SpinDriver driver;
+        driver.where = value.pointer();
+        driver.body = moving_body(required(form, "body", "the body that is driven (or give \"joint\")"), frame_rests);
+        if (const JsonValue base = form["relative to"]) {
+            driver.relative_to = body(base);
+            if (driver.relative_to > 0 && driver.relative_to == driver.body)
+                fault(base, "a body does not turn against itself; name another");
+        }
+        driver.omega = quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
+        driver.alpha = quantity_or_zero(form["alpha"], QuantityKind::angular_acceleration);
+        mechanism_.drivers.emplace_back(std::move(driver));
+    }
+
+    // ----- forces
+
+    void read_masses(JsonValue masses) {
+        if (!masses || !expect(masses, Kind::object, "an object of masses by body")) return;
+        for (const JsonValue member : masses) {
+            Mass mass;
+            mass.where = member.pointer();
+            mass.body = look_up_body(member, member.key());
+            if (!expect(member, Kind::object, "{\"mass\": …, \"centre\": …, \"inertia\": …}")) continue;
+            const Members form = members(member, {"mass", "centre", "inertia"}, "a body's mass");
+            mass.mass = not_negative(required(form, "mass", "how much it is"), QuantityKind::mass, "a mass");
+            mass.centre = point(required(form, "centre", "the centre of mass"));
+            mass.inertia = not_negative(form["inertia"], QuantityKind::inertia, "a moment of inertia");
+            mechanism_.masses.push_back(std::move(mass));
+        }
+    }
+
+    void read_load(JsonValue value) {
+        if (!expect(value, Kind::object, "a load")) return;
+        if (value["couple"]) {
+            const Members form = members(value, {"couple", "body", "value", "force"}, "a couple");
+            one_of(form, {"couple", "force"});
+            CoupleLoad couple;
+            couple.where = value.pointer();
+            couple.name = new_name(form["couple"], "the couple's name");
+            couple.body = body(required(form, "body", "the body on which it acts"));
+            couple.value = quantity_or_zero(required(form, "value", "the couple's size"), QuantityKind::moment);
+            mechanism_.loads.emplace_back(std::move(couple));
+        } else if (value["bodies"] || value["between"]) {
+            read_spring(value);
+        } else {
+            read_force(value);
+        }
+    }
+
+    void read_spring(JsonValue value) {
+        const Members form = members(value, {"force", "bodies", "between", "magnitude"}, "a force between two bodies");
+        SpringLoad spring;
+        spring.where = value.pointer();
+        if (const JsonValue name = required(form, "force", "the force's name")) spring.name = new_name(name, "the force's name");
+        if (const JsonValue bodies = required(form, "bodies", "the two bodies that are pulled together")) {
+            if (bodies.is_array() && bodies.size() == 2) {
+                const JsonValue second = *++bodies.begin();
+                spring.bodies = {body(*bodies.begin()), body(second)};
+                if (spring.bodies[0] >= 0 && spring.bodies[0] == spring.bodies[1]) {
+                    fault(second, "the body " + quoted(second.text()) + " stands twice; a spring is between two bodies");
+                }
+            } else {
+                fault(bodies, "two bodies are wanted here, not " + described(bodies));
+            }
+        }
+        if (const JsonValue ends = required(form, "between", "the two points at which they are pulled")) {
+            if (ends.is_array() && ends.size() == 2) {
+                const Bearing::Between points = between(ends);
+                spring.between = {points.from, points.to};
+            } else {
+                fault(ends, "two points are wanted here, not " + described(ends));
+            }
+        }
+        spring.magnitude = quantity_or_zero(required(form, "magnitude", "how hard they are pulled"), QuantityKind::force);
+        mechanism_.loads.emplace_back(std::move(spring));
+    }
+
+    void read_force(JsonValue value) {
+        const Members form =
+            members(value, {"force", "body", "at", "value", "magnitude", "along", "couple", "bodies", "between"}, "a force");
+        if (form.has_or_misspells("couple") || form.has_or_misspells("bodies") || form.has_or_misspells("between")) return;
+        ForceLoad force;
+        force.where = value.pointer();
+        if (const JsonValue name = required(form, "force", "the force's name (or \"couple\")"))
+            force.name = new_name(name, "the force's name");
+        force.body = body(required(form, "body", "the body on which it acts"));
+        force.at = point(required(form, "at", "the point at which it acts"));
+        const JsonValue how = one_of(form, {"value", "magnitude"});
+        if (how && how.key() == "value") {
+            one_of(form, {"value", "along"});
+            force.value = vector(how, QuantityKind::force, "a force [Fx, Fy]");
+        } else if (how) {
+            const auto magnitude = quantity(how, QuantityKind::force);
+            const auto along = bearing(required(form, "along", "the direction of the force"));
+            if (magnitude && along) force.magnitude = {*magnitude, *along};
+        }
+        mechanism_.loads.emplace_back(std::move(force));
+    }
+
+    void read_effort(JsonValue value) {
+        if (!expect(value, Kind::object, "an effort")) return;
+        constexpr std::string_view frame_rests = "an effort on the frame balances nothing; name a body that moves";
+        std::string name;
+        JsonValue name_value;
+        const auto take_name = [&](JsonValue given, std::string_view wanted) {
+            name_value = given;
+            if (given) name = new_name(given, wanted);
+        };
+        if (value["couple"]) {
+            const Members form = members(value, {"couple", "body", "from", "force"}, "a couple that balances");
+            one_of(form, {"couple", "force"});
+            take_name(form["couple"], "the couple's name");
+            CoupleEffort couple;
+            couple.where = value.pointer();
+            couple.body = body(required(form, "body", "the body on which it acts"));
+            if (const JsonValue from = form["from"]) couple.from = body(from);
+            if (couple.body >= 0 && couple.body == couple.from) {
+                fault(form["from"] ? form["from"] : form["body"],
+                      form["from"] ? "a couple from a body on itself balances nothing; name another" : std::string(frame_rests));
+            }
+            couple.name = name;
+            mechanism_.efforts.emplace_back(std::move(couple));
+        } else if (value["joint"]) {
+            const Members form = members(value, {"force", "joint"}, "an actuator");
+            take_name(required(form, "force", "the force's name"), "the force's name");
+            ActuatorEffort actuator;
+            actuator.where = value.pointer();
+            constexpr std::string_view remedy = "an actuator works in a prismatic joint";
+            actuator.joint = sliding_joint(form["joint"], remedy);
+            if (actuator.joint >= 0 && mechanism_.joints[static_cast<std::size_t>(actuator.joint)].kind != JointKind::prismatic) {
+                fault(form["joint"],
+                      "the joint " + quoted(form["joint"].text()) + " is of kind \"pin-slot\"; " + std::string(remedy));
+            }
+            actuator.name = name;
+            mechanism_.efforts.emplace_back(std::move(actuator));
+        } else {
+            const Members form = members(value, {"force", "body", "at", "along", "couple", "joint"}, "a force that balances");
+            if (form.has_or_misspells("couple") || form.has_or_misspells("joint")) return;
+            take_name(required(form, "force", "the force's name (or \"couple\")"), "the force's name");
+            ForceEffort force;
+            force.where = value.pointer();
+            force.body = moving_body(required(form, "body", "the body on which it acts (or give \"joint\")"), frame_rests);
+            force.at = point(required(form, "at", "the point at which it acts"));
+            force.along = bearing_or_default(required(form, "along", "the direction of the force"));
+            force.name = name;
+            mechanism_.efforts.emplace_back(std::move(force));
+        }
+        if (!name.empty() && !effort_names_.insert(name).second) {
+            fault(name_value, "two efforts are named " + quoted(name) + "; results go by the name, so rename one");
+        }
+    }
+
+    // ----- motion, wishes, scales
+
+    void read_motion(JsonValue value) {
+        if (!expect(value, Kind::object, "an act of motion, {\"body\": …, \"velocities\": {…}},")) return;
+        const Members form = members(value, {"body", "velocities", "accelerations"}, "an act of motion");
+        ActOfMotion motion;
+        motion.where = value.pointer();
+        motion.body = moving_body(required(form, "body", "the body that moves"), "the frame does not move; name another body");
+        if (const JsonValue velocities = required(form, "velocities", "what is known of the velocities of its points")) {
+            motion.velocities = given_motions(velocities, QuantityKind::velocity);
+        }
+        if (const JsonValue accelerations = form["accelerations"]) {
+            motion.accelerations = given_motions(accelerations, QuantityKind::acceleration);
+        }
+        mechanism_.motion = std::move(motion);
+    }
+
+    std::vector<GivenMotion> given_motions(JsonValue value, QuantityKind kind) {
+        std::vector<GivenMotion> motions;
+        if (!expect(value, Kind::object, "an object of vectors by point")) return motions;
+        for (const JsonValue member : value) {
+            GivenMotion given;
+            given.point = look_up_point(member, member.key());
+            if (member.is_object()) {
+                const Members form = members(member, {"along"}, "what is known of a vector");
+                given.value = bearing_or_default(required(form, "along", "the direction of the vector"));
+            } else {
+                given.value = vector(member, kind, "a vector [x, y] or {\"along\": X}").value_or(Vector{});
+            }
+            motions.push_back(std::move(given));
+        }
+        return motions;
+    }
+
+    void read_wish(JsonValue value) {
+        constexpr std::array<std::string_view, 4> wishes{"instant centres", "velocity", "acceleration", "forces"};
+        Find& find = mechanism_.find;
+        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity, &find.acceleration, &find.forces};
+        if (value.is_string()) {
+            const auto* const known = std::find(wishes.begin(), wishes.end(), value.text());
+            if (known != wishes.end()) {
+                *flags[static_cast<std::size_t>(known - wishes.begin())] = true;
+                return;
+            }
+            const auto meant = speller_.nearest(value.text(), wishes);
+            fault(value, quoted(value.text()) + " is nothing to find" +
+                             (meant ? did_you_mean(meant)
+                                    : "; what can be found is " + listed(wishes) + " and {\"relative motion\": …}"));
+            return;
+        }
+        if (!expect(value, Kind::object, "a wish, as \"velocity\" or {\"relative motion\": …, \"observer\": …},")) return;
+        const Members form = members(value, {"relative motion", "observer"}, "a wish");
+        RelativeMotionQuery query;
+        query.where = value.pointer();
+        query.point = point(required(form, "relative motion", "the point whose motion is observed"));
+        const JsonValue observer = required(form, "observer", "the body that carries the observer, or {\"translating with\": Q}");
+        if (observer && observer.is_object()) {
+            const Members frame = members(observer, {"translating with"}, "an observer");
+            query.translating_with = point(required(frame, "translating with", "the point that carries the observer"));
+        } else {
+            query.observer = body(observer);
+        }
+        find.relative_motion.push_back(std::move(query));
+    }
+
+    void read_scales(JsonValue value) {
+        if (!value || !expect(value, Kind::object, "an object of scales by figure")) return;
+        constexpr std::array figures{
+            std::pair{std::string_view("mechanism"), QuantityKind::length},
+            std::pair{std::string_view("centres"), QuantityKind::length},
+            std::pair{std::string_view("velocity"), QuantityKind::velocity},
+            std::pair{std::string_view("acceleration"), QuantityKind::acceleration},
+            std::pair{std::string_view("body"), QuantityKind::force},
+            std::pair{std::string_view("forces"), QuantityKind::force},
+            std::pair{std::string_view("closure"), QuantityKind::force},
+        };
+        const Members form =
+            members(value, {"mechanism", "centres", "velocity", "acceleration", "body", "forces", "closure"}, "\"scales\"");
+        for (const auto& [figure, kind] : figures) {
+            const JsonValue scale = form[figure];
+            if (!scale) continue;
+            auto per_millimetre = scale.is_string()
+                                      ? read_scale(scale.text(), kind)
+                                      : tl::expected<Exact, std::string>(tl::make_unexpected(
+                                            "a scale" + scale_example(kind) + " is wanted here, not " + described(scale)));
+            if (per_millimetre) {
+                mechanism_.scales.push_back({std::string(figure), std::move(*per_millimetre), scale.pointer()});
+            } else {
+                fault(scale, std::move(per_millimetre.error()));
+            }
+        }
+        // In the file's order, whatever the order of the table.
+        std::unordered_map<std::string_view, std::uint32_t> order;
+        for (const JsonValue member : value) order.emplace(member.key(), member.order());
+        std::sort(mechanism_.scales.begin(), mechanism_.scales.end(),
+                  [&](const AskedScale& a, const AskedScale& b) { return order.at(a.figure) < order.at(b.figure); });
+    }
+
+    static std::string scale_example(QuantityKind kind) {
+        const std::string by_unit = "\"1 mm = 0.1 " + std::string(default_unit(kind).symbol) + "\"";
+        return " such as " + (kind == QuantityKind::length ? "\"1:5\" or " + by_unit : by_unit);
+    }
+
+    /// SI units for each mm on paper.
+    static tl::expected<Exact, std::string> read_scale(std::string_view text, QuantityKind kind) {
+        const auto trimmed = [](std::string_view part) {
+            while (part.starts_with(' ')) part.remove_prefix(1);
+            while (part.ends_with(' ')) part.remove_suffix(1);
+            return part;
+        };
+        const auto refuse = [&](std::string reason) {
+            return tl::make_unexpected(quoted(text) + " is no scale of this figure: " + std::move(reason) + "; write one" +
+                                       scale_example(kind));
+        };
+        const Exact millimetres_in_metre(1000);
+        Exact paper;
+        Exact drawn;
+        std::size_t at = text.find(':');
+        if (at != std::string_view::npos) {
+            if (kind != QuantityKind::length) return refuse("a ratio of lengths is for drawings of the mechanism");
+            const auto left = read_decimal(trimmed(text.substr(0, at)));
+            if (!left) return refuse(left.error());
+            const auto right = read_decimal(trimmed(text.substr(at + 1)));
+            if (!right) return refuse(right.error());
+            paper = *left;
+            drawn = *right;
+        } else {
+            std::size_t size = 1;
+            at = text.find('=');
+            if (at == std::string_view::npos) {
+                constexpr std::string_view corresponds = "≙";
+                at = text.find(corresponds);
+                size = corresponds.size();
+            }
+            if (at == std::string_view::npos) return refuse("it has neither \":\" nor \"=\"");
+            const auto left = read_quantity(trimmed(text.substr(0, at)), QuantityKind::length);
+            if (!left) return refuse(left.error());
+            const auto right = read_quantity(trimmed(text.substr(at + size)), kind);
+            if (!right) return refuse(right.error());
+            if (left->unit->kind != QuantityKind::length) return refuse("on the left stands a length on paper");
+            if (right->unit->kind != kind) {
+                return refuse(quoted(trimmed(text.substr(at + size))) + " is " + with_article(right->unit->kind) + ", and " +
+                              with_article(kind) + " is wanted");
+            }
+            paper = left->in_si();
+            drawn = right->in_si();
+        }
+        if (paper.sign() <= 0 || drawn.sign() <= 0) return refuse("both sides must be greater than zero");
+        Exact scale = drawn / (paper * millimetres_in_metre);
+        if (!is_within_range(scale) || !is_within_range(paper) || !is_within_range(drawn))
+            return refuse("it is outside 1e-60 … 1e60");
+        return scale;
+    }
+
+    const JsonSource& source_;
+    Mechanism mechanism_;
+    std::vector<std::pair<std::uint32_t, Error>> faults_;
+    Speller speller_;
+
+    std::vector<const KnownUnit*> bare_units_;  ///< those that the file sets
+    // Views into the source. "Known": the list could be read, so that a name that is not in it is a fault.
+    std::unordered_map<std::string_view, PointIndex> points_by_name_;
+    std::unordered_map<std::string_view, BodyIndex> bodies_by_name_;
+    std::vector<std::string_view> point_names_, body_names_;
+    bool points_known_ = false, bodies_known_ = false, joints_known_ = false;
+    std::unordered_map<std::string, JointIndex> sliding_by_name_;
+    std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of those that do not slide
+    std::unordered_set<std::string> effort_names_;
+    std::unordered_set<std::uint64_t> carried_;     ///< (body, point)
+    std::vector<PointIndex>* collected_ = nullptr;  ///< where the points that a placement uses are noted
+};
+
+template <class Item>
+std::optional<int> index_of(const std::vector<Item>& items, std::string_view name) {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+    if (found == items.end()) return std::nullopt;
+    return static_cast<int>(found - items.begin());
+}
+
+}  // namespace
+
+std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return index_of(points, name); }
+std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return index_of(bodies, name); }
+
+Result<Mechanism> read_mechanism(std::string_view text, std::string source) {
+    const Result<JsonSource> json = JsonSource::read(text);
+    if (!json) return tl::make_unexpected(json.error());
+    Result<Mechanism> mechanism = Reader(*json, std::move(source)).read();
+    if (!mechanism) return mechanism;
+    if (Errors refused = refused_by_schema(text); !refused.empty()) return tl::make_unexpected(std::move(refused));
+    return mechanism;
+}
+
+}  // namespace kinegraph
