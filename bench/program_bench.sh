@@ -17,15 +17,15 @@ command -v taskset >/dev/null && taskset -p -c 0 $$ >/dev/null 2>&1
 measure() {
     local name=$1 start end memory=-
     shift
-    "$@" >/dev/null || { echo "$name: status $?" >&2; return; }
+    "$@" >/dev/null 2>&1 || { echo "$name: status $?" >&2; return; }
     for ((run = 0; run < runs; ++run)); do
         start=${EPOCHREALTIME/./}
-        "$@" >/dev/null
+        "$@" >/dev/null 2>&1
         end=${EPOCHREALTIME/./}
         echo $((end - start))
     done | sort -n >"$folder/times"
     if [ -x /usr/bin/time ]; then
-        memory=$(/usr/bin/time -f %M "$@" 2>&1 >/dev/null | tail -n 1)
+        memory=$(/usr/bin/time -q -f %M -o "$folder/memory" "$@" >/dev/null 2>&1; tail -n 1 "$folder/memory")
         memory=$(awk -v kib="$memory" 'BEGIN { printf "%.1f", kib / 1024 }')
     fi
     awk -v name="$name" -v memory="$memory" '{ t[NR] = $1 / 1000 }
