@@ -1,5 +1,7 @@
 #include "engine/board.hpp"
 
+#include <algorithm>
+
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -25,13 +27,36 @@ Exact ratio_of(const Vector& v, const Vector& w) {
     return dot(v, w) / squared_length(w);
 }
 
-/// How far from "yes" a predicate is: excess / unit, both ≥ 0, squares. Zero excess is an exact yes.
+/// How far from "yes" a predicate is: an exact excess, zero for an exact yes, and the binary order of magnitude of what it is
+/// small beside. Orders are enough to tell what is suspicious, and cost nothing beside the exact numbers.
 struct Measure {
-    Exact excess;
-    Exact unit = 1;
+    bool yes = false;  ///< the excess is exactly zero
+    long excess_order = 0;
+    long unit_order = 0;
+
+    long relative_order() const { return excess_order - unit_order; }
 };
 
-Measure angle_between(const Vector& d, const Vector& e) { return {square(cross(d, e)), squared_length(d) * squared_length(e)}; }
+/// Order of magnitudes that stands for zero: below anything a file may hold.
+constexpr long order_of_zero = -1000000;
+
+/// log2 |value| within one.
+long order_of(const Exact& value) {
+    if (value.is_zero()) return order_of_zero;
+    return static_cast<long>(mpz_sizeinbase(value.rational().get_num_mpz_t(), 2)) -
+           static_cast<long>(mpz_sizeinbase(value.rational().get_den_mpz_t(), 2));
+}
+long order_of(const Vector& vector) { return std::max(order_of(vector.x), order_of(vector.y)); }
+
+Measure angle_between(const Vector& d, const Vector& e) {
+    const Exact sine = cross(d, e);
+    return {sine.is_zero(), order_of(sine), order_of(d) + order_of(e)};
+}
+
+Measure beside(const Vector& excess, long unit_order) { return {excess.is_zero(), order_of(excess), unit_order}; }
+
+constexpr Measure no{false, 0, 0};
+constexpr Measure exact_yes{true, order_of_zero, 0};
 
 Vector direction_in(const Value& value) {
     if (const auto* line = std::get_if<ProjectiveLine>(&value)) return line->direction();
@@ -43,63 +68,56 @@ bool is_line_at_infinity(const Value& value) {
     return line != nullptr && line->at_infinity();
 }
 
-/// The square of the largest length of a plane so far: what "small" is compared with.
-Exact largest_square(const std::vector<Stroke>& strokes, const std::vector<Value>& values, Plane plane, const Pose& pose) {
-    if (plane == Plane::drawing) return square(pose.size);
-    Exact largest;
+/// The order of the largest length of a plane so far: what "small" is compared with.
+long largest_length(const std::vector<Stroke>& strokes, const std::vector<Value>& values, Plane plane, const Pose& pose) {
+    if (plane == Plane::drawing) return order_of(pose.size);
+    long largest = order_of_zero;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (strokes[i].plane != plane) continue;
-        Exact here;
-        if (const auto* tip = std::get_if<ProjectivePoint>(&values[i])) here = squared_length(tip->place());
-        if (const auto* vector = std::get_if<Vector>(&values[i])) here = squared_length(*vector);
-        if (here > largest) largest = here;
+        if (const auto* tip = std::get_if<ProjectivePoint>(&values[i])) largest = std::max(largest, order_of(tip->place()));
+        if (const auto* vector = std::get_if<Vector>(&values[i])) largest = std::max(largest, order_of(*vector));
     }
     return largest;
 }
 
-Exact largest_scalar_square(const std::vector<Value>& values) {
-    Exact largest;
+long largest_scalar(const std::vector<Value>& values) {
+    long largest = order_of_zero;
     for (const Value& value : values) {
-        if (const auto* scalar = std::get_if<Exact>(&value); scalar != nullptr && square(*scalar) > largest)
-            largest = square(*scalar);
+        if (const auto* scalar = std::get_if<Exact>(&value)) largest = std::max(largest, order_of(*scalar));
     }
     return largest;
 }
 
 Measure measure(const Guard& guard, const std::vector<Stroke>& strokes, const std::vector<Value>& values, const Pose& pose) {
     const int a = guard.inputs[0], b = guard.inputs[1];
-    const Plane plane = strokes[position(a)].plane;
+    const auto unit = [&] { return pose.exact ? 0 : largest_length(strokes, values, strokes[position(a)].plane, pose); };
     switch (guard.question) {
         case Guard::Question::coincide: {
             const ProjectivePoint& p = point_in(values, a);
             const ProjectivePoint& q = point_in(values, b);
             if (p.at_infinity() && q.at_infinity()) return angle_between(p.place(), q.place());
-            if (p.at_infinity() || q.at_infinity()) return {1, 1};
-            const Exact excess = squared_length(p.place() - q.place());
-            return {excess, excess.is_zero() || pose.exact ? Exact(1) : largest_square(strokes, values, plane, pose)};
+            if (p.at_infinity() || q.at_infinity()) return no;
+            return beside(p.place() - q.place(), unit());
         }
         case Guard::Question::parallel: {
             const bool first = is_line_at_infinity(values[position(a)]), second = is_line_at_infinity(values[position(b)]);
-            if (first || second) return {first && second ? 0 : 1, 1};
+            if (first || second) return first && second ? exact_yes : no;
             return angle_between(direction_in(values[position(a)]), direction_in(values[position(b)]));
         }
-        case Guard::Question::zero_vector: {
-            const Exact excess = squared_length(vector_in(values, a));
-            return {excess, excess.is_zero() || pose.exact ? Exact(1) : largest_square(strokes, values, plane, pose)};
-        }
+        case Guard::Question::zero_vector:
+            return beside(vector_in(values, a), unit());
         case Guard::Question::zero_scalar: {
-            const Exact excess = square(scalar_in(values, a));
-            return {excess, excess.is_zero() || pose.exact ? Exact(1) : largest_scalar_square(values)};
+            const Exact& scalar = scalar_in(values, a);
+            return {scalar.is_zero(), order_of(scalar), pose.exact ? 0 : largest_scalar(values)};
         }
         case Guard::Question::on_line: {
             const ProjectivePoint& p = point_in(values, a);
             const ProjectiveLine& l = line_in(values, b);
-            if (incident(p, l)) return {};
-            if (pose.exact) return {1, 1};
-            if (l.at_infinity()) return {1, 1};
+            if (incident(p, l)) return exact_yes;
+            if (pose.exact || l.at_infinity()) return no;
             if (p.at_infinity()) return angle_between(p.place(), l.direction());
-            return {square(l.a * p.x + l.b * p.y + l.c),
-                    (square(l.a) + square(l.b)) * largest_square(strokes, values, plane, pose)};
+            const Exact excess = l.a * p.x + l.b * p.y + l.c;
+            return {false, order_of(excess), order_of(l.direction()) + unit()};
         }
     }
     KG_ASSERT(false, "every question has a measure");
@@ -224,7 +242,9 @@ DirectionHandle Board::guide(JointIndex joint) { return {given_once(guides_, Ver
 DirectionHandle Board::guide_unit(JointIndex joint) { return {given_once(guide_units_, Verb::given_unit_guide, joint)}; }
 DirectionHandle Board::normal(JointIndex joint) { return {given_once(normals_, Verb::given_normal, joint)}; }
 
-DirectionHandle Board::driver_direction(int driver) { return {given_once(driver_directions_, Verb::given_driver_direction, driver)}; }
+DirectionHandle Board::driver_direction(int driver) {
+    return {given_once(driver_directions_, Verb::given_driver_direction, driver)};
+}
 DirectionHandle Board::driver_unit(int driver) { return {given_once(driver_units_, Verb::given_unit_driver_direction, driver)}; }
 
 DirectionHandle Board::given_direction(const Vector& direction) {
@@ -296,10 +316,10 @@ bool Board::ask(Guard::Question question, int a, int b) {
 
 bool Board::decide(Guard& guard) {
     const Measure here = measure(guard, protocol_.strokes, protocol_.values, pose_);
-    if (here.excess.is_zero()) return true;
+    if (here.yes) return true;
     if (pose_.exact) return false;
-    // Squares: a leftover of 2^-bits may show as 2^-2bits times what several meets amplify. Far above that nothing is suspicious.
-    if (here.excess > here.unit * Exact::power_of_two(-(9 * pose_.bits) / 10)) return false;
+    // A leftover of 2^-bits shows amplified by the meets in between; what stands half the bits above it is not suspicious.
+    if (here.relative_order() > -pose_.bits / 2) return false;
     if (!replay_) replay_ = std::make_unique<Replay>();
     const Pose& fine = finer_();
     for (std::size_t i = replay_->values.size(); i < protocol_.strokes.size(); ++i) {
@@ -308,7 +328,7 @@ bool Board::decide(Guard& guard) {
     const Measure finer = measure(guard, protocol_.strokes, replay_->values, fine);
     guard.by_finer_pose = true;
     // What shrinks with the pose is zero, what stays is not.
-    return finer.excess * here.unit <= here.excess * finer.unit * Exact::power_of_two(-pose_.bits);
+    return finer.yes || finer.relative_order() <= here.relative_order() - pose_.bits / 2;
 }
 
 int Board::add_polygon(Polygon polygon) {
