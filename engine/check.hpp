@@ -27,8 +27,9 @@ struct NumericMotion {
 };
 
 /// Velocities from J q̇ = b, accelerations from J q̈ = ḃ − J̇ q̇. A body whose motion the drivers do not determine is marked so.
-/// Lengths are scaled by the drawing's size; full-pivoting factorisation and one step of iterative refinement in long double keep
-/// the error near 1e-13 of the largest velocity unless the mechanism is close to a dead point.
+/// Lengths are scaled by the drawing's size; LU where the equations are square and regular, rank-revealing QR elsewhere, and one
+/// step of refinement with residuals in long double keep the error near 1e-13 of the largest velocity unless the mechanism is
+/// close to a dead point. Drivers that contradict each other or the pose leave every body unknown.
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose);
 
 }  // namespace kinegraph

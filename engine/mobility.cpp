@@ -157,6 +157,7 @@ private:
 
     /// Σ ± (n·v_b at the point) = 0: n·v = n_x v_x + n_y v_y + ω (P × n).
     void equal_speeds(BodyIndex i, BodyIndex j, PointIndex point, const Pair& n) {
+        if (i == j) return enter({});  // says nothing
         Row<Number> row;
         const Pair& place = points_[slot(point)];
         Number moment = field_.product(place[0], n[1]);
@@ -176,6 +177,7 @@ private:
         enter(std::move(row));
     }
     void equal_turns(BodyIndex i, BodyIndex j) {
+        if (i == j) return enter({});
         Row<Number> row;
         if (i != 0) row.emplace_back(3 * (i - 1) + 2, field_.from(1));
         if (j != 0) row.emplace_back(3 * (j - 1) + 2, field_.from(-1));

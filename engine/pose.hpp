@@ -27,7 +27,7 @@ struct Pose {
     std::vector<Vector> points;   ///< by PointIndex, m
     std::vector<Exact> leftover;  ///< by PointIndex: bound on the miss of its own construction (m); zero where exact
     std::vector<Vector> guides;   ///< by JointIndex: direction of `along` (sense kept, any length), zero where the joint has none
-    std::vector<Vector> guide_units;  ///< the same as a unit vector, within 2^-bits where its length is irrational
+    std::vector<Vector> guide_units;        ///< the same as a unit vector, within 2^-bits where its length is irrational
     std::vector<Vector> driver_directions;  ///< by driver index: `along` of a point driver, zero for other drivers
     std::vector<Vector> driver_units;       ///< the same as a unit vector
     std::vector<Vector>
@@ -44,6 +44,10 @@ struct Pose {
 
 /// Finds every point. Errors: a cycle of points, curves that do not meet (by how much), two intersections and no choice,
 /// a point off its curve by more than 1e-9 of the size (the misfit), a direction between coincident points.
+/// Which of two intersections: `near`, the nearer (a tie is an error); `side` of two circles, left or right of first centre →
+/// second; `side` on a line, as it looks with the line's direction pointing right: "right" is the one further along it, "left"
+/// the one further back, wherever the circle's centre lies. A gear's normal is its line of action, the common tangent turned
+/// counter-clockwise by the pressure angle (0 where none is given); the other line, turned clockwise, is its mirror image.
 Result<Pose> draw_pose(const Mechanism& mechanism, int bits = 100);
 
 /// A bearing in this pose: a rational direction, not of unit length. Equal angles give equal directions, a quarter turn apart

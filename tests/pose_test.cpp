@@ -239,6 +239,14 @@ TEST(Pose, AFinerPoseConvergesOnTheSameBranch) {
     EXPECT_LT(coarse.x.bits(), 260U);
 }
 
+TEST(Pose, ASmallDrawingOnALongRadiusKeepsItsBits) {
+    Sketch s;  // drawn within a millimetre, on a circle of a thousand kilometres
+    s.point("A", "0", "0").meet("B", CircleCurve{at("0", "-1e6"), decimal("1000000.0003")}, s.line("A", "77"), Meet::Side::right);
+    const auto miss = [&](int bits) { return length(drawn(s, bits).at(1) - drawn(s, 400).at(1)) / drawn(s).size.to_double(); };
+    EXPECT_LT(miss(100), std::ldexp(1, -98));
+    EXPECT_LT(miss(200), std::ldexp(1, -198));
+}
+
 TEST(Pose, FaultsAreToldAtOnceInTheOrderOfTheFile) {
     Sketch s;
     s.point("M", Along{2, 3, Exact::ratio(1, 2), true}).point("A", "0", "0");
@@ -286,6 +294,27 @@ TEST(Contact, GearsTouchOnTheLineOfCentres) {
     const Pose pose = drawn(s);
     EXPECT_TRUE(dot(pose.tangents[0], pose.at(1)).is_zero());
     EXPECT_EQ(cross(pose.tangents[0], pose.normals[0]), dot(pose.tangents[0], pose.normals[0]));
+}
+
+TEST(Contact, ClaimedByTwoJointsKeepsItsPointAndSaysSo) {
+    Sketch s = disc_on_ground("1e-11", "0.5");
+    s.point("D", "1e-11", "-2");
+    s.touching(JointKind::rolling, "P", {"3", "1"}, {CircleProfile{s["D"]}, LineProfile{at_angle("0")}});
+    const Pose pose = drawn(s);
+    EXPECT_EQ(pose.at(1), at("1e-11", "0"));
+    ASSERT_FALSE(pose.remarks.empty());
+    EXPECT_NE(pose.remarks[0].find("several joints claim it"), std::string::npos);
+}
+
+TEST(Contact, CompassNoiseIsRemovedWithoutAWord) {
+    Sketch s;  // the contact found by radii, not on the line of centres by construction
+    s.point("O", "0", "0").polar("C", "O", "0.3", "20").polar("P", "O", "0.1", "20").polar("K", "P", "0.05", "77");
+    s.meet("Q", s.circle("K", "0.05"), s.circle("O", "0.1"));
+    std::get<Meet>(s.mechanism.points.back().placement).near = at("0.0939", "0.0342");
+    s.touching(JointKind::rolling, "Q", {"2", "3"}, {CircleProfile{s["O"]}, CircleProfile{s["C"]}});
+    const Pose pose = drawn(s);
+    EXPECT_TRUE(cross(pose.at(s["Q"]), pose.at(s["C"])).is_zero());
+    EXPECT_TRUE(pose.remarks.empty());
 }
 
 TEST(Guide, KeepsItsSenseAndNeedsTwoPlaces) {
