@@ -73,8 +73,8 @@ std::string object_of_lines(const Members& members) {
     return lines('{', entries, '}');
 }
 
-/// An unit vector with dx > 0, or (0, 1): a point at infinity has no sense.
-std::string towards(Vector direction, bool pose_is_exact) {
+/// A point at infinity has no sense: dx > 0, or (0, 1). The larger component is 1 or −1.
+Vector without_sense(Vector direction, bool pose_is_exact) {
     const Exact x = abs(direction.x);
     const Exact y = abs(direction.y);
     const Exact& largest = x > y ? x : y;
@@ -87,10 +87,20 @@ std::string towards(Vector direction, bool pose_is_exact) {
         if (abs(direction.y) < noise) direction.y = 0;
     }
     if (direction.x.sign() < 0 || (direction.x.is_zero() && direction.y.sign() < 0)) direction = -direction;
+    return direction;
+}
+std::string unit(const Vector& direction) {
     const double dx = direction.x.to_double();
     const double dy = direction.y.to_double();
     const double length = std::hypot(dx, dy);
     return pair(number(dx / length), number(dy / length));
+}
+/// The same direction in the smallest whole numbers: its length is 1 only by chance.
+std::string whole(const Vector& direction) {
+    if (direction.x.is_zero()) return fractions({0, 1});
+    const Exact slope = direction.y / direction.x;
+    const Exact run(mpq_class(slope.rational().get_den()));
+    return fractions({run, run * slope});
 }
 
 /// A bound, rounded outwards, so that it remains one.
@@ -126,6 +136,11 @@ public:
         } else if (certain(at.x) && certain(at.y)) {
             fractions_.emplace_back("at", fractions(at));
         }
+    }
+    void add_towards(const Vector& sensed) {
+        const Vector direction = without_sense(sensed, pose_.exact);
+        add("towards", unit(direction));
+        if (certain(direction.x) && certain(direction.y)) fractions_.emplace_back("towards", whole(direction));
     }
     bool empty() const { return members_.empty(); }
     std::string json() const {
@@ -248,7 +263,7 @@ private:
             if (centre.at && !centre.at->at_infinity())
                 where.add("at", std::optional(centre.at->place()));
             else if (centre.at && !centre.everywhere)
-                where.add("towards", towards(centre.at->place(), solution_.pose.exact));
+                where.add_towards(centre.at->place());
             if (where.empty()) continue;
             if (centre.depends_on_drivers) where.add("depends on drivers", std::string("true"));
             all.emplace_back(name_of_body(centre.first) + "," + name_of_body(centre.second), where.json());

@@ -291,6 +291,9 @@ void expect_slotted_lever(const Reading& read, const SlottedLever& closed, const
     expect_near(complex(slide.acceleration.value()), closed.a_rel, "sliding acceleration");
     expect_near(complex(slide.coriolis.value()), closed.coriolis, "Coriolis");
     EXPECT_GT(std::abs(closed.coriolis), 0.01);
+    // The point of body 3 and the point of the lever under it are two: a = a_transport + a_rel + a_Coriolis, exactly.
+    EXPECT_EQ(read.exact_v(joint, "3"), read.exact_v(joint, lever) + *slide.velocity);
+    EXPECT_EQ(read.exact_a(joint, "3"), read.exact_a(joint, lever) + *slide.acceleration + *slide.coriolis);
 }
 /// The ram D on a horizontal guide, hung on C by a link.
 void expect_ram(const Reading& read, Complex v_C, Complex a_C) {

@@ -118,6 +118,8 @@ TEST(Results, APointAtInfinityHasNoSense) {
     EXPECT_EQ(towards(-7, 0), Json::parse("[1, 0]"));
     EXPECT_EQ(towards(-1, 0), Json::parse("[1, 0]"));
     EXPECT_EQ(towards(decimal("-3e300"), decimal("4e300")), Json::parse("[0.6, -0.8]"));
+    const auto exact = Json::parse(results_json(solution, true))["instant centres"]["1,2"];
+    EXPECT_EQ(exact, Json::parse(R"({"towards": [0.6, -0.8], "exact": {"towards": ["3", "-4"]}})"));
     solution.pose.exact = false;
     EXPECT_EQ(towards(Exact::power_of_two(-110), -1), Json::parse("[0, 1]")) << "upright but for the compass";
 }
