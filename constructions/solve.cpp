@@ -216,6 +216,7 @@ private:
             return "the mechanism has " + freedoms(mobility.effective) + " and " + std::to_string(mobility.driven) +
                    " of them driven; give one driver more";
         }
+        if (!mobility.idle_drivers.empty()) return "dead point: it can only stand still here, and no driver moves it";
         for (const DeadPoint& dead : plan_.dead_points) {
             if (carries(dead.node, body)) {
                 return "dead point at " + structure_.node(dead.node).label +
