@@ -41,7 +41,7 @@ std::string followed(std::string path) {
         const ssize_t length = ::readlink(path.c_str(), target, sizeof target);
         if (length < 0 || static_cast<std::size_t>(length) == sizeof target) break;
         const std::string to(target, static_cast<std::size_t>(length));
-        path = to.starts_with('/') ? to : folder_of(path) + '/' + to;
+        path = to.starts_with('/') ? to : folder_of(path).append(1, '/').append(to);
     }
     return path;
 }
@@ -183,6 +183,7 @@ bool same_file(const std::string& one, const std::string& other) {
 
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
     std::vector<std::unique_ptr<Pending>> all;
+    all.reserve(outputs.size());
     for (const Output& output : outputs) all.push_back(std::make_unique<Pending>(output));
     for (const auto& pending : all)
         if (!pending->prepare()) return NotWritten{pending->path(), reason()};
