@@ -121,7 +121,8 @@ void draw_head(std::vector<Mark>& marks, Spot tip, Spot along, Head head, Colour
 
 }  // namespace
 
-double length(Spot a) { return std::hypot(a.x, a.y); }
+// A root is rounded alike on every machine, hypot is not.
+double length(Spot a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 Spot unit(Spot a) {
     const double l = length(a);
     return l > 0 ? Spot{a.x / l, a.y / l} : Spot{1, 0};
@@ -210,10 +211,11 @@ void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, C
         text.colour = part.coloured ? part.colour : colour;
         if (first) text.words = shaped.words;
         text.cls = cls;
-        text.pivot = {0, 0};
-        Mark mark = std::move(text);
-        Shift{origin.x, origin.y}(mark);
-        marks.push_back(std::move(mark));
+        text.pivot = origin;
+        const Shift shift{origin.x, origin.y};
+        for (Glyph& glyph : text.glyphs) shift(glyph.origin);
+        for (Path& extra : text.extras) shift(extra);
+        marks.emplace_back(std::move(text));
         first = false;
     }
 }
@@ -238,7 +240,7 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
     marks.emplace_back(filled(rectangle(0, width / 2), theme.text));
     marks.emplace_back(polyline(rectangle(0, width), {theme.thin, theme.text, {}, false}, true));
     const ShapedLine zero = fonts.shape(one_piece("0"), theme.body_text);
-    const std::string number_text = number(value, 3, language);
+    const std::string number_text = number(value, 1, language);
     const ShapedLine digits = fonts.shape(one_piece(number_text), theme.body_text);
     const ShapedLine end = fonts.shape(one_piece(number_text + " " + unit_symbol), theme.body_text);
     const double baseline = origin.y - 1.3;

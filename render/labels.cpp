@@ -24,6 +24,9 @@ constexpr double breathing = 1.3;      // a stroke nearer than this makes a plac
 constexpr double cell = 4.0;           // of the grid
 constexpr double covers_stroke = 100;  // the price that no wish outweighs
 constexpr double covers_label = 400;
+constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
+constexpr double leader_price = 6;
+constexpr double least_of_far = 11;  // leader and distance: no far place costs less
 
 /// A piece of stroke: everything within `half` of the segment is ink.
 struct Obstacle {
@@ -49,6 +52,8 @@ struct InkBox {
     }
 };
 
+double squared(Spot a) { return dot(a, a); }
+
 /// Length of the part of a segment inside a box of half extents `half` about the origin; negative where they do not meet.
 double length_inside(Spot from, Spot to, Spot half) {
     const Spot d = to - from;
@@ -68,6 +73,9 @@ double length_inside(Spot from, Spot to, Spot half) {
 /// Distance of two turned boxes along their worst of four separating axes; negative where they overlap.
 double gap_between(const InkBox& a, const InkBox& b) {
     const Spot d = b.centre - a.centre;
+    // Most pairs are far apart: their circles tell.
+    const double apart = std::abs(d.x) + std::abs(d.y) - 1.5 * (a.half.x + a.half.y + b.half.x + b.half.y);
+    if (apart > 8) return apart / 1.5;
     double gap = -std::numeric_limits<double>::infinity();
     for (const Spot axis : {a.axis, turned(a.axis), b.axis, turned(b.axis)}) {
         const double reach_a = std::abs(dot(axis, a.axis)) * a.half.x + std::abs(cross(axis, a.axis)) * a.half.y;
@@ -79,7 +87,7 @@ double gap_between(const InkBox& a, const InkBox& b) {
 
 double distance_to_box(Spot spot, const InkBox& box) {
     const Spot at = box.local(spot);
-    return std::hypot(std::max(std::abs(at.x) - box.half.x, 0.0), std::max(std::abs(at.y) - box.half.y, 0.0));
+    return length({std::max(std::abs(at.x) - box.half.x, 0.0), std::max(std::abs(at.y) - box.half.y, 0.0)});
 }
 
 bool inside(const Area& area, Spot spot) {
@@ -115,12 +123,12 @@ public:
         visit(box.centre, box.reach(), [&](const Obstacle& obstacle) {
             const Spot from = box.local(obstacle.from), to = box.local(obstacle.to);
             const double near = obstacle.half + ink_margin, far = obstacle.half + breathing;
+            if (length_inside(from, to, {box.half.x + far, box.half.y + far}) < 0) return;
             const double covered = length_inside(from, to, {box.half.x + near, box.half.y + near});
             if (covered >= 0) {
                 finding.covered = true;
                 finding.price += covers_stroke * (0.5 + obstacle.half) + 10 * covered;
-            } else if (length(obstacle.from - anchor) > 0.1 && length(obstacle.to - anchor) > 0.1 &&
-                       length_inside(from, to, {box.half.x + far, box.half.y + far}) >= 0) {
+            } else if (squared(obstacle.from - anchor) > 0.01 && squared(obstacle.to - anchor) > 0.01) {
                 ++crowded;  // … but a pin does not crowd its own name
             }
         });
@@ -282,7 +290,11 @@ private:
             const std::size_t end = starts_[base + static_cast<std::size_t>(right) + 1];
             for (std::size_t i = starts_[base + static_cast<std::size_t>(left)]; i < end; ++i) {
                 const Obstacle& o = obstacles_[i];
-                if (std::min(o.from.x, o.to.x) > centre.x + half.x || std::max(o.from.x, o.to.x) < centre.x - half.x) continue;
+                const double margin = o.half + breathing;
+                if (std::abs(0.5 * (o.from.x + o.to.x) - centre.x) > reach.x + margin + 0.5 * std::abs(o.to.x - o.from.x))
+                    continue;
+                if (std::abs(0.5 * (o.from.y + o.to.y) - centre.y) > reach.y + margin + 0.5 * std::abs(o.to.y - o.from.y))
+                    continue;
                 look(o);
             }
         }
@@ -308,11 +320,13 @@ struct Candidate {
 
 class Placing {
 public:
-    Placing(const Figure& figure, const Fonts& fonts, const Ground& ground)
+    Placing(const Figure& figure, const Fonts& fonts, const Ground& ground, const std::optional<Spot>& room)
         : requests_(figure.labels), ground_(ground), box_(figure.box) {
         if (!(box_.width() > 0) || !(box_.height() > 0)) box_ = box_of(figure.marks);
+        if (room) spare_ = {std::max(0.0, room->x - box_.width()) / 2, std::max(0.0, room->y - box_.height()) / 2};
         for (const LabelRequest& request : requests_) shaped_.push_back(fonts.shape(request.text, request.size));
         candidates_.resize(requests_.size());
+        stage_.assign(requests_.size(), 0);
         chosen_.assign(requests_.size(), -1);
         for (std::size_t i = 0; i < requests_.size(); ++i) propose(i);
     }
@@ -353,11 +367,29 @@ private:
         const LabelRequest& request = requests_[i];
         if (request.toward && length(*request.toward - request.anchor) > 0) {
             propose_beside_line(i, *request.toward);
-            // A vector shorter than its name has room beyond its ends; a direction mark stays on its line.
-            if (!request.along) propose_around(i, 2.5, length(*request.toward - request.anchor));
         } else {
-            propose_around(i, 0, 0);
+            propose_around(i, 0, 0, false);
         }
+    }
+
+    /// Less wanted places, thought of only where nothing so far costs less than they would.
+    bool propose_more(std::size_t i, double least) {
+        const LabelRequest& request = requests_[i];
+        const bool beside = request.toward.has_value();
+        // A vector shorter than its name has room beyond its ends; a direction mark stays on its line.
+        if (stage_[i] == 0) {
+            if (beside && least < beside_price) return false;
+            if (beside) propose_around(i, beside_price, length(*request.toward - request.anchor), false);
+            stage_[i] = 1;
+            if (beside) return true;
+        }
+        if (stage_[i] == 1) {
+            if (least < least_of_far) return false;
+            propose_around(i, beside ? beside_price : 0.0, 0, true);
+            stage_[i] = 2;
+            return true;
+        }
+        return false;
     }
 
     void propose_beside_line(std::size_t i, Spot toward) {
@@ -390,12 +422,13 @@ private:
                 }
     }
 
-    void propose_around(std::size_t i, double penalty, double half_line) {
+    void propose_around(std::size_t i, double penalty, double half_line, bool far) {
         const LabelRequest& request = requests_[i];
         constexpr int directions = 24;
-        for (const double extra : {0.0, 0.5, 1.1, 2.0, 3.2, 6.0, 9.0, 13.0})
+        static constexpr std::array near_rings{0.0, 0.5, 1.1, 2.0, 3.2}, far_rings{6.0, 9.0, 13.0, 18.0, 24.0};
+        for (const double extra : far ? far_rings : near_rings)
             for (int k = 0; k < directions; ++k) {
-                const bool leader = extra > 3.5;
+                const bool leader = extra > 3.5 || (request.balloon > 0 && extra > 1.5);
                 if (leader && k % 2 != 0) continue;
                 if (half_line > 0 && !leader && extra > 2.5) continue;
                 const double angle = 2 * std::numbers::pi * k / directions;
@@ -415,7 +448,7 @@ private:
                     const Spot back = unit(foot - request.anchor);
                     candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
                     candidate.leader_to = foot - 0.5 * back;
-                    candidate.price += 6;
+                    candidate.price += leader_price;
                     candidate.price += 2.5 * ground_.crossed(candidate.leader_from, candidate.leader_to);
                 }
                 finish(i, candidate);
@@ -424,13 +457,12 @@ private:
 
     /// How far along u the box's centre is when its nearest ink is `distance` from the origin.
     static double centre_distance(const InkBox& box, Spot u, double distance) {
-        double low = 0, high = distance + box.half.x + box.half.y;
-        for (int step = 0; step < 24; ++step) {
-            const double t = (low + high) / 2;
-            const double dx = std::max(std::abs(t * u.x) - box.half.x, 0.0), dy = std::max(std::abs(t * u.y) - box.half.y, 0.0);
-            (std::hypot(dx, dy) < distance ? low : high) = t;
-        }
-        return high;
+        const Spot v{std::abs(u.x), std::abs(u.y)}, h = box.half;
+        if (const double t = (distance + h.x) / std::max(v.x, 1e-12); t * v.y <= h.y) return t;
+        if (const double t = (distance + h.y) / std::max(v.y, 1e-12); t * v.x <= h.x) return t;
+        // Past both sides: the corner is nearest.
+        const double b = dot(v, h), c = dot(h, h) - distance * distance;
+        return b + std::sqrt(std::max(0.0, b * b - c));
     }
 
     void finish(std::size_t i, Candidate& candidate) {
@@ -438,14 +470,18 @@ private:
         candidate.price += finding.price;
         candidate.covered = finding.covered;
         const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
-        const double outside = std::max({0.0, box_.min.x - centre.x + reach.x, centre.x + reach.x - box_.max.x}) +
-                               std::max({0.0, box_.min.y - centre.y + reach.y, centre.y + reach.y - box_.max.y});
-        candidate.price += 0.12 * outside;
+        const double wide = std::max({0.0, box_.min.x - centre.x + reach.x, centre.x + reach.x - box_.max.x});
+        const double high = std::max({0.0, box_.min.y - centre.y + reach.y, centre.y + reach.y - box_.max.y});
+        candidate.price += 0.12 * (wide + high);
+        // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
+        if (wide > spare_.x || high > spare_.y) candidate.price += 30;
         // A name must not seem to belong to a neighbour.
         const double own = distance_to_box(requests_[i].anchor, candidate.box);
         if (!requests_[i].toward)
             for (std::size_t j = 0; j < requests_.size(); ++j) {
                 if (j == i || requests_[j].toward) continue;
+                const Spot d = requests_[j].anchor - centre;
+                if (std::abs(d.x) > reach.x + own + 1 || std::abs(d.y) > reach.y + own + 1) continue;
                 const double other = distance_to_box(requests_[j].anchor, candidate.box);
                 if (other < own + 1.0) candidate.price += 4 * (own + 1.0 - other);
             }
@@ -484,10 +520,15 @@ private:
         return price;
     }
 
-    int best(std::size_t i, int besides = -1) const {
+    /// The cheapest place, other labels standing where they do. Far ones, with a leader, are looked at only where they can win.
+    int best(std::size_t i, int besides = -1) {
         int found = 0;
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < candidates_[i].size(); ++k) {
+        for (std::size_t k = 0;; ++k) {
+            if (k == candidates_[i].size()) {
+                if (requests_[i].along || !propose_more(i, least)) break;
+                if (k == candidates_[i].size()) break;
+            }
             const Candidate& candidate = candidates_[i][k];
             if (candidate.price >= least) continue;
             const double price = price_with_others(i, candidate, besides);
@@ -523,17 +564,19 @@ private:
     const std::vector<LabelRequest>& requests_;
     const Ground& ground_;
     Box box_;
+    Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
     std::vector<std::vector<Candidate>> candidates_;
+    std::vector<int> stage_;  // how many kinds of place have been proposed
     std::vector<int> chosen_;
 };
 
 }  // namespace
 
-void place_labels(Figure& figure, const Fonts& fonts) {
+void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room) {
     if (figure.labels.empty()) return;
     const Ground ground(figure.marks, fonts);
-    Placing placing(figure, fonts, ground);
+    Placing placing(figure, fonts, ground, room);
     placing.place();
 
     const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&

@@ -34,9 +34,34 @@ std::string shortest(double value) {
     return {buffer, end};
 }
 
+/// The number as given: significant digits without the zeros that only fill.
+std::string given_number(double value, Language language, int digits = 6) {
+    std::string text = number(value, digits, language);
+    const std::size_t mark = text.find_first_of(".,");
+    if (mark == std::string::npos) return text;
+    std::size_t end = mark + 1;
+    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    std::size_t keep = end;
+    while (keep > mark + 1 && text[keep - 1] == '0') --keep;
+    if (keep == mark + 1) keep = mark;
+    text.erase(keep, end - keep);
+    // Six digits are for round values; of 120 rpm in rad/s four tell enough.
+    if (digits == 6 && keep - mark > 3)
+        if (std::string rounded_text = given_number(value, language, 4); rounded_text.size() + 1 < text.size())
+            return rounded_text;
+    return text;
+}
+
 struct Bar {
     Spot from, to;
 };
+
+double distance(Spot spot, const Bar& bar) {
+    const Spot d = bar.to - bar.from;
+    const double whole = dot(d, d);
+    const double t = whole > 0 ? std::clamp(dot(spot - bar.from, d) / whole, 0.0, 1.0) : 0;
+    return length(spot - bar.from - t * d);
+}
 
 /// What a body is drawn of, mm.
 struct Shape {
@@ -213,7 +238,7 @@ public:
     double size() const { return s_.size() / scale_; }
     Box mechanism_box() const { return {(1 / scale_) * s_.box.min, (1 / scale_) * s_.box.max}; }
     std::string id(std::string_view kind, std::string_view name) {
-        std::string wanted = prefix_ + std::string(kind) + "-" + legal_id(name);
+        std::string wanted = prefix_ + std::string(kind) + (kind.empty() ? "" : "-") + legal_id(name);
         // "a b" and "a_x20_b" are two names and one id.
         while (!ids_.insert(wanted).second) wanted += "_";
         return wanted;
@@ -225,12 +250,15 @@ public:
     void draw_drivers();
     void draw_compass();
     void draw_centres();
+    void draw_pole(const InstantCentre& centre);
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
-    void close(Figure& figure, double room_x, double bar_scale, const Unit& bar_unit);
+    void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit);
 
 private:
     Shape shape_of(BodyIndex body) const;
+    Symbol symbol_of(const InstantCentre& centre) const;
     std::vector<Spot> leaving(PointIndex point) const;
+    double crowding(Spot spot, Spot besides) const;
     std::vector<BodyIndex> drawing_order() const;
     void draw_body(BodyIndex body);
     void draw_block(const Joint& joint, std::size_t index, std::vector<Mark>& marks);
@@ -379,6 +407,30 @@ std::vector<Spot> Sketch::leaving(PointIndex point) const {
     return directions;
 }
 
+/// How much a small symbol at `spot` would be in the way of strokes, blocks and pins other than that at `besides`: 0 not at all.
+double Sketch::crowding(Spot spot, Spot besides) const {
+    double crowd = 0;
+    for (const Shape& shape : shapes_) {
+        for (const Bar& bar : shape.bars) crowd += distance(spot, bar) < theme_.link / 2 + 1;
+        for (std::size_t i = 0; i < shape.plate.size(); ++i)
+            crowd += distance(spot, {shape.plate[i], shape.plate[(i + 1) % shape.plate.size()]}) < theme_.link / 2 + 1;
+    }
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        const Spot at = this->spot(joint.point);
+        if (joint.kind == JointKind::prismatic) {
+            const bool on_frame = joint.bodies[1] == 0;
+            const Spot d = spot - at;
+            if (std::abs(dot(d, s_.guides[j])) < (on_frame ? slider_half + wall_beyond : sleeve_half) + 1 &&
+                std::abs(cross(d, s_.guides[j])) < (on_frame ? slider_side + hatch_depth : sleeve_side) + 1)
+                crowd += 1;
+        } else if (length(at - besides) > same_place && length(spot - at) < pin_radius + 1) {
+            crowd += 1;
+        }
+    }
+    return crowd;
+}
+
 /// Blocks stand above the guide they slide on and below the links pinned to them.
 std::vector<BodyIndex> Sketch::drawing_order() const {
     const std::size_t n = m_.bodies.size();
@@ -479,12 +531,12 @@ void Sketch::draw_guides() {
                     if (rise < 0.08) continue;
                     const double crossing = side_distance * run / rise, gap = 2.6 / rise + 1.2 * std::abs(run) / rise;
                     std::vector<Interval> rest;
+                    // A link that passes beside the block would leave a stub: that side stays open.
+                    const bool beside = std::abs(crossing) - gap < slider_half;
                     for (const Interval piece : pieces) {
-                        // What is left behind a steep link would be a stub beside the block.
-                        if (piece.from < crossing - gap && rise < 0.85)
-                            rest.push_back({piece.from, std::min(piece.to, crossing - gap)});
-                        if (piece.to > crossing + gap && rise < 0.85)
-                            rest.push_back({std::max(piece.from, crossing + gap), piece.to});
+                        if (beside) break;
+                        if (piece.from < crossing - gap) rest.push_back({piece.from, std::min(piece.to, crossing - gap)});
+                        if (piece.to > crossing + gap) rest.push_back({std::max(piece.from, crossing + gap), piece.to});
                     }
                     pieces = rest;
                 }
@@ -813,6 +865,9 @@ void Sketch::draw_points(bool names) {
     std::vector<bool> named(spots_.size(), false);
     for (std::size_t p = 0; p < spots_.size(); ++p) {
         if (!s_.shown[p] || named[p]) continue;
+        const auto there = std::find_if(labels.begin(), labels.end(), [&](const LabelRequest& label) {
+            return label.balloon == 0 && !label.toward && length(label.anchor - spots_[p]) < same_place;
+        });
         LabelRequest request;
         request.size = theme_.label;
         request.colour = theme_.text;
@@ -825,7 +880,15 @@ void Sketch::draw_points(bool names) {
             for (Piece& piece : typeset(Symbol{Symbol::Letter::point, m_.points[q].name, ""}, context_.language))
                 request.text.push_back(std::move(piece));
         }
-        labels.push_back(std::move(request));
+        if (there != labels.end()) {
+            // An instant centre falls on the point: "B ≡ P_13".
+            request.text.push_back(one_piece(" ≡ ").front());
+            for (Piece& piece : there->text) request.text.push_back(std::move(piece));
+            there->text = std::move(request.text);
+            there->clearance = std::max(there->clearance, request.clearance);
+        } else {
+            labels.push_back(std::move(request));
+        }
     }
 }
 
@@ -834,7 +897,7 @@ void Sketch::draw_drivers() {
     const auto valued = [&](Symbol symbol, double value, const Unit& unit_of) {
         RichText text = typeset(symbol, context_.language);
         text.push_back(
-            one_piece(" = " + number(value / unit_of.si.to_double(), 4, context_.language) + " " + unit_of.symbol).front());
+            one_piece(" = " + given_number(value / unit_of.si.to_double(), context_.language) + " " + unit_of.symbol).front());
         return text;
     };
     const auto straight = [&](Spot start, Spot along, double value, BodyIndex body, const std::string& about) {
@@ -877,8 +940,21 @@ void Sketch::draw_drivers() {
                 }
             // On paper y runs down: counter-clockwise is the negative turn.
             const double turn = omega > 0 ? -1 : 1;
-            const double radius = std::clamp(0.4 * reach, 8.0, 14.0);
-            const double start = std::atan2(arm.y, arm.x) + turn * (2.6 / radius), sweep = turn * std::min(1.05, 11.0 / radius);
+            // Ahead of the crank if nothing is in the way, else further on.
+            double radius = 8, start = 0, sweep = 0, least = 1e300;
+            for (const double tried : {std::clamp(0.4 * reach, 8.0, 14.0), std::clamp(0.25 * reach, 6.0, 8.0), 11.0})
+                for (int step = 0; step < 9; ++step) {
+                    const double from = std::atan2(arm.y, arm.x) + turn * (2.6 / tried + 0.6 * step);
+                    const double by = turn * std::min(1.05, 11.0 / tried);
+                    double price = 0.35 * step + 0.1 * std::abs(tried - 0.4 * reach);
+                    for (int i = 0; i <= 6; ++i) price += 2.5 * crowding(at + tried * polar_spot(from + by * i / 6), at);
+                    if (price < least - 1e-9) {
+                        least = price;
+                        radius = tried;
+                        start = from;
+                        sweep = by;
+                    }
+                }
             draw_arc_arrow(arrows, at, radius, start, start + sweep, theme_.outline, letter_colour(spin->body));
             const Spot middle = at + radius * polar_spot(start + 0.5 * sweep);
             arcs_of_drivers_.emplace_back(at, middle);
@@ -928,15 +1004,38 @@ void Sketch::draw_compass() {
     }
 }
 
+Symbol Sketch::symbol_of(const InstantCentre& centre) const {
+    const std::string& i = m_.bodies[at_index(centre.first)].name;
+    const std::string& j = m_.bodies[at_index(centre.second)].name;
+    const bool short_names = i.size() == 1 && j.size() == 1;
+    return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j, centre.at && centre.at->at_infinity() ? "∞" : ""};
+}
+
+/// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
+void Sketch::draw_pole(const InstantCentre& centre) {
+    const Spot at = spot(centre.at->place());
+    for (const Joint& joint : m_.joints)
+        if (length(spot(joint.point) - at) < same_place) return;
+    const RichText name = typeset(symbol_of(centre), context_.language);
+    for (LabelRequest& label : labels)
+        if (!label.toward && length(label.anchor - at) < same_place) {
+            const bool said = plain(label.text).find(plain(name)) != std::string::npos;
+            if (!said) label.text.push_back(one_piece(" ≡ ").front());
+            if (!said) label.text.insert(label.text.end(), name.begin(), name.end());
+            return;
+        }
+    centres.emplace_back(disc(at, 0.8, theme_.text));
+    LabelRequest request;
+    request.text = name;
+    request.size = theme_.label;
+    request.colour = theme_.text;
+    request.anchor = at;
+    request.clearance = 1.7;
+    labels.push_back(std::move(request));
+}
+
 void Sketch::draw_centres() {
     const std::vector<InstantCentre>& all = s_.solution.centres;
-    const auto symbol_of = [&](const InstantCentre& centre) {
-        const std::string& i = m_.bodies[at_index(centre.first)].name;
-        const std::string& j = m_.bodies[at_index(centre.second)].name;
-        const bool short_names = i.size() == 1 && j.size() == 1;
-        return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j,
-                      centre.at && centre.at->at_infinity() ? "∞" : ""};
-    };
     const auto group = [&](const InstantCentre& centre) {
         const std::string key = m_.bodies[at_index(centre.first)].name + "." + m_.bodies[at_index(centre.second)].name;
         return GroupBegin{"centre", id("centre", key), plain(typeset(symbol_of(centre), context_.language)), {}};
@@ -982,13 +1081,24 @@ void Sketch::draw_centres() {
             }
         rays.push_back({at, along, from, to});
     };
-    std::vector<Spot> arrow_base(all.size()), arrow_along(all.size());
-    std::vector<bool> arrowed(all.size(), false);
-    std::vector<std::string> from_point(all.size());
-    const auto name_at = [&](Spot at) -> std::string {
+    struct Arrow {
+        Spot base, along;
+    };
+    std::vector<std::vector<Arrow>> arrows_to(all.size());  // one on each line that runs out of the drawing
+    // What the distance of a far centre is counted from.
+    struct Named {
+        RichText name;
+        Spot at;
+    };
+    std::vector<std::optional<Named>> far_from(all.size());
+    const auto name_at = [&](Spot at) -> std::optional<Named> {
         for (std::size_t p = 0; p < spots_.size(); ++p)
-            if (s_.shown[p] && length(spots_[p] - at) < same_place) return m_.points[p].name;
-        return {};
+            if (s_.shown[p] && length(spots_[p] - at) < same_place)
+                return Named{typeset(Symbol{Symbol::Letter::point, m_.points[p].name, ""}, context_.language), at};
+        for (std::size_t c = 0; c < all.size(); ++c)
+            if (where[c] == Where::here && length(place[c] - at) < same_place)
+                return Named{typeset(symbol_of(all[c]), context_.language), at};
+        return std::nullopt;
     };
     // A line through `known` (finite spots, at most one direction) to the centre c.
     const auto construct = [&](std::size_t c, const std::vector<Spot>& known, std::optional<Spot> direction) {
@@ -1022,21 +1132,19 @@ void Sketch::draw_centres() {
             // Beyond the drawing: the line runs on to its edge and says where to.
             double way = where[c] == Where::far ? dot(place[c] - known[0], along) : 1;
             if (where[c] == Where::infinity) {
-                // Either end will do: the nearer edge of the view.
-                way = (seen.to - to) <= (from - seen.from) ? 1 : -1;
+                // Either end will do, but the same for all lines: the nearer edge of the view.
+                if (!arrows_to[c].empty())
+                    way = dot(arrows_to[c].front().along, along) > 0 ? 1 : -1;
+                else
+                    way = (seen.to - to) <= (from - seen.from) ? 1 : -1;
             }
             const double beyond = 16;
             if (way > 0)
                 to = where[c] == Where::far ? std::max(seen.to, to + 4) : to + beyond;
             else
                 from = where[c] == Where::far ? std::min(seen.from, from - 4) : from - beyond;
-            if (!arrowed[c]) {
-                arrowed[c] = true;
-                arrow_base[c] = known[0] + (way > 0 ? to : from) * along;
-                arrow_along[c] = way > 0 ? along : -1.0 * along;
-                from_point[c] = name_at(known[0]);
-                for (std::size_t k = 1; k < known.size() && from_point[c].empty(); ++k) from_point[c] = name_at(known[k]);
-            }
+            arrows_to[c].push_back({known[0] + (way > 0 ? to : from) * along, way > 0 ? along : -1.0 * along});
+            for (std::size_t k = 0; k < known.size() && !far_from[c]; ++k) far_from[c] = name_at(known[k]);
         }
         draw_ray(known[0], along, from, to);
     };
@@ -1097,15 +1205,22 @@ void Sketch::draw_centres() {
             if (d == c || done[d] || !drawn[d] || where[d] != where[c]) continue;
             const bool finite_same = where[c] == Where::here && length(place[d] - place[c]) < same_place;
             const bool far_same = where[c] == Where::far && length(place[d] - place[c]) < 1e-6 * length(place[c]) + same_place;
-            const bool infinite_same = where[c] == Where::infinity && arrowed[c] && arrowed[d] &&
-                                       length(arrow_base[c] - arrow_base[d]) < 2 && all[d].how != InstantCentre::How::primary;
+            const bool infinite_same = where[c] == Where::infinity && !arrows_to[c].empty() && !arrows_to[d].empty() &&
+                                       length(arrows_to[c].front().base - arrows_to[d].front().base) < 2 &&
+                                       all[d].how != InstantCentre::How::primary;
             if (finite_same || far_same || infinite_same) here.push_back(d);
         }
         // A pin has its own name; the centre there is for the reader who points at it.
         bool at_pin = false;
+        const bool pin_there =
+            where[c] == Where::here && std::any_of(m_.joints.begin(), m_.joints.end(), [&](const Joint& joint) {
+                return (joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot ||
+                        joint.kind == JointKind::weld) &&
+                       length(spot(joint.point) - place[c]) < same_place;
+            });
         for (const std::size_t d : here) {
             done[d] = true;
-            at_pin = at_pin || (all[d].how == InstantCentre::How::primary && where[d] == Where::here);
+            at_pin = at_pin || (pin_there && all[d].how == InstantCentre::How::primary);
         }
         RichText text;
         for (const std::size_t d : here) {
@@ -1121,7 +1236,9 @@ void Sketch::draw_centres() {
         if (where[c] == Where::here) {
             for (const std::size_t d : here) {
                 centres.emplace_back(group(all[d]));
-                if (all[d].how == InstantCentre::How::primary)
+                // On a stroke the dot stands in a white ring, or a dark link would swallow it.
+                if (!pin_there && crowding(place[d], place[d]) > 0) centres.emplace_back(disc(place[d], 1.15, theme_.paper));
+                if (at_pin && all[d].how == InstantCentre::How::primary)
                     centres.emplace_back(disc(place[d], 0.9, theme_.paper));
                 else
                     centres.emplace_back(disc(place[d], at_pin ? 0.55 : 0.8, theme_.text));
@@ -1154,40 +1271,35 @@ void Sketch::draw_centres() {
                     break;
                 }
                 if (shaft == 0) continue;
-            } else if (arrowed[c]) {
-                base = arrow_base[c];
-                along = arrow_along[c];
+            } else if (!arrows_to[c].empty()) {
+                base = arrows_to[c].front().base;
+                along = arrows_to[c].front().along;
             } else {
                 const Spot start = shape(all[c].second).middle;
                 along = where[c] == Where::infinity ? place[c] : unit(place[c] - start);
                 base = start;
                 shaft = 18;
-                from_point[c].clear();
+                far_from[c].reset();
             }
             const Spot tip = base + std::max(shaft, 3.0) * along;
             // The symbol lies under the blocks, its head beyond them.
-            construction.emplace_back(group(all[c]));
-            draw_arrow(construction, base, tip, theme_.thin, theme_.secondary);
-            construction.emplace_back(GroupEnd{});
-            for (std::size_t k = 1; k < here.size(); ++k) {
-                construction.emplace_back(group(all[here[k]]));
+            for (const std::size_t d : here) {
+                construction.emplace_back(group(all[d]));
                 draw_arrow(construction, base, tip, theme_.thin, theme_.secondary);
+                for (std::size_t k = 1; k < arrows_to[d].size(); ++k)
+                    draw_arrow(construction, arrows_to[d][k].base, arrows_to[d][k].base + 3.0 * arrows_to[d][k].along,
+                               theme_.thin, theme_.secondary);
                 construction.emplace_back(GroupEnd{});
             }
-            if (where[c] == Where::far) {
-                // "O4 P13 = 1.84 m": the segment that the drawing cannot hold.
-                for (std::size_t p = 0; p < spots_.size() && !from_point[c].empty(); ++p)
-                    if (m_.points[p].name == from_point[c]) {
-                        RichText distance = typeset(Symbol{Symbol::Letter::point, from_point[c], ""}, context_.language);
-                        const double metres = length(place[c] - spots_[p]) * scale_;
-                        const std::string value = number(metres / m_.units.length.si.to_double(), 3, context_.language);
-                        request.text.push_back(one_piece(",  ").front());
-                        for (Piece& piece : distance) request.text.push_back(std::move(piece));
-                        for (Piece& piece : typeset(symbol_of(all[c]), context_.language))
-                            request.text.push_back(std::move(piece));
-                        request.text.push_back(one_piece(" = " + value + " " + m_.units.length.symbol).front());
-                        break;
-                    }
+            if (where[c] == Where::far && far_from[c] && all[c].first == 0) {
+                // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
+                const double metres = length(place[c] - far_from[c]->at) * scale_;
+                request.text.push_back(one_piece("  (").front());
+                for (Piece& piece : far_from[c]->name) request.text.push_back(std::move(piece));
+                for (Piece& piece : typeset(symbol_of(all[c]), context_.language)) request.text.push_back(std::move(piece));
+                request.text.push_back(one_piece(" = " + number(metres / m_.units.length.si.to_double(), 3, context_.language) +
+                                                 " " + m_.units.length.symbol + ")")
+                                           .front());
             }
             request.anchor = tip;
             request.clearance = 1.2;
@@ -1213,8 +1325,10 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
 }
 
 /// Scale bar below, labels placed, all in its group, its top left corner at the origin.
-void Sketch::close(Figure& figure, double room_x, double bar_scale, const Unit& bar_unit) {
-    const double target = std::min(30.0, std::max(8.0, room_x / 4));
+void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit) {
+    // Too large already: not worth placing names.
+    if (!fixed && (figure.box.width() > room.x || figure.box.height() > room.y)) return;
+    const double target = std::min(30.0, std::max(8.0, room.x / 4));
     std::vector<Mark> bar;
     draw_scale_bar(bar, context_.fonts, theme_, {0, 0}, target, bar_scale, bar_unit.si.to_double(), bar_unit.symbol,
                    context_.language);
@@ -1225,7 +1339,7 @@ void Sketch::close(Figure& figure, double room_x, double bar_scale, const Unit& 
                    plain(figure.caption),
                    {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}}});
     figure.marks.emplace_back(GroupEnd{});
-    place_labels(figure, context_.fonts);
+    place_labels(figure, context_.fonts, Spot{room.x, room.y - 8});
     const Box size_of_bar = box_of(bar);
     move(bar, figure.box.min.x - size_of_bar.min.x, figure.box.max.y + 3 - size_of_bar.min.y);
     const Box at = box_of(bar);
@@ -1247,13 +1361,14 @@ double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std
 /// Draws at ever smaller scales until everything, labels too, is within the room.
 template <class Draw>
 Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw) {
-    Figure figure = draw(first);
+    constexpr int most_tries = 12;
     double scale = first;
-    for (int tries = 0; !fixed && tries < 12 && (figure.box.width() > room_x || figure.box.height() > room_y); ++tries) {
+    for (int tries = 0;; ++tries) {
+        Figure figure = draw(scale, tries == most_tries);
+        const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
+        if (fixed || fits || tries == most_tries) return figure;
         scale = next_scale(scale);
-        figure = draw(scale);
     }
-    return figure;
 }
 
 }  // namespace
@@ -1275,7 +1390,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
-    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale) {
+    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last) {
         Sketch sketch(subject, context, scale, "");
         sketch.draw_drivers();
         sketch.draw_compass();
@@ -1284,7 +1399,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
         sketch.draw_points(true);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(with_centres ? "mechanism and instant centres" : "mechanism", context.language));
-        sketch.close(figure, room_x, scale, context.solution.mechanism.units.length);
+        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, context.solution.mechanism.units.length);
         return figure;
     });
 }
@@ -1312,7 +1427,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
     const std::optional<double> asked = asked_scale(solution.mechanism, "body");
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    return fitted(first, false, room_x, room_y, [&](double scale) {
+    return fitted(first, false, room_x, room_y, [&](double scale, bool last) {
         Sketch sketch(subject, context, scale, "velocities-");
         sketch.draw_in_grey();
         const double reach = std::clamp(0.35 * sketch.size(), 12.0, 45.0);
@@ -1323,14 +1438,15 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         for (const Shown& one : shown) {
             const Spot at = sketch.spot(one.motion->point);
             for (const InstantCentre& centre : solution.centres) {
-                if (!centre.at || centre.first != 0 || centre.second != one.body || centre.everywhere) continue;
-                if (centre.at->at_infinity()) continue;
+                const std::vector<BodyIndex>& carriers = one.motion->bodies;
+                if (!centre.at || centre.first != 0 || centre.everywhere || centre.at->at_infinity()) continue;
+                if (std::find(carriers.begin(), carriers.end(), centre.second) == carriers.end()) continue;
                 const Spot pole = sketch.spot(centre.at->place());
                 const double whole = length(pole - at);
                 if (whole < 0.1) continue;
                 const Interval seen = within(view, at, unit(pole - at));
                 rays.emplace_back(at, at + std::clamp(whole, 0.0, std::max(seen.to, 8.0)) * unit(pole - at));
-                if (whole <= seen.to) sketch.centres.emplace_back(disc(pole, 0.8, theme.text));
+                if (whole <= seen.to) sketch.draw_pole(centre);
             }
             const Spot tip = at + Spot{one.motion->velocity->x.to_double() / velocity_scale,
                                        -one.motion->velocity->y.to_double() / velocity_scale};
@@ -1342,7 +1458,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
             const std::string name = name_of(symbol);
             const RichText text = typeset(symbol, context.language);
             sketch.arrows.emplace_back(GroupBegin{
-                "vector", sketch.id("vector", name), plain(text), {{"data-name", name}, {"data-value", shortest(one.value)}}});
+                "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(one.value)}}});
             draw_arrow(sketch.arrows, at, tip, theme.vector, line_colour);
             sketch.arrows.emplace_back(Axis{at, tip});
             sketch.arrows.emplace_back(GroupEnd{});
@@ -1359,7 +1475,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         Figure figure = sketch.finish("body", "velocities", "m/s");
         figure.scale = velocity_scale;
         figure.caption = one_piece(word("velocities on the mechanism", context.language));
-        sketch.close(figure, room_x, velocity_scale, solution.mechanism.units.velocity);
+        sketch.close(figure, {room_x, room_y}, last, velocity_scale, solution.mechanism.units.velocity);
         return figure;
     });
 }
