@@ -72,6 +72,7 @@ public:
             return true;
         }
         if (existed_ && ::access(output_.path.c_str(), W_OK) != 0) return false;
+        ours_ = existed_ && (::geteuid() == 0 || ::geteuid() == status.st_uid);
         target_ = followed(output_.path);
         const int file = create(temporary_);
         if (file < 0) return false;
@@ -91,11 +92,11 @@ public:
         if (::close(file) != 0 && written) return false;
         return written || fails_with(why);
     }
-    bool rename() {
+    bool rename(bool last) {
         if (to_stream_) return true;
         // A second name for what the target was, in case a later output of the same run can't be written. A file system
-        // without such names goes without.
-        if (existed_) back_up();
+        // without such names goes without; so does another user's file, whose second name could not be removed again.
+        if (existed_ && ours_ && !last) back_up();
         if (::rename(temporary_.c_str(), target_.c_str()) != 0) return false;
         temporary_.clear();
         renamed_ = true;
@@ -140,7 +141,7 @@ private:
 
     const Output& output_;
     std::string target_, temporary_, backup_;
-    bool existed_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
+    bool existed_ = false, ours_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
 };
 
 }  // namespace
@@ -190,7 +191,7 @@ std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
     for (const auto& pending : all)
         if (!pending->stream()) return NotWritten{pending->path(), reason()};
     for (const auto& pending : all)
-        if (!pending->rename()) return NotWritten{pending->path(), reason()};
+        if (!pending->rename(pending == all.back())) return NotWritten{pending->path(), reason()};
     for (const auto& pending : all) pending->keep();
     return std::nullopt;
 }
