@@ -142,7 +142,7 @@ public:
         : mechanism_(mechanism),
           pose_(pose),
           size_(pose.size.to_double()),
-          columns_(3 * (static_cast<int>(mechanism.bodies.size()) - 1)) {
+          columns_(3 * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1)) {
         motion_.bodies.resize(mechanism.bodies.size());
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
             const auto& points = mechanism.bodies[i].points;
@@ -224,13 +224,13 @@ private:
     void add_speed(Row& row, BodyIndex body, const Vector& place, const Pair& n, double sign) const {
         if (body == 0) return;
         const Pair r = arm(body, place);
-        const Eigen::Index first = 3 * (body - 1);
+        const Eigen::Index first = Eigen::Index{3} * (body - 1);
         row.terms.push_back({first, sign * n[0]});
         row.terms.push_back({first + 1, sign * n[1]});
         row.terms.push_back({first + 2, sign * (r[0] * n[1] - r[1] * n[0])});
     }
     static void add_turn(Row& row, BodyIndex body, double sign) {
-        if (body != 0) row.terms.push_back({3 * (body - 1) + 2, sign});
+        if (body != 0) row.terms.push_back({Eigen::Index{3} * (body - 1) + 2, sign});
     }
     void enter(Row row, double velocity, SecondOrder second_order) {
         row.velocity = velocity;
@@ -443,8 +443,8 @@ private:
                 if (velocity) {
                     enter(std::move(row), value, [] { return std::nullopt; });
                 } else {
-                    later_.push_back(
-                        {std::move(row), [=, this] { return value + square_of(omega(body)) * inner(n, arm(body, place)); }});
+                    later_.emplace_back(std::move(row),
+                                        [=, this] { return value + square_of(omega(body)) * inner(n, arm(body, place)); });
                 }
             };
             if (const auto* vector = std::get_if<Vector>(&each.value)) {

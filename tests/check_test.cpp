@@ -164,6 +164,29 @@ TEST(Derivative, DiscRollingInsideACircle) {
     expect_derivatives({[](const Exact& q) { return planet(q, false); }, {{"2", "C"}, {"3", "M"}}}, "0.3", "1.5", "0.5");
 }
 
+TEST(Derivative, BarRollingOnACircle) {
+    for (const bool bar_first : {true, false}) {
+        const auto bar = [&](const Exact& q) {  // unwinds from a circle of radius 0.2, tangent to it at the angle q
+            Sketch s;
+            s.point("O", "0", "0");
+            polar(s, "P", "O", "0.2", q);
+            const Bearing::Between outwards{s["O"], s["P"]};
+            s.point("M", Polar{s["P"], decimal("0.5") - decimal("0.2") * q, degrees("90"), outwards});
+            s.point("N", Polar{s["M"], decimal("0.1"), degrees("0"), outwards});
+            const Profile straight = LineProfile{s.between("P", "M")};
+            const Profile round = CircleProfile{s["O"]};
+            if (bar_first) {
+                s.body("2");
+                s.touching(JointKind::rolling, "P", {"2", "1"}, {straight, round});
+            } else {
+                s.touching(JointKind::rolling, "P", {"1", "2"}, {round, straight});
+            }
+            return s.spin("2", "2", "3");
+        };
+        expect_derivatives({bar, {{"2", "M"}, {"2", "N"}}}, "0.3", "2", "3");
+    }
+}
+
 /// An eccentric turning about O under a follower that slides upwards: flat, or a knife edge.
 Sketch cam(const Exact& q, bool flat, bool follower_first = true) {
     Sketch s;
