@@ -111,7 +111,7 @@ const KnownUnit* unit_meant(std::string_view text, QuantityKind wanted) {
     const KnownUnit* nearest = nullptr;
     for (const KnownUnit& unit : known_units()) {
         const std::string other = careless_spelling(unit.symbol);
-        const bool near = other == word || (other.size() > 3 && edit_distance(other, word, 1) <= 1);
+        const bool near = other == word || (other.size() > 2 && edit_distance(other, word, 1) <= 1);
         if (near && (nearest == nullptr || (unit.kind == wanted && nearest->kind != wanted))) nearest = &unit;
     }
     return nearest;
@@ -274,6 +274,9 @@ bool is_within_range(const Exact& si_value) {
     static const Exact largest = decimal("1e60");
     static const Exact smallest = decimal("1e-60");
     if (si_value.is_zero()) return true;
+    // Most numbers are far from the ends, which their bits alone tell.
+    constexpr std::size_t surely_within = 190;
+    if (si_value.bits() < surely_within) return true;
     const Exact magnitude = abs(si_value);
     return smallest <= magnitude && magnitude <= largest;
 }
