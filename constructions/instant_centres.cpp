@@ -308,7 +308,9 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         if (board_.coincide(*absolute.point, *relative.point)) continue;
         Symbol omega{Symbol::Letter::omega, structure_.body_name(body), {}};
         Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
-        say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
+        const int statement =
+            say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
+        board_.statement(statement).section = "velocity";
         const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
         const auto from_body = board_.vector(*absolute.point, *relative.point);
         const ScalarHandle found = board_.product(track.spin(driver), board_.ratio(from_driver, from_body));

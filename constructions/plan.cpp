@@ -91,7 +91,7 @@ private:
         plan_.bodies[at(body)] = true;
         const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
         for (const NodeIndex node : nodes) {
-            if (!known(node)) add_image(body, node);
+            if (!known(node) && structure_.node(node).of_interest) add_image(body, node);
         }
     }
 

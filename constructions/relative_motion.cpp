@@ -144,10 +144,10 @@ void add_nodes_of_interest(Structure& structure) {
     const Mechanism& mechanism = structure.mechanism();
     for (const Joint& joint : mechanism.joints) {
         if (joint.kind != JointKind::prismatic && joint.kind != JointKind::pin_slot) continue;
-        for (const BodyIndex body : joint.bodies) structure.on(joint.point, body);
+        for (const BodyIndex body : joint.bodies) structure.on(joint.point, body, true);
     }
     for (const RelativeMotionQuery& query : mechanism.find.relative_motion) {
-        if (query.translating_with < 0) structure.on(query.point, query.observer);
+        if (query.translating_with < 0) structure.on(query.point, query.observer, true);
     }
 }
 

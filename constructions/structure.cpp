@@ -121,19 +121,24 @@ NodeIndex Structure::find(PointIndex point, BodyIndex body) const {
     return -1;
 }
 
-NodeIndex Structure::on(PointIndex point, BodyIndex body) {
-    if (const NodeIndex found = find(point, body); found >= 0) return found;
+NodeIndex Structure::on(PointIndex point, BodyIndex body, bool of_interest) {
+    if (const NodeIndex found = find(point, body); found >= 0) {
+        Node& there = nodes_[at(found)];
+        there.of_interest = there.of_interest || of_interest;
+        return found;
+    }
     Node node;
     node.point = point;
     node.bodies = {body};
     node.carried = false;
+    node.of_interest = of_interest;
     return add(std::move(node));
 }
 
 NodeIndex Structure::add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body) {
     Node node;
     node.bodies = {body};
-    node.carried = false;
+    node.carried = node.of_interest = false;
     node.place = place;
     node.label = auxiliaries_ == 0 ? "S" : "S" + std::to_string(auxiliaries_ + 1);
     ++auxiliaries_;

@@ -18,6 +18,7 @@ struct Node {
     std::vector<BodyIndex> bodies;  ///< in the file's order
     std::string label;              ///< "A", "A*", "S"
     bool carried = true;            ///< false: a place seen on a body that does not carry it in the file
+    bool of_interest = true;        ///< its motion is wanted for its own sake, not only as a step to another
     PointOn<Plane::drawing> place;  ///< on the board
 };
 
@@ -38,7 +39,7 @@ public:
     /// The node of a point on a body, or −1.
     NodeIndex find(PointIndex point, BodyIndex body) const;
     /// The same, made (not carried) where the body does not carry the point.
-    NodeIndex on(PointIndex point, BodyIndex body);
+    NodeIndex on(PointIndex point, BodyIndex body, bool of_interest = false);
     /// An auxiliary point carried by one body.
     NodeIndex add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body);
     const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[static_cast<std::size_t>(body)]; }
