@@ -164,6 +164,11 @@ private:
     void draw_vectors(Figure& figure) const {
         std::set<std::string> names;
         std::set<std::tuple<int, int, std::string>> seen;
+        struct Labelled {
+            Spot tail, tip;
+            std::size_t label;
+        };
+        std::vector<Labelled> labelled;
         for (const int index : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
             const Vector exact = protocol_.value_of(vector);
@@ -183,6 +188,19 @@ private:
             figure.marks.emplace_back(Axis{tail, tip});
             draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line);
             figure.marks.emplace_back(GroupEnd{});
+
+            // Two that fall together have one label: a_A = a_A^n.
+            const auto same = std::find_if(labelled.begin(), labelled.end(), [&](const Labelled& other) {
+                return (length(other.tail - tail) < coincident && length(other.tip - tip) < coincident);
+            });
+            if (same != labelled.end()) {
+                RichText& text = figure.labels[same->label].text;
+                text.push_back(one_piece(" = ").front());
+                const RichText more = typeset(vector.symbol, context_.language);
+                text.insert(text.end(), more.begin(), more.end());
+                continue;
+            }
+            labelled.push_back({tail, tip, figure.labels.size()});
 
             LabelRequest label;
             label.text = typeset(vector.symbol, context_.language);

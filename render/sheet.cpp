@@ -24,7 +24,8 @@ constexpr double frame_left = 20, frame_other = 10;  // ISO 5457: the binding ed
 constexpr double gap = 7;                            // between cells and between columns
 constexpr double clear = 3.5;                        // round everything that text is set beside
 constexpr double section_gap = 5.5;
-constexpr double least_run = 22;  // of free height worth a text column
+constexpr double least_run = 16;        // of free height worth a text column
+constexpr double one_page_share = 0.5;  // of the page that text may take where all is to stand on one
 
 struct Format {
     double width, height, block_width, block_height, padding;
@@ -158,7 +159,7 @@ bool is_free(const std::vector<Spot>& spots, Spot moved, const Box& box, double 
 /// A drawing that wants a cell: what it measures and who draws it.
 struct Wanted {
     double extent_x = 1, extent_y = 1;  // in the units of its scale
-    double rim_x = 26, rim_y = 22;      // what lettering takes, mm
+    double rim_x = 20, rim_y = 14;      // what lettering takes, mm
     std::optional<double> asked;
     std::function<Figure(double, double)> draw;
     std::vector<Block> equations;
@@ -169,12 +170,16 @@ struct Wanted {
 struct Run {
     Box box;
     double used = 0;
+    int home = -1;  // the figure in whose cell it lies
+    bool under_caption = false;
     double left() const { return box.height() - used; }
 };
 
 /// What stands together: a heading and what is below it; split only where it is longer than any column.
 struct Section {
     std::vector<Block> rows;
+    int home = -1;          // the figure it explains; −1: none
+    bool elsewhere = true;  // may stand in the cell of another figure
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;
@@ -200,9 +205,15 @@ public:
 
     std::vector<Page> pages() {
         collect_figures();
-        place_figures();
-        write_sections();
-        flow();
+        // All on one page where it can be: the figures leave as little room as the text needs.
+        const double share = estimated_text() / (content_.width() * content_.height());
+        bool done = false;
+        if (wanted_.size() <= at_most() && share < one_page_share)
+            for (const double spare : {0.4, 0.55, 0.75, 1.0}) {
+                attempt(spare);
+                if ((done = sheets_.size() == 1)) break;
+            }
+        if (!done) attempt(0);
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i) pages.push_back(finish(sheets_[i], i + 1, sheets_.size()));
         return pages;
@@ -235,8 +246,8 @@ private:
         mechanism.extent_x = std::max(right - left, 1e-30);
         mechanism.extent_y = std::max(high - low, 1e-30);
         mechanism.asked = asked("mechanism", 1);
-        mechanism.rim_x = 26;
-        mechanism.rim_y = 34;
+        mechanism.rim_x = 22;
+        mechanism.rim_y = 26;
         mechanism.caption_width = 95;
         mechanism.draw = [this](double x, double y) { return mechanism_figure(context_, x, y, !solution().centres.empty()); };
         wanted_.push_back(std::move(mechanism));
@@ -393,36 +404,68 @@ private:
         return result;
     }
 
-    void place_figures() {
-        const std::size_t at_most = options_.paper == Paper::a3 ? 5 : 3;
-        const double text = estimated_text();
-        const double area = content_.width() * content_.height();
+    std::size_t at_most() const { return options_.paper == Paper::a3 ? 5 : 3; }
+
+    /// Everything placed, a strip of `spare` times the estimate of the text kept from the figures of the first page.
+    void attempt(double spare) {
+        sheets_.clear();
+        drawn_.clear();
+        sections_.clear();
+        unplaced_.clear();
+        figures_ = 0;
+        place_figures(spare);
+        write_sections();
+        flow();
+    }
+
+    void place_figures(double spare) {
         for (std::size_t first = 0; first < wanted_.size();) {
-            const std::size_t count = std::min(at_most, wanted_.size() - first);
-            sheets_.emplace_back();
-            // A strip is kept for the text where all of it would find a place on the one page.
-            std::vector<Box> areas{content_};
-            if (first == 0 && count == wanted_.size() && text < 0.5 * area) {
-                areas.clear();
-                for (const double spare : {1.0, 1.12, 1.25}) {
-                    const double need = spare * text;
-                    const double strip = need / content_.width() + 4;
-                    if (strip < 0.6 * content_.height())
-                        areas.push_back(rectangle(content_.min.x, content_.min.y, content_.max.x,
-                                                  content_.max.y - strip - 0.5 * format_.block_height));
-                    for (int k = 1; k < format_.columns; ++k) {
-                        const double side = k * (measure_ + gap);
-                        if (side * content_.height() >= need)
-                            areas.push_back(rectangle(content_.min.x, content_.min.y, content_.max.x - side, content_.max.y));
-                    }
+            const std::size_t count = std::min(at_most(), wanted_.size() - first);
+            std::vector<Box> areas;
+            if (spare > 0) {
+                const double need = spare * estimated_text();
+                const double strip = need / content_.width() + 4;
+                if (strip < 0.6 * content_.height())
+                    areas.push_back(rectangle(content_.min.x, content_.min.y, content_.max.x,
+                                              std::min(content_.max.y - strip, block_.min.y - 4)));
+                for (int k = 1; k < format_.columns; ++k) {
+                    const double side = k * (measure_ + gap);
+                    if (side * content_.height() >= need)
+                        areas.push_back(rectangle(content_.min.x, content_.min.y, content_.max.x - side, content_.max.y));
                 }
             }
-            Split best;
-            for (const Box& each : areas)
-                for (Split& split : splits(first, count, each))
-                    if (split.value > best.value + 1e-9) best = std::move(split);
-            for (std::size_t i = 0; i < count; ++i) fill_cell(sheets_.back(), wanted_[first + i], first + i, best.cells[i]);
-            find_runs(sheets_.back(), best.cells);
+            if (areas.empty()) areas.push_back(content_);
+            // What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is
+            // chosen anew with that knowledge.
+            for (int round = 0;; ++round) {
+                Split best;
+                for (const Box& each : areas)
+                    for (Split& split : splits(first, count, each))
+                        if (split.value > best.value + 1e-9) best = std::move(split);
+                Sheet sheet;
+                const std::size_t before = drawn_.size();
+                const int numbers = figures_;
+                bool smaller = false;
+                for (std::size_t i = 0; i < count; ++i) {
+                    Wanted& wanted = wanted_[first + i];
+                    fill_cell(sheet, wanted, first + i, best.cells[i]);
+                    if (std::log(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale) <
+                        worth(wanted, best.cells[i]) - 0.05) {
+                        smaller = true;
+                        wanted.rim_x += 8;
+                        wanted.rim_y += 8;
+                    }
+                }
+                if (smaller && round < 2) {
+                    drawn_.resize(before);
+                    figures_ = numbers;
+                    unplaced_.clear();
+                    continue;
+                }
+                find_runs(sheet, best.cells, first);
+                sheets_.push_back(std::move(sheet));
+                break;
+            }
             first += count;
         }
     }
@@ -456,7 +499,7 @@ private:
         } else {
             text = "1 mm ≙ " + shortest_scale(figure.scale) + " " + figure.unit;
         }
-        return one_piece(text);
+        return with_powers(text);
     }
     /// A scale is a short decimal up to the last bits of a division.
     std::string shortest_scale(double value) const {
@@ -474,8 +517,9 @@ private:
         append(text, one_piece("   "));
         append(text, figure.caption);
         const ShapedLine caption = shape(text, theme.label);
-        const ShapedLine scale =
-            figure.scale > 0 && !figure.unit.empty() ? shape(scale_words(figure), theme.body_text) : ShapedLine{};
+        const ShapedLine scale = figure.scale > 0 && !figure.unit.empty() && figure.kind != "centres"
+                                     ? shape(scale_words(figure), theme.body_text)
+                                     : ShapedLine{};
         if (caption.width + 5 + scale.width <= width) {
             set_text(marks, caption, {at.x, at.y + 3.8}, theme.text, "text");
             set_text(marks, scale, {at.x + caption.width + 5, at.y + 3.8}, theme.secondary, "text");
@@ -532,7 +576,8 @@ private:
         drawn_.push_back(std::move(figure));
     }
 
-    static void centre(Figure& figure, const Box& room) { align(figure, room, 0.5, 0.5); }
+    /// In the middle across, under its caption: what is left stays in one piece.
+    static void centre(Figure& figure, const Box& room) { align(figure, room, 0.5, 0.0); }
     static void align(Figure& figure, const Box& room, double across, double down) {
         figure.move(room.min.x - figure.box.min.x + across * (room.width() - figure.box.width()),
                     room.min.y - figure.box.min.y + down * (room.height() - figure.box.height()));
@@ -546,19 +591,27 @@ private:
         for (const Block& block : blocks) {
             if (block.width > room.width() || block.height > room.height()) continue;
             const double right = room.max.x - block.width, bottom = room.max.y - block.height;
-            for (const auto& [corner, across, down] :
-                 {std::tuple{Spot{room.min.x, room.min.y}, 1.0, 1.0}, std::tuple{Spot{right, room.min.y}, 0.0, 1.0},
-                  std::tuple{Spot{right, bottom}, 0.0, 0.0}, std::tuple{Spot{room.min.x, bottom}, 1.0, 0.0}}) {
-                // The figure stays in the middle as far as the equations let it.
-                for (const double share : {0.0, 0.5, 1.0}) {
-                    const double a = 0.5 + share * (across - 0.5), d = 0.5 + share * (down - 0.5);
-                    const Spot moved{room.min.x - figure.box.min.x + a * spare_x, room.min.y - figure.box.min.y + d * spare_y};
-                    const Box box = rectangle(corner.x, corner.y, corner.x + block.width, corner.y + block.height);
-                    if (!is_free(spots, moved, box, clear)) continue;
-                    figure.move(moved.x, moved.y);
-                    set(sheet, block, corner);
-                    return true;
-                }
+            const Spot top_left = room.min, top_right{right, room.min.y}, bottom_left{room.min.x, bottom},
+                       bottom_right{right, bottom};
+            // The figure stays in the middle and under its caption as far as the equations let it.
+            struct Try {
+                Spot corner;
+                double across, down;
+            };
+            for (const Try& each :
+                 {Try{top_left, 0.5, 0}, Try{top_right, 0.5, 0}, Try{top_left, 0.75, 0}, Try{top_right, 0.25, 0},
+                  Try{top_left, 1, 0}, Try{top_right, 0, 0}, Try{bottom_right, 0.5, 0}, Try{bottom_left, 0.5, 0},
+                  Try{bottom_right, 0, 0}, Try{bottom_left, 1, 0}, Try{top_left, 0.5, 0.5}, Try{top_right, 0.5, 0.5},
+                  Try{top_left, 1, 0.5}, Try{top_right, 0, 0.5}, Try{top_left, 0.5, 1}, Try{top_right, 0.5, 1},
+                  Try{top_left, 1, 1}, Try{top_right, 0, 1}}) {
+                const Spot moved{room.min.x - figure.box.min.x + each.across * spare_x,
+                                 room.min.y - figure.box.min.y + each.down * spare_y};
+                const Box box =
+                    rectangle(each.corner.x, each.corner.y, each.corner.x + block.width, each.corner.y + block.height);
+                if (!is_free(spots, moved, box, clear)) continue;
+                figure.move(moved.x, moved.y);
+                set(sheet, block, each.corner);
+                return true;
             }
         }
         return false;
@@ -607,27 +660,38 @@ private:
     }
 
     /// Free runs of a page on which figures stand.
-    void find_runs(Sheet& sheet, const std::vector<Box>& cells) const {
+    void find_runs(Sheet& sheet, const std::vector<Box>& cells, std::size_t first) const {
         Occupancy occupancy(format_.width, format_.height);
         occupancy.block(covered(sheet.marks));
         occupancy.block(rectangle(block_.min.x - clear, block_.min.y - clear, block_.max.x + clear, block_.max.y + clear));
-        std::vector<double> lefts{content_.min.x, content_.max.x - measure_};
+        // What stands in a line with something is preferred: cells, then the columns of the page.
+        std::vector<double> lefts;
+        for (const Box& cell : cells) lefts.push_back(cell.min.x);
+        lefts.push_back(content_.max.x - measure_);
         for (const Box& cell : cells) {
-            lefts.push_back(cell.min.x);
             lefts.push_back(cell.max.x - measure_);
             lefts.push_back(cell.max.x + gap);
         }
-        for (int k = 1; k < format_.columns; ++k) lefts.push_back(content_.min.x + k * (measure_ + gap));
+        for (int k = 0; k < format_.columns; ++k) lefts.push_back(content_.min.x + k * (measure_ + gap));
         for (;;) {
             Box best = rectangle(0, 0, 0, 0);
             for (const double left : lefts) {
                 if (left < content_.min.x - 0.01 || left + measure_ > content_.max.x + 0.01) continue;
                 const auto [top, bottom] =
                     occupancy.longest_run(left - clear, left + measure_ + clear, content_.min.y, content_.max.y);
-                if (bottom - top > best.height() + 0.5) best = rectangle(left, top, left + measure_, bottom);
+                if (bottom - top > best.height() + 6) best = rectangle(left, top, left + measure_, bottom);
             }
             if (best.height() < least_run) break;
-            sheet.runs.push_back({best});
+            Run run{best};
+            const Spot middle = 0.5 * (best.min + best.max);
+            for (std::size_t i = 0; i < cells.size(); ++i) {
+                if (middle.x < cells[i].min.x || middle.x > cells[i].max.x || middle.y < cells[i].min.y ||
+                    middle.y > cells[i].max.y)
+                    continue;
+                run.home = static_cast<int>(first + i);
+                run.under_caption = best.min.y < cells[i].min.y + 18;
+            }
+            sheet.runs.push_back(run);
             occupancy.block(best);
         }
         std::sort(sheet.runs.begin(), sheet.runs.end(), [](const Run& a, const Run& b) {
@@ -710,7 +774,9 @@ private:
                         }
                 const std::vector<ResultRow> part(rows.begin() + static_cast<std::ptrdiff_t>(from),
                                                   rows.begin() + static_cast<std::ptrdiff_t>(to));
-                add({{results_block(context_, part, measure_, true)}});
+                Section table;
+                table.rows.push_back(results_block(context_, part, measure_, true));
+                add(std::move(table));
                 from = to;
             }
         }
@@ -718,19 +784,32 @@ private:
         if (!s.unsolved.empty()) {
             Section section;
             section.rows.push_back(heading(word("unsolved", language())));
-            for (const Unsolved& each : s.unsolved) section.rows.push_back(paragraph(one_piece(each.what + ": " + each.why)));
+            for (const Unsolved& each : s.unsolved) section.rows.push_back(paragraph(with_powers(each.what + ": " + each.why)));
             add(std::move(section));
         }
 
         int step = 0;
-        std::vector<std::string> order{"centres", "velocity", "acceleration", "relative motion"};
+        std::vector<std::string> order{"velocity", "acceleration", "relative motion", "centres"};
+        // An angular velocity found a second time belongs to the velocities.
+        const auto section_of = [](const Statement& statement) -> std::string {
+            return statement.message.sentence == Sentence::second_way ? "velocity" : statement.section;
+        };
         for (const Statement& statement : s.protocol.statements)
-            if (std::find(order.begin(), order.end(), statement.section) == order.end()) order.push_back(statement.section);
+            if (std::find(order.begin(), order.end(), section_of(statement)) == order.end())
+                order.push_back(section_of(statement));
         for (const std::string& name : order) {
             Section section;
+            section.elsewhere = false;
+            if (name == "centres") section.home = 0;
+            for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
+                const Polygon& polygon = s.protocol.polygons[p];
+                if (polygon.point.empty() ? name == (polygon.plane == Plane::acceleration ? "acceleration" : "velocity")
+                                          : name == "relative motion")
+                    section.home = static_cast<int>(p) + 1;
+            }
             for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
                 const Statement& statement = s.protocol.statements[i];
-                if (statement.section != name || told_by_list(statement)) continue;
+                if (section_of(statement) != name || told_by_list(statement)) continue;
                 if (section.rows.empty())
                     section.rows.push_back(heading(
                         word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ? "steps " + name : "steps",
@@ -749,12 +828,14 @@ private:
 
         {
             Section section;
+            section.home = 0;
             section.rows = body_lines(context_, measure_);
             if (!section.rows.empty()) section.rows.insert(section.rows.begin(), heading(word("bodies", language())));
             add(std::move(section));
         }
         if (!s.centres.empty()) {
             Section section;
+            section.home = 0;
             section.rows = centre_lines(context_, measure_);
             section.rows.insert(section.rows.begin(),
                                 heading(word("instant centres", language()), one_piece(s.mechanism.units.length.symbol)));
@@ -772,23 +853,35 @@ private:
         if (!s.remarks.empty()) {
             Section section;
             section.rows.push_back(heading(word("remarks", language())));
-            for (const std::string& each : s.remarks) section.rows.push_back(paragraph(one_piece(each)));
+            for (const std::string& each : s.remarks) section.rows.push_back(paragraph(with_powers(each)));
             add(std::move(section));
         }
-        // The long first, where they still fit; then reading order again within a run.
     }
 
     RichText mobility_words() const {
         const Mobility& m = solution().mobility;
         const auto n = [](int value) { return std::to_string(value); };
-        RichText text = one_piece("n", Face::italic);
-        std::string formula = " = 3(m − 1) − 2c₁ − c₂",
-                    values = " = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2);
+        RichText text;
+        const auto italic = [&](const char* letter, const char* sub = "") {
+            Piece piece = one_piece(letter, Face::italic).front();
+            piece.sub = sub;
+            piece.sub_face = Face::regular;
+            text.push_back(piece);
+        };
+        italic("n");
+        append(text, one_piece(" = 3("));
+        italic("m");
+        append(text, one_piece(" − 1) − 2"));
+        italic("c", "1");
+        append(text, one_piece(" − "));
+        italic("c", "2");
         if (m.welds > 0) {
-            formula += " − 3w";
-            values += " − 3·" + n(m.welds);
+            append(text, one_piece(" − 3"));
+            italic("w");
         }
-        append(text, one_piece(formula + values + " = " + (m.gruebler < 0 ? "−" + n(-m.gruebler) : n(m.gruebler)) + " " +
+        const auto signed_number = [&](int value) { return (value < 0 ? "−" : "") + n(std::abs(value)); };
+        append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
+                               (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
                                word("by Grübler", language())));
         if (m.effective != m.gruebler) append(text, one_piece("; " + n(m.effective) + " " + word("effective", language())));
         append(text, one_piece("."));
@@ -862,7 +955,6 @@ private:
 
         // What the pages with figures take.
         std::vector<Section> rest;
-        std::vector<std::size_t> left_over;
         for (Section& section : sections_)
             if (!place_section(section)) rest.push_back(std::move(section));
         std::vector<Late> late_rest;
@@ -889,16 +981,20 @@ private:
         }
         sheets_.emplace_back();
         if (small > 0) {
-            sheets_.back().runs = text_runs(wide, small, late_rest.size());
+            double wide_drawn = 0, small_drawn = 0;
             std::size_t next = 0;
             if (wide > 0) {
-                const Box first = column(0);
-                set(sheets_.back(), figure_block(late_rest[next++], 2 * measure_ + gap, wide), first.min);
+                const Block block = figure_block(late_rest[next++], 2 * measure_ + gap, wide);
+                set(sheets_.back(), block, column(0).min);
+                wide_drawn = block.height;
             }
             for (; next < late_rest.size(); ++next) {
-                const Box last = column(format_.columns - 1 - (late_rest.size() > 1 && wide == 0 && next == 0 ? 1 : 0));
-                set(sheets_.back(), figure_block(late_rest[next], measure_, small), last.min);
+                const Box place = column(format_.columns - 1 - (late_rest.size() > 1 && wide == 0 && next == 0 ? 1 : 0));
+                const Block block = figure_block(late_rest[next], measure_, small);
+                set(sheets_.back(), block, place.min);
+                small_drawn = std::max(small_drawn, block.height);
             }
+            sheets_.back().runs = text_runs(wide_drawn, small_drawn, late_rest.size());
         } else {
             sheets_.back().runs = text_runs(0, 0, 0);
         }
@@ -928,20 +1024,30 @@ private:
         return runs;
     }
 
+    /// Whether a section may stand in a run: under a caption only what explains that figure.
+    static bool may_stand(const Section& section, const Run& run) {
+        if (run.home < 0 || run.home == section.home) return true;
+        return section.elsewhere && !run.under_caption;
+    }
+
     bool place_section(Section& section) {
         const double height = section.height();
-        for (Sheet& sheet : sheets_)
-            for (Run& run : sheet.runs) {
-                const double before = run.used > 0 ? section_gap : 0;
-                if (run.left() < before + height) continue;
-                run.used += before;
-                for (const Block& row : section.rows) {
-                    set(sheet, row, {run.box.min.x, run.box.min.y + run.used});
-                    run.used += row.height;
+        for (const bool at_home : {true, false}) {
+            if (at_home && section.home < 0) continue;
+            for (Sheet& sheet : sheets_)
+                for (Run& run : sheet.runs) {
+                    if (at_home ? run.home != section.home : !may_stand(section, run)) continue;
+                    const double before = run.used > 0 ? section_gap : 0;
+                    if (run.left() < before + height) continue;
+                    run.used += before;
+                    for (const Block& row : section.rows) {
+                        set(sheet, row, {run.box.min.x, run.box.min.y + run.used});
+                        run.used += row.height;
+                    }
+                    section.rows.clear();
+                    return true;
                 }
-                section.rows.clear();
-                return true;
-            }
+        }
         return false;
     }
 
@@ -978,7 +1084,7 @@ private:
             for (Run& run : sheet.runs) {
                 const double before = run.used > 0 ? section_gap : 0;
                 const double room = std::min(run.left() - before, 0.95 * measure_);
-                if (room < 58) continue;
+                if (room < 58 || run.under_caption) continue;
                 const Block block = figure_block(late, measure_, room);
                 set(sheet, block, {run.box.min.x, run.box.min.y + run.used + before});
                 run.used += before + block.height;

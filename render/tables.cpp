@@ -103,6 +103,8 @@ public:
 private:
     /// "BA" is of B relative to A where points of these names exist.
     std::optional<std::pair<std::string, std::string>> split(const std::string& about) const {
+        if (const std::size_t comma = about.find(','); comma != std::string::npos)
+            return std::pair(about.substr(0, comma), about.substr(comma + 1));
         for (std::size_t i = 1; i < about.size(); ++i)
             if (place(about.substr(0, i)) && place(about.substr(i))) return std::pair(about.substr(0, i), about.substr(i));
         return std::nullopt;
@@ -148,6 +150,34 @@ std::string shortest(double value, Language language) {
         if (back == value) return number(value, digits, language);
     }
     return number(value, 17, language);
+}
+
+RichText with_powers(const std::string& text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> powers{{{"⁰", "0"},
+                                                                                           {"¹", "1"},
+                                                                                           {"²", "2"},
+                                                                                           {"³", "3"},
+                                                                                           {"⁴", "4"},
+                                                                                           {"⁵", "5"},
+                                                                                           {"⁶", "6"},
+                                                                                           {"⁷", "7"},
+                                                                                           {"⁸", "8"},
+                                                                                           {"⁹", "9"},
+                                                                                           {"⁻", "−"}}};
+    RichText rich = one_piece("");
+    for (std::size_t i = 0; i < text.size();) {
+        const auto power = std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
+            return std::string_view(text).substr(i).starts_with(each.first);
+        });
+        if (power != powers.end()) {
+            rich.back().sup += power->second;
+            i += power->first.size();
+        } else {
+            if (!rich.back().sup.empty()) rich.push_back(one_piece("").front());
+            rich.back().text += text[i++];
+        }
+    }
+    return rich;
 }
 
 Block equation_block(const DrawingContext& context, const Equation& equation, double most) {
@@ -309,7 +339,7 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
     struct Line {
         std::array<ShapedLine, 6> cells;  // quantity, mm, drawing, numeric, unit, difference
     };
-    const auto shape = [&](const std::string& text, double size) { return fonts.shape(one_piece(text), size); };
+    const auto shape = [&](const std::string& text, double size) { return fonts.shape(with_powers(text), size); };
 
     std::map<std::pair<std::string, std::string>, double> largest;  // by group and unit
     for (const ResultRow& row : rows) {

@@ -26,8 +26,8 @@ constexpr std::array sentences{
     Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4} {1}{2}.",
         "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4} {1}{2}."},
     Row{Sentence::crank_acceleration,
-        "{2} moves on a circle about {1}: {3} runs from {2} to {1} and is ω² {1}{2}[; {4}, normal to it, is α {1}{2}].",
-        "{2} percorre un cerchio di centro {1}: {3} va da {2} a {1} e vale ω² {1}{2}[; {4}, normale a {1}{2}, vale α {1}{2}]."},
+        "{2} moves on a circle about {1}: {3} is made of ω² {1}{2}, from {2} to {1}, and α {1}{2}, normal to it.",
+        "{2} percorre un cerchio di centro {1}: {3} si compone di ω² {1}{2}, da {2} a {1}, e di α {1}{2}, normale a {1}{2}."},
     Row{Sentence::image_velocity,
         "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω {3}{0}, normal to {3}{0}].",
         "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω {3}{0}, normale a {3}{0}]."},
@@ -66,9 +66,11 @@ constexpr std::array sentences{
         "Il movente in {1} assegna {0} in modulo e direzione."},
     Row{Sentence::auxiliary_point, "On body {1} the normals to the two known directions meet in the auxiliary point {0}.",
         "Sul corpo {1} le normali alle due direzioni note si incontrano nel punto ausiliario {0}."},
-    Row{Sentence::omega_from_parallels, "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δv/{1}.",
+    Row{Sentence::omega_from_parallels,
+        "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δv/{1}.",
         "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0} = Δv/{1}."},
-    Row{Sentence::alpha_from_parallels, "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δa/{1}.",
+    Row{Sentence::alpha_from_parallels,
+        "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δa/{1}.",
         "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0} = Δa/{1}."},
     Row{Sentence::at_rest, "{0} is at rest: its image is the pole.", "{0} è fermo: la sua immagine è il polo."},
     Row{Sentence::primary_revolute, "{0} is the hinge {1}.", "{0} è la cerniera {1}."},
@@ -239,12 +241,15 @@ RichText point_name(std::string_view name) {
     tail = name.substr(digits);
     std::size_t letters = digits;
     while (letters > 0 && name[letters - 1] >= '0' && name[letters - 1] <= '9') --letters;
+    std::string primes;
+    for (const char c : tail) primes += c == '*' ? "" : "′";
+    const bool starred = tail.find('*') != std::string_view::npos;
     const bool lowers = letters > 0 && letters < digits && name[letters - 1] != '.' && name[letters - 1] != '-';
-    if (!lowers) return {piece(name, digits_only(name) ? Face::regular : Face::italic)};
-    Piece result = piece(name.substr(0, letters), Face::italic);
-    result.sub = name.substr(letters, digits - letters);
+    Piece result = piece(name.substr(0, lowers ? letters : digits), digits_only(name) ? Face::regular : Face::italic);
+    result.text += primes;
+    if (lowers) result.sub = name.substr(letters, digits - letters);
     result.sub_face = Face::regular;
-    result.sup = tail == "*" ? "∗" : std::string(tail);
+    if (starred) result.sup = "∗";
     return {result};
 }
 
@@ -328,6 +333,9 @@ bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Lang
             flush();
             append(to, typeset(Symbol{Symbol::Letter::alpha, "", ""}, language));
             i += std::string_view("α").size();
+        } else if (pattern.substr(i).starts_with("²") && plain_text.empty() && !to.empty()) {
+            to.back().sup = "2";
+            i += std::string_view("²").size();
         } else {
             plain_text += pattern[i++];
         }
@@ -425,7 +433,7 @@ RichText typeset(const LineReason& reason, Language language) {
     using Kind = LineReason::Kind;
     const bool perpendicular = reason.kind == Kind::perpendicular_to_segment || reason.kind == Kind::perpendicular_to_guide;
     if (reason.kind == Kind::known) return {piece(word("known", language))};
-    RichText text{piece(perpendicular ? "⟂ " : "∥ ")};
+    RichText text{piece(perpendicular ? "⟂ " : "∥ ")};
     switch (reason.kind) {
         case Kind::perpendicular_to_segment:
         case Kind::parallel_to_segment:
@@ -437,7 +445,7 @@ RichText typeset(const LineReason& reason, Language language) {
             text.back().text += word("guide", language);
             break;
         case Kind::driver_component:
-            text = {piece("⟂ " + word("drive", language))};
+            text = {piece("⟂ " + word("drive", language))};
             break;
         case Kind::parallel_to_locus:
             text.back().text += word("locus", language);
@@ -446,7 +454,7 @@ RichText typeset(const LineReason& reason, Language language) {
             break;
     }
     if (!reason.from.empty()) {
-        text.back().text += " ";
+        text.back().text += " ";
         append(text, point_name(reason.from));
     }
     return text;
