@@ -67,7 +67,7 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Spot from = place(found[i]->first), to = place(found[i]->second);
         LabelRequest request;
-        request.text = one_piece(number(static_cast<double>(i + 1), 2, context.language));
+        request.text = one_piece(std::to_string(i + 1));
         request.size = theme.small;
         request.colour = theme.secondary;
         request.anchor = 0.5 * (from + to);

@@ -255,10 +255,17 @@ public:
     void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit);
 
 private:
+    /// The centre line of a slot curved about a point; radius 0: too narrow to draw.
+    struct CurvedSlot {
+        Spot centre;
+        double radius = 0, from = 0, to = 0;
+    };
+    CurvedSlot curved_slot(const Joint& joint) const;
     Shape shape_of(BodyIndex body) const;
     Symbol symbol_of(const InstantCentre& centre) const;
     std::vector<Spot> leaving(PointIndex point) const;
     double crowding(Spot spot, Spot besides) const;
+    bool lies_on(BodyIndex body, BodyIndex longer) const;
     std::vector<BodyIndex> drawing_order() const;
     void draw_body(BodyIndex body);
     void draw_block(const Joint& joint, std::size_t index, std::vector<Mark>& marks);
@@ -352,6 +359,20 @@ Shape Sketch::shape_of(BodyIndex body) const {
             shape.bars.push_back({rod.at + rod.from * rod.along, rod.at + rod.to * rod.along});
         }
     }
+    // A curved slot hangs on the nearest corner by its nearer end.
+    for (const Joint& joint : m_.joints) {
+        if (joint.kind != JointKind::pin_slot || joint.arc < 0 || joint.bodies[1] != body || corners.empty()) continue;
+        const CurvedSlot slot = curved_slot(joint);
+        if (slot.radius <= 0) continue;
+        Bar nearest{corners.front(), slot.centre + slot.radius * polar_spot(slot.from)};
+        for (const Spot corner : corners)
+            for (const double end : {slot.from, slot.to})
+                if (const Spot at = slot.centre + slot.radius * polar_spot(end);
+                    length(at - corner) < length(nearest.to - nearest.from) - 1e-9)
+                    nearest = {corner, at};
+        if (const double whole = length(nearest.to - nearest.from); whole > slot_side + 0.5)
+            shape.bars.push_back({nearest.from, nearest.to - slot_side * unit(nearest.to - nearest.from)});
+    }
     // A body of two guides and no pin (Oldham, trammel cross): the guides are one piece.
     if (corners.empty() && rods.size() >= 2)
         for (std::size_t i = 1; i < rods.size(); ++i) {
@@ -431,6 +452,24 @@ double Sketch::crowding(Spot spot, Spot besides) const {
     return crowd;
 }
 
+/// Whether a straight link lies along a longer one (and does not slide on it).
+bool Sketch::lies_on(BodyIndex body, BodyIndex longer) const {
+    const Shape &a = shapes_[at_index(body)], &b = shapes_[at_index(longer)];
+    if (body == longer || a.bars.size() != 1 || b.bars.size() != 1) return false;
+    for (const Joint& joint : m_.joints)
+        if (joint.kind == JointKind::prismatic && joint.bodies.size() == 2 &&
+            std::max(joint.bodies[0], joint.bodies[1]) == std::max(body, longer) &&
+            std::min(joint.bodies[0], joint.bodies[1]) == std::min(body, longer))
+            return false;
+    const Bar &p = a.bars[0], &q = b.bars[0];
+    const Spot along = unit(q.to - q.from);
+    const double whole = length(q.to - q.from), own = length(p.to - p.from);
+    if (own > whole + 1e-9 || (own > whole - 1e-9 && body < longer)) return false;
+    if (std::abs(cross(along, p.from - q.from)) > 0.8 || std::abs(cross(along, p.to - q.from)) > 0.8) return false;
+    const double t = dot(along, p.from - q.from), u = dot(along, p.to - q.from);
+    return std::min(std::max(t, u), whole) - std::max(std::min(t, u), 0.0) > 2;
+}
+
 /// Blocks stand above the guide they slide on and below the links pinned to them.
 std::vector<BodyIndex> Sketch::drawing_order() const {
     const std::size_t n = m_.bodies.size();
@@ -445,6 +484,9 @@ std::vector<BodyIndex> Sketch::drawing_order() const {
                 if (at_index(body) != block && at_index(body) != guide) above[at_index(body)][block] = true;
         }
     }
+    for (std::size_t a = 1; a < n; ++a)
+        for (std::size_t b = 1; b < n; ++b)
+            if (lies_on(static_cast<int>(a), static_cast<int>(b)) && !above[b][a]) above[a][b] = true;
     std::vector<BodyIndex> order;
     std::vector<bool> done(n, false);
     while (order.size() < n) {
@@ -587,12 +629,17 @@ void Sketch::draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks
     marks.emplace_back(std::move(path));
 }
 
-void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
+Sketch::CurvedSlot Sketch::curved_slot(const Joint& joint) const {
     const Spot centre = spot(joint.arc), at = spot(joint.point);
     const double radius = length(at - centre);
-    if (radius < slot_side + 0.5) return;
+    if (radius < slot_side + 0.5) return {};
     const double middle = std::atan2(at.y - centre.y, at.x - centre.x), half = std::min(slot_half / radius, 2.6);
-    const double from = middle - half, to = middle + half;
+    return {centre, radius, middle - half, middle + half};
+}
+
+void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
+    const auto [centre, radius, from, to] = curved_slot(joint);
+    if (radius <= 0) return;
     const Spot start = centre + radius * polar_spot(from), end = centre + radius * polar_spot(to);
     Path path;
     path.segments = {MoveTo{centre + (radius + slot_side) * polar_spot(from)},
@@ -686,11 +733,12 @@ void Sketch::draw_profiles(BodyIndex body, std::vector<Mark>& marks) {
 void Sketch::draw_body(BodyIndex body) {
     const Body& data = m_.bodies[at_index(body)];
     const Shape& shape = shapes_[at_index(body)];
-    const Pen stroke{theme_.link, line_colour(body), {}, true};
+    // Of two links in line (a dead point) the shorter one lies on top, narrower, so that both are seen.
+    bool on_another = false;
+    for (std::size_t other = 1; other < m_.bodies.size(); ++other)
+        on_another = on_another || lies_on(body, static_cast<int>(other));
+    const Pen stroke{on_another ? 0.5 * theme_.link : theme_.link, line_colour(body), {}, true};
     std::vector<Mark> marks;
-    for (std::size_t j = 0; j < m_.joints.size(); ++j)
-        if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies.size() == 2 && m_.joints[j].bodies[0] == body)
-            draw_block(m_.joints[j], j, marks);
     draw_profiles(body, marks);
     if (!shape.plate.empty()) {
         tints.emplace_back(filled(shape.plate, tint_colour(body)));
@@ -698,6 +746,10 @@ void Sketch::draw_body(BodyIndex body) {
     }
     for (const Bar& bar : shape.bars)
         if (length(bar.to - bar.from) > 1e-6) marks.emplace_back(line(bar.from, bar.to, stroke));
+    // The block covers the end of its own rod: they are one piece.
+    for (std::size_t j = 0; j < m_.joints.size(); ++j)
+        if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies.size() == 2 && m_.joints[j].bodies[0] == body)
+            draw_block(m_.joints[j], j, marks);
     for (const Bar& slot : shape.slots) draw_slot(slot, body, marks);
     for (const Joint& joint : m_.joints)
         if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
@@ -931,7 +983,8 @@ void Sketch::draw_drivers() {
             if (pivot < 0) continue;
             const Spot at = spot(pivot);
             Spot arm{1, 0};
-            double reach = 12;
+            const auto& wheel = m_.bodies[at_index(spin->body)].circle;
+            double reach = wheel ? wheel->radius.to_double() / scale_ : 12;
             for (const int corner : corners)
                 if (length(spot(corner) - at) > 1) {
                     arm = unit(spot(corner) - at);
@@ -1132,11 +1185,27 @@ void Sketch::draw_centres() {
             // Beyond the drawing: the line runs on to its edge and says where to.
             double way = where[c] == Where::far ? dot(place[c] - known[0], along) : 1;
             if (where[c] == Where::infinity) {
-                // Either end will do, but the same for all lines: the nearer edge of the view.
-                if (!arrows_to[c].empty())
+                // Either end will do, but the same for all lines: where fewer things are in the way.
+                if (!arrows_to[c].empty()) {
                     way = dot(arrows_to[c].front().along, along) > 0 ? 1 : -1;
-                else
-                    way = (seen.to - to) <= (from - seen.from) ? 1 : -1;
+                } else {
+                    const auto price = [&](double end, double sense) {
+                        double sum = 0;
+                        for (double step = 3; step <= 18; step += 3) {
+                            const Spot at = known[0] + (end + sense * step) * along;
+                            sum += 2 * crowding(at, at);
+                            for (const Joint& joint : m_.joints) {
+                                const bool fixed = joint.kind == JointKind::revolute &&
+                                                   std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+                                if (fixed && length(spot(joint.point) + Spot{0, 5} - at) < 6) sum += 1;
+                            }
+                        }
+                        return sum;
+                    };
+                    const double after = price(to, 1) + 0.01 * (seen.to - to),
+                                 before = price(from, -1) + 0.01 * (from - seen.from);
+                    way = after <= before ? 1 : -1;
+                }
             }
             const double beyond = 16;
             if (way > 0)
@@ -1430,7 +1499,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
     return fitted(first, false, room_x, room_y, [&](double scale, bool last) {
         Sketch sketch(subject, context, scale, "velocities-");
         sketch.draw_in_grey();
-        const double reach = std::clamp(0.35 * sketch.size(), 12.0, 45.0);
+        const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
         const double velocity_scale = choose_scale(longest, 0, reach, reach, asked);
         Box view = grown(sketch.mechanism_box(), 0.25 * sketch.size());
         const Pen thin{theme.thin, theme.secondary, {}, false};

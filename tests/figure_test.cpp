@@ -1,0 +1,235 @@
+// Figures: scales, ids, arrows, and what the mechanism figure promises: groups that nest, unique legal ids, vectors whose axes
+// have the length of their values, nothing outside the room.
+#include "render/figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "constructions/solve.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+const Fonts& fonts() {
+    static const Fonts opened = Fonts::open().value();
+    return opened;
+}
+
+Solution solved(const std::string& text) {
+    auto mechanism = read_mechanism(text, "test");
+    EXPECT_TRUE(mechanism.has_value());
+    auto solution = solve(*mechanism);
+    EXPECT_TRUE(solution.has_value());
+    return *solution;
+}
+
+std::vector<std::filesystem::path> examples() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+Solution example(const std::filesystem::path& file) {
+    std::stringstream text;
+    text << std::ifstream(file).rdbuf();
+    return solved(text.str());
+}
+
+/// Opens and closes in order; ids are legal and met once.
+void expect_well_grouped(const Figure& figure) {
+    std::set<std::string> ids;
+    int depth = 0;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            ++depth;
+            if (group->id.empty()) continue;
+            EXPECT_TRUE(ids.insert(group->id).second) << group->id << " twice";
+            EXPECT_EQ(legal_id(group->id), group->id);
+        }
+        if (std::holds_alternative<GroupEnd>(mark)) --depth;
+        EXPECT_GE(depth, 0);
+    }
+    EXPECT_EQ(depth, 0);
+}
+
+TEST(Scale, is_the_finest_round_one_that_fits) {
+    EXPECT_EQ(choose_scale(0.2, 0.1, 100, 100, std::nullopt), 0.002);
+    EXPECT_EQ(choose_scale(0.201, 0.1, 100, 100, std::nullopt), 0.0025);
+    EXPECT_EQ(choose_scale(0.26, 0.1, 100, 100, std::nullopt), 0.005);
+    EXPECT_EQ(choose_scale(0.1, 6, 100, 100, std::nullopt), 0.1);
+    EXPECT_EQ(choose_scale(3e7, 0, 100, 100, std::nullopt), 5e5);
+    EXPECT_EQ(choose_scale(0.2, 0.1, 100, 100, 0.003), 0.003);
+    EXPECT_GT(choose_scale(0, 0, 100, 100, std::nullopt), 0);
+}
+
+TEST(Ids, keep_letters_and_write_the_rest_as_bytes) {
+    EXPECT_EQ(legal_id("O2.a-b_c"), "O2.a-b_c");
+    EXPECT_EQ(legal_id("A*"), "A_x2A_");
+    EXPECT_EQ(legal_id("1 <2>"), "1_x20__x3C_2_x3E_");
+    EXPECT_EQ(legal_id("α"), "_xCE__xB1_");
+}
+
+TEST(Arrow, has_its_tip_exactly_on_the_vertex) {
+    for (const double width : {0.18, 0.35, 0.7})
+        for (const double size : {0.3, 2.0, 60.0}) {
+            const Spot tail{1.5, -2}, tip = tail + size * Spot{0.6, -0.8};
+            std::vector<Mark> marks;
+            draw_arrow(marks, tail, tip, width, {});
+            ASSERT_EQ(marks.size(), 2U);
+            const auto& head = std::get<Path>(marks[1]);
+            const Spot first = std::get<MoveTo>(head.segments.front()).to;
+            EXPECT_EQ(first.x, tip.x);
+            EXPECT_EQ(first.y, tip.y);
+            // The shaft stops inside the head, whose barbs lie behind the tip, never behind the tail.
+            const Spot end = std::get<LineTo>(std::get<Path>(marks[0]).segments.back()).to;
+            EXPECT_LT(length(end - tail), size);
+            for (const Segment& segment : head.segments)
+                if (const auto* barb = std::get_if<LineTo>(&segment)) {
+                    EXPECT_GT(dot(barb->to - tail, unit(tip - tail)), 0);
+                    EXPECT_LT(dot(barb->to - tip, unit(tip - tail)), 0);
+                }
+        }
+}
+
+TEST(Arrow, of_no_length_is_nothing) {
+    std::vector<Mark> marks;
+    draw_arrow(marks, {1, 1}, {1, 1}, 0.7, {});
+    EXPECT_TRUE(marks.empty());
+}
+
+TEST(Move, carries_marks_labels_and_box) {
+    Figure figure;
+    figure.marks = {line({0, 0}, {1, 2}, {}), Axis{{0, 0}, {1, 2}}};
+    figure.labels.resize(1);
+    figure.labels[0].toward = Spot{1, 1};
+    figure.box = {{0, 0}, {1, 2}};
+    figure.move(10, 0.1);
+    EXPECT_EQ(std::get<Axis>(figure.marks[1]).tip.x, 11);
+    EXPECT_EQ(std::get<Axis>(figure.marks[1]).tip.y, 2.1);
+    EXPECT_EQ(figure.labels[0].anchor.x, 10);
+    EXPECT_EQ(figure.labels[0].toward->x, 11);
+    EXPECT_EQ(figure.box.max.x, 11);
+}
+
+TEST(MechanismFigure, of_every_example_is_well_grouped_and_within_its_room) {
+    const Theme theme;
+    for (const auto& file : examples()) {
+        SCOPED_TRACE(file.filename().string());
+        const Solution solution = example(file);
+        for (const Language language : {Language::en, Language::it}) {
+            const DrawingContext context{solution, theme, fonts(), language};
+            const Figure figure = mechanism_figure(context, 185, 150, true);
+            expect_well_grouped(figure);
+            EXPECT_LE(figure.box.width(), 185);
+            EXPECT_LE(figure.box.height(), 150);
+            EXPECT_TRUE(figure.labels.empty());
+            const Box ink = box_of(figure.marks);
+            EXPECT_GE(ink.min.x, figure.box.min.x - 1);
+            EXPECT_LE(ink.max.x, figure.box.max.x + 1);
+        }
+    }
+}
+
+TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
+    const Theme theme;
+    for (const auto& file : examples()) {
+        SCOPED_TRACE(file.filename().string());
+        const Solution solution = example(file);
+        const DrawingContext context{solution, theme, fonts()};
+        const Figure figure = mechanism_figure(context, 185, 150, true);
+        std::set<std::string> ids;
+        for (const Mark& mark : figure.marks)
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) ids.insert(group->id);
+        EXPECT_EQ(ids.count("mechanism"), 1U);
+        for (std::size_t b = 1; b < solution.mechanism.bodies.size(); ++b)
+            EXPECT_EQ(ids.count("link-" + legal_id(solution.mechanism.bodies[b].name)), 1U);
+        for (const Joint& joint : solution.mechanism.joints) EXPECT_EQ(ids.count("joint-" + legal_id(joint.name)), 1U);
+        for (const InstantCentre& centre : solution.centres)
+            if (centre.at) {
+                const std::string first = solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name;
+                const std::string second = solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name;
+                EXPECT_EQ(ids.count("centre-" + legal_id(first + "." + second)), 1U);
+            }
+    }
+}
+
+TEST(MechanismFigure, has_only_finite_numbers_and_is_the_same_twice) {
+    const Theme theme;
+    for (const auto& file : examples()) {
+        SCOPED_TRACE(file.filename().string());
+        const Solution solution = example(file);
+        const DrawingContext context{solution, theme, fonts()};
+        const Figure once = mechanism_figure(context, 120, 90, true), twice = mechanism_figure(context, 120, 90, true);
+        EXPECT_EQ(once.marks.size(), twice.marks.size());
+        EXPECT_EQ(once.box.max.x, twice.box.max.x);
+        EXPECT_EQ(once.box.max.y, twice.box.max.y);
+        EXPECT_TRUE(std::isfinite(once.box.width()) && std::isfinite(once.box.height()));
+    }
+}
+
+TEST(MechanismFigure, takes_the_scale_the_file_asks) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [0.3, 0.4]},
+        "bodies": {"2": ["O", "A"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}],
+        "drivers": [{"body": 2, "omega": 3}], "scales": {"mechanism": "1:5"}})");
+    const Theme theme;
+    const Figure figure = mechanism_figure({solution, theme, fonts()}, 185, 150, true);
+    EXPECT_EQ(figure.scale, 0.005);
+}
+
+TEST(MechanismFigure, survives_strange_names) {
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": "the frame", "points": {"a b": [0, 0], "a_x20_b": [0.3, 0.4], "<&>": [0.5, 0]},
+        "bodies": {"crank & arm": ["a b", "a_x20_b"], "5\"": ["a_x20_b", "<&>"]},
+        "joints": [{"revolute": "a b", "bodies": ["the frame", "crank & arm"]}, {"revolute": "a_x20_b", "bodies": ["crank & arm", "5\""]}],
+        "drivers": [{"body": "crank & arm", "omega": 3}, {"body": "5\"", "omega": 1}]})");
+    const Theme theme;
+    expect_well_grouped(mechanism_figure({solution, theme, fonts()}, 150, 120, true));
+    expect_well_grouped(velocities_on_mechanism({solution, theme, fonts()}, 150, 120));
+}
+
+TEST(VelocitiesOnMechanism, have_axes_as_long_as_their_values) {
+    const Theme theme;
+    for (const auto& file : examples()) {
+        SCOPED_TRACE(file.filename().string());
+        const Solution solution = example(file);
+        const Figure figure = velocities_on_mechanism({solution, theme, fonts()}, 120, 100);
+        expect_well_grouped(figure);
+        double value = -1;
+        int measured = 0;
+        for (const Mark& mark : figure.marks) {
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector")
+                for (const auto& [key, text] : group->attributes)
+                    if (key == "data-value") value = std::stod(text);
+            if (const auto* axis = std::get_if<Axis>(&mark)) {
+                EXPECT_NEAR(length(axis->tip - axis->tail), value / figure.scale, 1e-6);
+                ++measured;
+            }
+        }
+        bool moves = false;
+        for (const PointMotion& motion : solution.points) moves = moves || (motion.velocity && !motion.velocity->is_zero());
+        EXPECT_EQ(measured > 0, moves);
+    }
+}
+
+TEST(CircleDiagram, has_a_chord_for_each_centre_found) {
+    const Theme theme;
+    const Solution solution = example(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "four_bar.json");
+    const Figure figure = circle_diagram({solution, theme, fonts()}, 60, 60);
+    expect_well_grouped(figure);
+    int chords = 0;
+    for (const Mark& mark : figure.marks)
+        if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() == 2) ++chords;
+    EXPECT_EQ(chords, 6);
+    EXPECT_LE(figure.box.width(), 60);
+}
+
+}  // namespace
+}  // namespace kinegraph::render

@@ -1,0 +1,199 @@
+// Labels: none covers a stroke, an arrowhead or another label, in crowds too, and each stays beside its own object.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "render/figure.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+const Fonts& fonts() {
+    static const Fonts opened = Fonts::open().value();
+    return opened;
+}
+
+LabelRequest named(const std::string& text, Spot anchor) {
+    LabelRequest request;
+    request.text = one_piece(text, Face::italic);
+    request.anchor = anchor;
+    return request;
+}
+
+/// Corners of a label's ink, grown by `margin`, turned with it.
+struct Ink {
+    std::string words;
+    Spot centre, half, axis;
+};
+std::vector<Ink> labels_of(const Figure& figure, const std::vector<LabelRequest>& requests) {
+    std::vector<Ink> labels;
+    std::size_t next = 0;
+    for (const Mark& mark : figure.marks) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (!text || text->cls != "label") continue;
+        const ShapedLine shaped = fonts().shape(requests[next].text, requests[next].size);
+        ++next;
+        // Set about its middle: the pivot.
+        labels.push_back({text->words,
+                          text->pivot,
+                          {shaped.width / 2, (shaped.ascent + shaped.descent) / 2},
+                          {std::cos(text->angle), std::sin(text->angle)}});
+    }
+    return labels;
+}
+/// Points over the label's box, dense enough that no stroke passes between them unseen.
+std::vector<Spot> samples(const Ink& ink) {
+    std::vector<Spot> spots;
+    for (int i = -12; i <= 12; ++i)
+        for (int j = -6; j <= 6; ++j)
+            spots.push_back(ink.centre + (ink.half.x * i / 12) * ink.axis + (ink.half.y * j / 6) * turned(ink.axis));
+    return spots;
+}
+bool holds(const Ink& ink, Spot spot, double margin) {
+    const Spot d = spot - ink.centre;
+    return std::abs(dot(d, ink.axis)) <= ink.half.x + margin && std::abs(cross(ink.axis, d)) <= ink.half.y + margin;
+}
+double distance_to_segment(Spot spot, Spot from, Spot to) {
+    const Spot d = to - from;
+    const double t = std::clamp(dot(spot - from, d) / std::max(dot(d, d), 1e-12), 0.0, 1.0);
+    return length(spot - from - t * d);
+}
+
+void expect_clean(const Figure& figure, const std::vector<LabelRequest>& requests,
+                  const std::vector<std::pair<Spot, Spot>>& strokes, double width) {
+    const std::vector<Ink> labels = labels_of(figure, requests);
+    ASSERT_EQ(labels.size(), requests.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (const Spot spot : samples(labels[i])) {
+            for (const auto& [from, to] : strokes)
+                EXPECT_GT(distance_to_segment(spot, from, to), width / 2 + 0.3) << labels[i].words << " on a stroke";
+            for (std::size_t j = 0; j < labels.size(); ++j)
+                EXPECT_FALSE(i != j && holds(labels[j], spot, 0.3)) << labels[i].words << " on " << labels[j].words;
+            if (::testing::Test::HasFailure()) return;
+        }
+    }
+}
+
+TEST(Labels, beside_a_star_of_lines_stand_in_its_sectors) {
+    Figure figure;
+    std::vector<std::pair<Spot, Spot>> strokes;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 5;
+        strokes.push_back({{0, 0}, 30 * Spot{std::cos(angle), std::sin(angle)}});
+    }
+    for (const auto& [from, to] : strokes) figure.marks.emplace_back(line(from, to, {0.7, {}, {}, false}));
+    figure.labels = {named("O", {0, 0}), named("A", strokes[0].second), named("B", strokes[1].second),
+                     named("C", strokes[2].second)};
+    const auto requests = figure.labels;
+    place_labels(figure, fonts());
+    expect_clean(figure, requests, strokes, 0.7);
+}
+
+TEST(Labels, of_a_crowd_of_points_do_not_meet) {
+    Figure figure;
+    std::vector<std::pair<Spot, Spot>> strokes;
+    // Nine points 5 mm apart, on a grid of thin lines: leaders are wanted.
+    for (int i = 0; i < 3; ++i) {
+        strokes.push_back({{-10, 5.0 * i}, {20, 5.0 * i}});
+        strokes.push_back({{5.0 * i, -10}, {5.0 * i, 20}});
+    }
+    for (const auto& [from, to] : strokes) figure.marks.emplace_back(line(from, to, {0.18, {}, {}, false}));
+    for (int i = 0; i < 9; ++i) figure.labels.push_back(named("P" + std::to_string(i), {5.0 * (i % 3), 5.0 * (i / 3)}));
+    const auto requests = figure.labels;
+    place_labels(figure, fonts());
+    expect_clean(figure, requests, strokes, 0.18);
+}
+
+TEST(Labels, of_vectors_stand_beside_them) {
+    Figure figure;
+    const std::vector<std::pair<Spot, Spot>> strokes{{{0, 0}, {60, 0}}, {{60, 0}, {30, -40}}, {{0, 0}, {30, -40}}};
+    for (const auto& [from, to] : strokes) {
+        draw_arrow(figure.marks, from, to, 0.7, {});
+        LabelRequest request = named("v", 0.5 * (from + to));
+        request.toward = to;
+        figure.labels.push_back(request);
+    }
+    const auto requests = figure.labels;
+    place_labels(figure, fonts());
+    expect_clean(figure, requests, strokes, 0.7);
+    const auto labels = labels_of(figure, requests);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(distance_to_segment(labels[i].centre, strokes[i].first, strokes[i].second), 6);
+}
+
+TEST(Labels, along_a_line_are_never_upside_down) {
+    for (int i = 0; i < 24; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 24;
+        Figure figure;
+        const Spot end = 40 * Spot{std::cos(angle), std::sin(angle)};
+        figure.marks.emplace_back(line({0, 0}, end, {0.18, {}, {}, false}));
+        LabelRequest request = named("∥ BC", 0.5 * end);
+        request.toward = end;
+        request.along = true;
+        request.clearance = 1.2;
+        figure.labels.push_back(request);
+        const auto requests = figure.labels;
+        place_labels(figure, fonts());
+        const auto labels = labels_of(figure, requests);
+        ASSERT_EQ(labels.size(), 1U);
+        EXPECT_GT(labels[0].axis.x, -1e-9);
+        EXPECT_NEAR(std::abs(cross(labels[0].axis, unit(end))), 0, 1e-9);
+        expect_clean(figure, requests, {{{0, 0}, end}}, 0.18);
+    }
+}
+
+TEST(Labels, stay_within_the_figures_group_and_box) {
+    Figure figure;
+    figure.marks = {GroupBegin{"figure", "f", "", {}}, line({0, 0}, {10, 0}, {}), GroupEnd{}};
+    figure.box = {{0, 0}, {10, 0.1}};
+    figure.labels = {named("A", {10, 0})};
+    place_labels(figure, fonts());
+    EXPECT_TRUE(std::holds_alternative<GroupEnd>(figure.marks.back()));
+    EXPECT_TRUE(figure.labels.empty());
+    for (const Mark& mark : figure.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark)) {
+            EXPECT_GE(text->pivot.x, figure.box.min.x);
+            EXPECT_LE(text->pivot.x, figure.box.max.x);
+            EXPECT_GE(text->pivot.y, figure.box.min.y);
+            EXPECT_LE(text->pivot.y, figure.box.max.y);
+        }
+}
+
+TEST(Labels, are_placed_alike_twice) {
+    const auto once = [] {
+        Figure figure;
+        for (int i = 0; i < 20; ++i) {
+            const Spot at{7.0 * (i % 5), 6.0 * (i / 5)};
+            figure.marks.emplace_back(disc(at, 0.8, {}));
+            figure.labels.push_back(named("Q" + std::to_string(i), at));
+        }
+        place_labels(figure, fonts());
+        std::string places;
+        for (const Mark& mark : figure.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark))
+                places += std::to_string(text->pivot.x) + "," + std::to_string(text->pivot.y) + ";";
+        return places;
+    };
+    EXPECT_EQ(once(), once());
+}
+
+TEST(Labels, eighty_among_fifteen_hundred_strokes_take_milliseconds) {
+    Figure figure;
+    for (int i = 0; i < 1500; ++i) {
+        const double angle = 0.7 * i;
+        const Spot at{std::fmod(37.0 * i, 280.0), std::fmod(23.0 * i, 180.0)};
+        figure.marks.emplace_back(line(at, at + 3 * Spot{std::cos(angle), std::sin(angle)}, {0.18, {}, {}, false}));
+    }
+    for (int i = 0; i < 80; ++i) figure.labels.push_back(named("P" + std::to_string(i), {30.0 * (i % 10), 22.0 * (i / 10)}));
+    const auto start = std::chrono::steady_clock::now();
+    place_labels(figure, fonts());
+    const double took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    RecordProperty("milliseconds", std::to_string(took));
+    EXPECT_LT(took, 500) << "far above what it takes on any machine: something has become quadratic";
+}
+
+}  // namespace
+}  // namespace kinegraph::render
