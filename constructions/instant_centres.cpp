@@ -254,6 +254,23 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
     return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
 }
 
+/// Places at which two bodies' relative velocity may be drawn: their nodes, and one beside them, for nodes that lie all on one
+/// line with the centre sought.
+std::vector<std::pair<PointOn<Plane::drawing>, std::string>> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
+    std::vector<std::pair<Drawing, std::string>> places;
+    for (const BodyIndex body : {first, second}) {
+        for (const NodeIndex node : structure_.nodes_of(body))
+            places.emplace_back(structure_.node(node).place, structure_.node(node).label);
+    }
+    for (const Node& other : structure_.nodes()) {
+        if (places.empty() || board_.coincide(places.front().first, other.place)) continue;
+        const auto aside = board_.turn(board_.vector(places.front().first, other.place));
+        places.emplace_back(board_.carry(places.front().first, aside), places.front().second);
+        break;
+    }
+    return places;
+}
+
 void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
     const BodyIndex i = entry.centre.first, j = entry.centre.second;
     const auto& track = motion.velocity;
@@ -265,15 +282,11 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
         board_.statement(statement).message = {Sentence::centre_from_velocities,
                                                {symbol(i, j), PointName{first}, PointName{second}}};
     };
-    std::vector<NodeIndex> nodes;
-    for (const BodyIndex body : {j, i})
-        nodes.insert(nodes.end(), structure_.nodes_of(body).begin(), structure_.nodes_of(body).end());
+    const std::vector<std::pair<Drawing, std::string>> places = places_of(j, i);
     const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));
-    for (const NodeIndex node : nodes) {
-        const Drawing place = structure_.node(node).place;
+    for (const auto& [place, name] : places) {
         const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
         if (!on_i || !on_j) return;
-        const std::string& name = structure_.node(node).label;
         const auto relative = board_.vector(*on_i, *on_j);
         const bool still = board_.is_zero(relative);
         if (equal_spins) {

@@ -51,6 +51,7 @@ private:
     bool by_coincidence(BodyIndex i, BodyIndex j);
     std::vector<BodyIndex> intermediates(BodyIndex i, BodyIndex j);
     LineOn<Plane::drawing> line_over(BodyIndex i, BodyIndex k, BodyIndex j);
+    std::vector<std::pair<PointOn<Plane::drawing>, std::string>> places_of(BodyIndex first, BodyIndex second);
     void from_velocities(Pair& pair, const Motion& motion);
     bool at_relative_rest(const Pair& pair, const Motion& motion);
 
