@@ -164,6 +164,21 @@ struct Wanted {
     std::function<Figure(double, double)> draw;
     std::vector<Block> equations;
     double caption_width = 60;
+    struct Drawn {
+        double room_x, room_y;
+        Figure figure;
+    };
+    std::vector<Drawn> drawn;
+
+    /// Drawn once for all rooms between the one it was drawn for and what it takes: the scale is the largest that fits.
+    Figure drawn_into(double room_x, double room_y) {
+        for (const Drawn& each : drawn)
+            if (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
+                each.figure.box.height() <= room_y)
+                return each.figure;
+        drawn.push_back({room_x, room_y, draw(room_x, room_y)});
+        return drawn.back().figure;
+    }
 };
 
 /// A column that text may flow into.
@@ -456,7 +471,7 @@ private:
                         wanted.rim_y += 8;
                     }
                 }
-                if (smaller && round < 2) {
+                if (smaller && round < 1) {
                     drawn_.resize(before);
                     figures_ = numbers;
                     unplaced_.clear();
@@ -558,10 +573,13 @@ private:
         return all;
     }
 
-    void fill_cell(Sheet& sheet, const Wanted& wanted, std::size_t index, const Box& cell) {
-        const double caption = caption_height(wanted, cell.width());
-        const Box room = rectangle(cell.min.x, cell.min.y + caption, cell.max.x, cell.max.y);
-        Figure figure = wanted.draw(room.width(), room.height());
+    void fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell) {
+        Box room = rectangle(cell.min.x, cell.min.y + caption_height(wanted, cell.width()), cell.max.x, cell.max.y);
+        Figure figure = wanted.drawn_into(room.width(), room.height());
+        // Captions of a row of figures share a baseline; a long one takes what it needs.
+        std::vector<Mark> caption;
+        room.min.y = std::max(room.min.y, cell.min.y + set_caption(caption, figure, cell.min, cell.width()));
+        if (figure.box.height() > room.height()) figure = wanted.drawn_into(room.width(), room.height());
         if (!wanted.equations.empty()) {
             const std::array<Block, 2> blocks{arranged(wanted.equations, false), arranged(wanted.equations, true)};
             if (!beside(sheet, figure, blocks, room) && !apart(sheet, figure, wanted, blocks, room)) {
@@ -571,6 +589,7 @@ private:
         } else {
             centre(figure, room);
         }
+        --figures_;
         set_caption(sheet.marks, figure, cell.min, cell.width());
         sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());
         drawn_.push_back(std::move(figure));
@@ -618,7 +637,7 @@ private:
     }
 
     /// The room divided between equations and figure, whichever way leaves the figure larger.
-    bool apart(Sheet& sheet, Figure& figure, const Wanted& wanted, const std::array<Block, 2>& blocks, const Box& room) const {
+    bool apart(Sheet& sheet, Figure& figure, Wanted& wanted, const std::array<Block, 2>& blocks, const Box& room) const {
         struct Way {
             Box figure_room;
             Spot corner;
@@ -642,8 +661,8 @@ private:
             if (would_be < scale) scale = would_be, best = &way;
         }
         // A polygon three steps smaller is no fair price: then the equations stand with the steps.
-        if (!best) return false;
-        Figure smaller = wanted.draw(best->figure_room.width(), best->figure_room.height());
+        if (!best || scale > 3 * figure.scale) return false;
+        Figure smaller = wanted.drawn_into(best->figure_room.width(), best->figure_room.height());
         if (smaller.scale > 3 * figure.scale || smaller.box.width() > best->figure_room.width() ||
             smaller.box.height() > best->figure_room.height())
             return false;
@@ -767,7 +786,7 @@ private:
                 std::size_t to = std::min(rows.size(), from + fit);
                 // A table is divided between groups where it can.
                 if (to < rows.size())
-                    for (std::size_t k = to; k > from + fit / 2; --k)
+                    for (std::size_t k = to; k > from + 4; --k)
                         if (rows[k].group != rows[k - 1].group) {
                             to = k;
                             break;
@@ -1001,13 +1020,36 @@ private:
         for (Section& section : rest)
             while (!section.rows.empty())
                 if (!place_section(section)) split_section(section);
-        if (small <= 0)
-            for (const Late& each : late_rest)
-                if (!place_late(each)) {
-                    sheets_.emplace_back();
-                    sheets_.back().runs = text_runs(0, 0, 0);
-                    place_late(each);
-                }
+        if (small <= 0) place_last(late_rest);
+    }
+
+    /// Figures after the text, as large as the last page has columns to spare for them.
+    void place_last(const std::vector<Late>& figures) {
+        if (figures.empty()) return;
+        int free = 0;
+        std::vector<Run>& runs = sheets_.back().runs;
+        while (free < static_cast<int>(runs.size()) && runs[runs.size() - 1 - static_cast<std::size_t>(free)].used == 0) ++free;
+        if (free < 2) {
+            std::vector<Late> left;
+            for (const Late& each : figures)
+                if (!place_late(each)) left.push_back(each);
+            if (left.empty()) return;
+            sheets_.emplace_back();
+            sheets_.back().runs = text_runs(0, 0, 0);
+            place_last(left);
+            return;
+        }
+        // The mechanism over two columns, the circle in the third or below.
+        const int first = format_.columns - free;
+        Box place = column(first);
+        const bool third = free > 2 && figures.size() > 1;
+        const double bottom = std::min(column(first + 1).max.y, place.max.y);
+        const double height = bottom - place.min.y - (figures.size() > 1 && !third ? 68 : 0);
+        const Block block = figure_block(figures.front(), 2 * measure_ + gap, std::min(height, 150.0));
+        set(sheets_.back(), block, place.min);
+        if (figures.size() < 2) return;
+        place = third ? column(first + 2) : rectangle(place.min.x, place.min.y + block.height + gap, place.max.x, bottom);
+        set(sheets_.back(), figure_block(figures.back(), measure_, std::min(place.height(), 85.0)), place.min);
     }
 
     /// Columns of a text page below its figures.
