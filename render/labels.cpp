@@ -25,6 +25,7 @@ constexpr double cell = 4.0;           // of the grid
 constexpr double covers_stroke = 100;  // the price that no wish outweighs
 constexpr double covers_label = 400;
 constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
+constexpr double upright_price = 8;   // of a direction mark that leaves its line
 constexpr double leader_price = 6;
 constexpr double least_of_far = 11;  // leader and distance: no far place costs less
 
@@ -376,16 +377,17 @@ private:
     bool propose_more(std::size_t i, double least) {
         const LabelRequest& request = requests_[i];
         const bool beside = request.toward.has_value();
-        // A vector shorter than its name has room beyond its ends; a direction mark stays on its line.
+        // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
+        const double price = request.along ? upright_price : beside_price;
         if (stage_[i] == 0) {
-            if (beside && least < beside_price) return false;
-            if (beside) propose_around(i, beside_price, length(*request.toward - request.anchor), false);
+            if (beside && least < price) return false;
+            if (beside) propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
             stage_[i] = 1;
             if (beside) return true;
         }
         if (stage_[i] == 1) {
             if (least < least_of_far) return false;
-            propose_around(i, beside ? beside_price : 0.0, 0, true);
+            propose_around(i, beside ? price : 0.0, 0, true);
             stage_[i] = 2;
             return true;
         }
@@ -399,8 +401,9 @@ private:
         Spot axis{1, 0};
         if (request.along) {
             axis = along;
-            // Read from below or from the right, never upside-down.
-            if (axis.x < -1e-9 || (axis.x < 1e-9 && axis.y > 0)) axis = -1.0 * axis;
+            // Read from below or from the right, never upside-down; what is nearly upright reads upwards.
+            constexpr double nearly = 0.17;
+            if (axis.x < -nearly || (axis.x < nearly && axis.y > 0)) axis = -1.0 * axis;
         }
         const InkBox probe = box_at(i, {}, axis);
         const double reach_across =
@@ -409,7 +412,10 @@ private:
         const Spot middle = 0.5 * (box_.min + box_.max);
         const Spot outward = request.anchor - middle;
         for (const double extra : {0.0, 0.7, 1.5, 3.0})
-            for (const double at : {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0})
+            for (const double at :
+                 {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0, -1.4, 1.4, -1.9, 1.9, -2.5, 2.5}) {
+                // Only a mark that is turned with its line can stand before or behind it.
+                if (std::abs(at) > 1.1 && !request.along) continue;
                 for (const double side : {-1.0, 1.0}) {
                     Candidate candidate;
                     const Spot off = side * across;
@@ -420,6 +426,7 @@ private:
                     if (off.y > 0.3 || (std::abs(off.y) <= 0.3 && off.x < 0)) candidate.price += 0.3;  // above, right
                     finish(i, candidate);
                 }
+            }
     }
 
     void propose_around(std::size_t i, double penalty, double half_line, bool far) {
@@ -526,7 +533,7 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0;; ++k) {
             if (k == candidates_[i].size()) {
-                if (requests_[i].along || !propose_more(i, least)) break;
+                if (!propose_more(i, least)) break;
                 if (k == candidates_[i].size()) break;
             }
             const Candidate& candidate = candidates_[i][k];

@@ -207,7 +207,22 @@ Box ink_of(const TextMark& text) {
 
 /// What the labels of a finished figure cover: strokes (sampled every tenth of a mm) and each other.
 std::vector<std::string> covered(const Figure& figure) {
-    std::vector<std::pair<std::string, Box>> labels;
+    struct Label {
+        std::string words;
+        Box box;  // of the ink as if it were not turned
+        double angle;
+        Spot pivot;
+        Spot unturned(Spot spot) const {
+            const Spot d = spot - pivot;
+            const double c = std::cos(angle), n = std::sin(angle);
+            return pivot + Spot{d.x * c + d.y * n, d.y * c - d.x * n};
+        }
+        bool holds(Spot spot, double reach) const {
+            const Spot at = unturned(spot);
+            return at.x > box.min.x - reach && at.x < box.max.x + reach && at.y > box.min.y - reach && at.y < box.max.y + reach;
+        }
+    };
+    std::vector<Label> labels;
     std::vector<std::pair<Spot, double>> ink;
     const auto stroke = [&](Spot from, Spot to, double half) {
         const int steps = static_cast<int>(length(to - from) / 0.1) + 1;
@@ -215,7 +230,7 @@ std::vector<std::string> covered(const Figure& figure) {
     };
     for (const Mark& mark : figure.marks) {
         if (const auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
-            labels.emplace_back(text->words, ink_of(*text));
+            labels.push_back({text->words, ink_of(*text), text->angle, text->pivot});
         const auto* path = std::get_if<Path>(&mark);
         if (!path) continue;
         // The ring of a body's number is part of its label.
@@ -236,17 +251,22 @@ std::vector<std::string> covered(const Figure& figure) {
     }
     std::vector<std::string> faults;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const Box& box = labels[i].second;
         const bool on_stroke = std::any_of(ink.begin(), ink.end(), [&](const std::pair<Spot, double>& dot) {
-            const double reach = dot.second + 0.1;
-            return dot.first.x > box.min.x - reach && dot.first.x < box.max.x + reach && dot.first.y > box.min.y - reach &&
-                   dot.first.y < box.max.y + reach;
+            return labels[i].holds(dot.first, dot.second + 0.1);
         });
-        if (on_stroke) faults.push_back(labels[i].first + " on a stroke");
-        for (std::size_t j = i + 1; j < labels.size(); ++j) {
-            const Box& other = labels[j].second;
-            if (box.min.x < other.max.x && other.min.x < box.max.x && box.min.y < other.max.y && other.min.y < box.max.y)
-                faults.push_back(labels[i].first + " on " + labels[j].first);
+        if (on_stroke) faults.push_back(labels[i].words + " on a stroke");
+        for (std::size_t j = 0; j < labels.size(); ++j) {
+            if (i == j) continue;
+            bool met = false;
+            const Label turned_back{labels[j].words, labels[j].box, -labels[j].angle, labels[j].pivot};
+            for (int a = 0; a <= 20; ++a)
+                for (int b = 0; b <= 8; ++b) {
+                    const Box& box = labels[j].box;
+                    met = met ||
+                          labels[i].holds(
+                              turned_back.unturned({box.min.x + box.width() * a / 20, box.min.y + box.height() * b / 8}), 0.1);
+                }
+            if (met) faults.push_back(labels[i].words + " on " + labels[j].words);
         }
     }
     return faults;
@@ -264,8 +284,11 @@ TEST(Labels, of_every_example_cover_nothing) {
         ASSERT_TRUE(solution.has_value()) << entry.path();
         const DrawingContext context{*solution, theme, fonts()};
         for (const Spot room : {Spot{185, 150}, Spot{125, 90}}) {
-            for (const Figure& figure : {mechanism_figure(context, room.x, room.y, true),
-                                         velocities_on_mechanism(context, room.x, room.y), circle_diagram(context, 60, 60)})
+            std::vector<Figure> figures{mechanism_figure(context, room.x, room.y, true),
+                                        velocities_on_mechanism(context, room.x, room.y), circle_diagram(context, 60, 60)};
+            for (std::size_t p = 0; p < solution->protocol.polygons.size(); ++p)
+                figures.push_back(polygon_figure(context, static_cast<int>(p), room.x, room.y));
+            for (const Figure& figure : figures)
                 EXPECT_EQ(covered(figure), std::vector<std::string>{})
                     << entry.path().filename() << " " << figure.id << " " << room.x;
         }
