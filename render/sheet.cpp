@@ -193,8 +193,9 @@ struct Run {
 /// What stands together: a heading and what is below it; split only where it is longer than any column.
 struct Section {
     std::vector<Block> rows;
-    int home = -1;          // the figure it explains; −1: none
-    bool elsewhere = true;  // may stand in the cell of another figure
+    int home = -1;           // the figure it explains; −1: none
+    bool elsewhere = true;   // may stand in the cell of another figure
+    bool continued = false;  // its first rows stand already: the rest comes after them
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;
@@ -224,7 +225,7 @@ public:
         const double share = estimated_text() / (content_.width() * content_.height());
         bool done = false;
         if (wanted_.size() <= at_most() && share < one_page_share)
-            for (const double spare : {0.4, 0.55, 0.75, 1.0}) {
+            for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0}) {
                 attempt(spare);
                 if ((done = sheets_.size() == 1)) break;
             }
@@ -452,35 +453,49 @@ private:
             if (areas.empty()) areas.push_back(content_);
             // What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is
             // chosen anew with that knowledge.
-            for (int round = 0;; ++round) {
+            struct Outcome {
+                double value = -1e300;
+                Sheet sheet;
+                std::vector<Figure> drawn;
+                std::set<std::size_t> unplaced;
+                std::vector<Box> cells;
+            };
+            Outcome chosen;
+            const std::set<std::size_t> unplaced_before = unplaced_;
+            const std::vector<Figure> drawn_before = drawn_;
+            const int numbers = figures_;
+            for (int round = 0; round < 2; ++round) {
                 Split best;
                 for (const Box& each : areas)
                     for (Split& split : splits(first, count, each))
                         if (split.value > best.value + 1e-9) best = std::move(split);
-                Sheet sheet;
-                const std::size_t before = drawn_.size();
-                const int numbers = figures_;
+                Outcome outcome;
+                outcome.value = 0;
+                drawn_ = drawn_before;
+                unplaced_ = unplaced_before;
+                figures_ = numbers;
                 bool smaller = false;
                 for (std::size_t i = 0; i < count; ++i) {
                     Wanted& wanted = wanted_[first + i];
-                    fill_cell(sheet, wanted, first + i, best.cells[i]);
-                    if (std::log(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale) <
-                        worth(wanted, best.cells[i]) - 0.05) {
+                    fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                    const double size = std::log(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
+                    outcome.value += size;
+                    if (size < worth(wanted, best.cells[i]) - 0.05) {
                         smaller = true;
                         wanted.rim_x += 8;
                         wanted.rim_y += 8;
                     }
                 }
-                if (smaller && round < 1) {
-                    drawn_.resize(before);
-                    figures_ = numbers;
-                    unplaced_.clear();
-                    continue;
-                }
-                find_runs(sheet, best.cells, first);
-                sheets_.push_back(std::move(sheet));
-                break;
+                outcome.drawn = drawn_;
+                outcome.unplaced = unplaced_;
+                outcome.cells = best.cells;
+                if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+                if (!smaller) break;
             }
+            drawn_ = std::move(chosen.drawn);
+            unplaced_ = std::move(chosen.unplaced);
+            find_runs(chosen.sheet, chosen.cells, first);
+            sheets_.push_back(std::move(chosen.sheet));
             first += count;
         }
     }
@@ -1078,6 +1093,7 @@ private:
             if (at_home && section.home < 0) continue;
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
+                    if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
                     if (at_home ? run.home != section.home : !may_stand(section, run)) continue;
                     const double before = run.used > 0 ? section_gap : 0;
                     if (run.left() < before + height) continue;
@@ -1119,6 +1135,7 @@ private:
             ++count;
         }
         section.rows.erase(section.rows.begin(), section.rows.begin() + static_cast<std::ptrdiff_t>(count));
+        section.continued = true;
     }
 
     bool place_late(const Late& late) {
