@@ -479,7 +479,7 @@ private:
         const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
         const double wide = std::max({0.0, box_.min.x - centre.x + reach.x, centre.x + reach.x - box_.max.x});
         const double high = std::max({0.0, box_.min.y - centre.y + reach.y, centre.y + reach.y - box_.max.y});
-        candidate.price += 0.12 * (wide + high);
+        candidate.price += 0.06 * (wide + high);
         // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
         if (wide > spare_.x || high > spare_.y) candidate.price += 30;
         // A name must not seem to belong to a neighbour.
@@ -492,7 +492,23 @@ private:
                 const double other = distance_to_box(requests_[j].anchor, candidate.box);
                 if (other < own + 1.0) candidate.price += 4 * (own + 1.0 - other);
             }
+        // … nor a vector's name to the vector beside it.
+        if (requests_[i].toward && !requests_[i].along) {
+            const double to_own = distance_to_line(requests_[i], centre);
+            for (std::size_t j = 0; j < requests_.size(); ++j) {
+                if (j == i || !requests_[j].toward || requests_[j].along || requests_[j].balloon > 0) continue;
+                const double other = distance_to_line(requests_[j], centre);
+                if (other < to_own + 0.8) candidate.price += 2.5 * std::min(2.0, to_own + 0.8 - other);
+            }
+        }
         candidates_[i].push_back(candidate);
+    }
+
+    /// From the line that a request's label names (its anchor in the middle).
+    static double distance_to_line(const LabelRequest& request, Spot spot) {
+        const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
+        const double t = std::clamp(dot(d, half) / std::max(dot(half, half), 1e-12), -1.0, 1.0);
+        return length(d - t * half);
     }
 
     double price_with_others(std::size_t i, const Candidate& candidate, int besides) const {

@@ -1389,7 +1389,8 @@ void Sketch::draw_centres() {
             for (const std::size_t d : here) {
                 construction.emplace_back(group(all[d]));
                 draw_arrow(construction, base, tip, theme_.thin, theme_.secondary);
-                for (std::size_t k = 1; k < arrows_to[d].size(); ++k)
+                // Parallels all say where they go; of two lines to a far centre one says it.
+                for (std::size_t k = 1; k < arrows_to[d].size() && where[d] == Where::infinity; ++k)
                     draw_arrow(construction, arrows_to[d][k].base, arrows_to[d][k].base + 3.0 * arrows_to[d][k].along,
                                theme_.thin, theme_.secondary);
                 construction.emplace_back(GroupEnd{});
