@@ -194,7 +194,6 @@ struct Run {
 struct Section {
     std::vector<Block> rows;
     int home = -1;           // the figure it explains; −1: none
-    bool elsewhere = true;   // may stand in the cell of another figure
     bool continued = false;  // its first rows stand already: the rest comes after them
     double height() const {
         double sum = 0;
@@ -341,7 +340,9 @@ private:
         return {std::vector<double>(n, 1.0 / static_cast<double>(n))};
     }
 
-    /// How large a figure would be drawn in a cell: the logarithm of its longer side on paper.
+    /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
+    static double use_of(double size) { return std::log(size) - 40 / size; }
+    /// How large a figure would be drawn in a cell, and what that is worth.
     double worth(const Wanted& wanted, const Box& cell) const {
         const double width = cell.width(), height = cell.height() - 8;
         const auto drawn = [&](double w, double h) -> double {
@@ -355,7 +356,7 @@ private:
             }
             // The step of the scale first, then the air that it leaves.
             const double air = std::log(std::max(wanted.extent_x / room_x, wanted.extent_y / room_y) / scale);
-            return std::log(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
+            return use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
         };
         if (wanted.equations.empty()) return drawn(width, height);
         double stack_width = 0, stack_height = 0;
@@ -464,11 +465,12 @@ private:
             const std::set<std::size_t> unplaced_before = unplaced_;
             const std::vector<Figure> drawn_before = drawn_;
             const int numbers = figures_;
-            for (int round = 0; round < 2; ++round) {
+            for (int round = 0; round < 4; ++round) {
                 Split best;
                 for (const Box& each : areas)
                     for (Split& split : splits(first, count, each))
                         if (split.value > best.value + 1e-9) best = std::move(split);
+                if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
                 Outcome outcome;
                 outcome.value = 0;
                 drawn_ = drawn_before;
@@ -478,7 +480,7 @@ private:
                 for (std::size_t i = 0; i < count; ++i) {
                     Wanted& wanted = wanted_[first + i];
                     fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
-                    const double size = std::log(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
+                    const double size = use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
                     outcome.value += size;
                     if (size < worth(wanted, best.cells[i]) - 0.05) {
                         smaller = true;
@@ -833,7 +835,6 @@ private:
                 order.push_back(section_of(statement));
         for (const std::string& name : order) {
             Section section;
-            section.elsewhere = false;
             if (name == "centres") section.home = 0;
             for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
                 const Polygon& polygon = s.protocol.polygons[p];
@@ -1082,10 +1083,7 @@ private:
     }
 
     /// Whether a section may stand in a run: under a caption only what explains that figure.
-    static bool may_stand(const Section& section, const Run& run) {
-        if (run.home < 0 || run.home == section.home) return true;
-        return section.elsewhere && !run.under_caption;
-    }
+    static bool may_stand(const Section& section, const Run& run) { return run.home == section.home || !run.under_caption; }
 
     bool place_section(Section& section) {
         const double height = section.height();
@@ -1111,10 +1109,13 @@ private:
 
     /// A section longer than what is left anywhere: its first rows into the roomiest run, the rest goes on.
     void split_section(Section& section) {
+        // From left to right, so that the rows are read in order.
         Run* best = nullptr;
-        Sheet* on = nullptr;
-        for (Run& run : sheets_.back().runs)
-            if (!best || run.left() > best->left() + 0.1) best = &run, on = &sheets_.back();
+        Sheet* on = &sheets_.back();
+        for (Run& run : on->runs)
+            if (!best && run.left() >= 30 + section_gap) best = &run;
+        for (Run& run : on->runs)
+            if (!best || (best->left() < 30 && run.left() > best->left())) best = &run;
         const double first = section.rows.front().height + (section.rows.size() > 1 ? section.rows[1].height : 0);
         const double before = best && best->used > 0 ? section_gap : 0;
         // Not worth a split: a new page, unless this one is new already.
