@@ -437,7 +437,8 @@ private:
 
     void place_figures(double spare) {
         for (std::size_t first = 0; first < wanted_.size();) {
-            const std::size_t count = std::min(at_most(), wanted_.size() - first);
+            const std::size_t count =
+                std::min(first > 0 ? std::max<std::size_t>(at_most(), 4) : at_most(), wanted_.size() - first);
             std::vector<Box> areas;
             if (spare > 0) {
                 const double need = spare * estimated_text();
@@ -541,6 +542,14 @@ private:
     }
 
     double caption_height(const Wanted& wanted, double width) const { return wanted.caption_width > width ? 11 : 7; }
+
+    /// A diagram has no scale, nor has a polygon of which all vectors are zero.
+    static bool has_scale(const Figure& figure) {
+        if (figure.kind == "centres" || figure.unit.empty()) return false;
+        return (figure.kind != "velocity" && figure.kind != "acceleration") ||
+               std::any_of(figure.marks.begin(), figure.marks.end(),
+                           [](const Mark& mark) { return std::holds_alternative<Axis>(mark); });
+    }
 
     /// "Fig. 1  Mechanism and instant centres  1 : 5" on one line, or two where the cell is narrow.
     double set_caption(std::vector<Mark>& marks, const Figure& figure, Spot at, double width) {
