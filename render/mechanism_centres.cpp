@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/mechanism_sketch.hpp"
+#include "render/tables.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -317,7 +318,8 @@ private:
             label.text.push_back(one_piece("  (").front());
             label.text.insert(label.text.end(), counted_from_[c]->name.begin(), counted_from_[c]->name.end());
             for (Piece& piece : name_of_centre(c)) label.text.push_back(std::move(piece));
-            label.text.push_back(one_piece(" = " + value + " " + unit_of_length.symbol + ")").front());
+            for (Piece& piece : with_powers(" = " + value + " " + unit_of_length.symbol + ")"))
+                label.text.push_back(std::move(piece));
         }
         label.anchor = tip;
         label.clearance = 1.2;

@@ -2,6 +2,7 @@
 // the layers of marks (Sketch). Shared by the files that draw links, symbols and centres; of no use to others.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -61,7 +62,7 @@ struct Subject {
 
     explicit Subject(const Solution& s);
 
-    double size() const { return std::max({box.width(), box.height(), 1e-12}); }
+    double size() const { return std::max(box.width(), box.height()); }
     static bool is_fixed_pin(const Joint& joint) {
         return joint.kind == JointKind::revolute && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
     }

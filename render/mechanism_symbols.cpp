@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/mechanism_sketch.hpp"
+#include "render/tables.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -197,7 +198,7 @@ void Sketch::draw_profiles(BodyIndex body, std::vector<Mark>& marks) {
             if (length(c - centre) < same_place && std::abs(r - radius) < same_place) return;
         circles.emplace_back(centre, radius);
         Pen edge = pen;
-        if (geared) edge.dashes = dash_dot();
+        if (geared && body != 0) edge.dashes = dash_dot();
         (body == 0 ? ground : marks).emplace_back(circle(centre, radius, edge));
         if (body == 0) {
             // Hatch the rim on the side where nothing rolls: inside, unless the wheels are within.
@@ -475,8 +476,8 @@ void Sketch::draw_points(bool names) {
 void Sketch::draw_drivers() {
     const auto valued = [&](Symbol symbol, double value, const Unit& unit_of) {
         RichText text = typeset(symbol, context_.language);
-        text.push_back(
-            one_piece(" = " + given_number(value / unit_of.si.to_double(), context_.language) + " " + unit_of.symbol).front());
+        const std::string figure = given_number(value / unit_of.si.to_double(), context_.language);
+        for (Piece& piece : with_powers(" = " + figure + " " + unit_of.symbol)) text.push_back(std::move(piece));
         return text;
     };
     const auto straight = [&](Spot start, Spot along, double value, BodyIndex body, const std::string& about) {
