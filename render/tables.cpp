@@ -607,14 +607,21 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
         RichText how = how_found(centre, context.solution, context.language);
         if (centre.depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
         const ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
-        const auto wrapped = context.fonts.wrap(how, theme.body_text, std::max(20.0, width - symbols - where.width - 3));
-        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
-        double baseline = 3.2;
-        for (const ShapedLine& each : wrapped) {
-            set_text(block.marks, each, {symbols, baseline}, theme.text, "text");
-            baseline += 4.1;
+        const double indent = std::min(symbols, 0.3 * width), room = width - indent;
+        std::vector<ShapedLine> wrapped;
+        for (double size = theme.body_text; size > 4; size -= 0.5) {
+            wrapped = context.fonts.wrap(how, size, room);
+            if (std::none_of(wrapped.begin(), wrapped.end(), [&](const ShapedLine& l) { return l.width > room; })) break;
         }
-        set_right(block.marks, where, width, 3.2, theme.text);
+        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
+        double baseline = shaped[i].width > indent - 1.5 && !wrapped.empty() ? 7.3 : 3.2;
+        for (std::size_t k = 0; k < wrapped.size(); ++k) {
+            set_text(block.marks, wrapped[k], {indent, baseline}, theme.text, "text");
+            // The coordinates end the last line, or stand on their own.
+            if (k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room) baseline += 4.1;
+        }
+        set_right(block.marks, where, width, baseline, theme.text);
+        baseline += 4.1;
         block.width = width;
         block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
         lines.push_back(std::move(block));
