@@ -1006,8 +1006,11 @@ private:
 
         // What the pages with figures take.
         std::vector<Section> rest;
+        // First what explains a figure beside that figure, then the others wherever there is room.
         for (Section& section : sections_)
-            if (!place_section(section)) rest.push_back(std::move(section));
+            if (section.home >= 0) place_section(section, true);
+        for (Section& section : sections_)
+            if (!section.rows.empty() && !place_section(section)) rest.push_back(std::move(section));
         std::vector<Late> late_rest;
         for (Late& each : late)
             if (!rest.empty() || !place_late(each)) late_rest.push_back(std::move(each));
@@ -1101,10 +1104,10 @@ private:
     /// Whether a section may stand in a run: under a caption only what explains that figure.
     static bool may_stand(const Section& section, const Run& run) { return run.home == section.home || !run.under_caption; }
 
-    bool place_section(Section& section) {
+    bool place_section(Section& section, bool only_at_home = false) {
         const double height = section.height();
         for (const bool at_home : {true, false}) {
-            if (at_home && section.home < 0) continue;
+            if (at_home ? section.home < 0 : only_at_home) continue;
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
                     if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
