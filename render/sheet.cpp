@@ -269,7 +269,17 @@ private:
         mechanism.caption_width = 95;
         // Its symbols and letters do not shrink with it: drawn small, it is crowded.
         mechanism.weight = 1.7;
-        mechanism.draw = [this](double x, double y) { return mechanism_figure(context_, x, y, !solution().centres.empty()); };
+        mechanism.draw = [this](double x, double y) {
+            Figure figure = mechanism_figure(context_, x, y, !solution().centres.empty());
+            if (!wanted_.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+            // The scale that the file asks for is too large for the paper: ours, then.
+            if (!unscaled_) {
+                unscaled_ = solution();
+                unscaled_->mechanism.scales.clear();
+            }
+            const DrawingContext context{*unscaled_, context_.theme, context_.fonts, context_.language};
+            return mechanism_figure(context, x, y, !solution().centres.empty());
+        };
         wanted_.push_back(std::move(mechanism));
 
         const Protocol& protocol = s.protocol;
@@ -901,9 +911,17 @@ private:
                 section.rows.push_back(paragraph(one_piece(word("nothing driven", language()))));
             add(std::move(section));
         }
-        if (!s.remarks.empty()) {
+        std::vector<RichText> refused;
+        for (std::size_t i = 0; i < wanted_.size() && i < drawn_.size(); ++i)
+            if (wanted_[i].asked && !wanted_[i].empty && std::abs(drawn_[i].scale - *wanted_[i].asked) > 1e-9 * drawn_[i].scale) {
+                RichText text = drawn_[i].caption;
+                append(text, one_piece(": " + word("scale refused", language())));
+                refused.push_back(std::move(text));
+            }
+        if (!s.remarks.empty() || !refused.empty()) {
             Section section;
             section.rows.push_back(heading(word("remarks", language())));
+            for (const RichText& each : refused) section.rows.push_back(paragraph(each));
             for (const std::string& each : s.remarks) section.rows.push_back(paragraph(with_powers(each)));
             add(std::move(section));
         }
@@ -1280,6 +1298,7 @@ private:
     Box inner_, content_, block_;
     double measure_ = 80;
 
+    std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::vector<Wanted> wanted_;
     std::map<std::size_t, std::size_t> equation_polygon_;  // statement → index into wanted_
     std::set<std::size_t> unplaced_;                       // figures whose equations stand with the steps

@@ -208,6 +208,27 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
     for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
 }
 
+TEST(Sheet, TheFilesScalesAreTaken) {
+    Solution solution = example("four_bar.json");
+    solution.mechanism.scales = {{"mechanism", Exact::ratio(25, 10000), ""},  // 1 : 2.5
+                                 {"velocity", Exact::ratio(8, 1000), ""},
+                                 {"acceleration", Exact::ratio(2, 10), ""}};
+    const auto pages = lay_out(solution, {}, fonts());
+    EXPECT_TRUE(says(pages[0], "1 : 2.5"));
+    EXPECT_TRUE(says(pages[0], "1 mm ≙ 0.008 m/s"));
+    EXPECT_TRUE(says(pages[0], "1 mm ≙ 0.2 m/s"));
+    EXPECT_FALSE(says(pages, "Remarks"));
+    expect_clean(pages);
+}
+
+TEST(Sheet, AScaleTooLargeForThePaperIsRefusedAndSaidSo) {
+    Solution solution = example("four_bar.json");
+    solution.mechanism.scales = {{"mechanism", Exact::ratio(1, 10000), ""}, {"velocity", Exact::ratio(1, 10000), ""}};
+    const auto pages = lay_out(solution, {}, fonts());
+    EXPECT_TRUE(says(pages, "does not fit the sheet"));
+    expect_clean(pages);
+}
+
 TEST(Sheet, LongNamesPushNothingAside) {
     auto mechanism = read_mechanism(
         R"({"kinegraph": 1, "frame": "the foundation", "units": {"length": "mm"},
