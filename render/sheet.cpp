@@ -470,56 +470,77 @@ private:
                 }
             }
             if (areas.empty()) areas.push_back(content_);
-            // What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is
-            // chosen anew with that knowledge.
-            struct Outcome {
-                double value = -1e300;
-                Sheet sheet;
-                std::vector<Figure> drawn;
-                std::set<std::size_t> unplaced;
-                std::vector<Box> cells;
-            };
-            Outcome chosen;
-            const std::set<std::size_t> unplaced_before = unplaced_;
-            const std::vector<Figure> drawn_before = drawn_;
-            const int numbers = figures_;
-            for (int round = 0; round < 4; ++round) {
-                Split best;
-                for (const Box& each : areas)
-                    for (Split& split : splits(first, count, each))
-                        if (split.value > best.value + 1e-9) best = std::move(split);
-                if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
-                Outcome outcome;
-                outcome.value = 0;
-                drawn_ = drawn_before;
-                unplaced_ = unplaced_before;
-                figures_ = numbers;
-                bool smaller = false;
-                for (std::size_t i = 0; i < count; ++i) {
-                    Wanted& wanted = wanted_[first + i];
-                    fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
-                    const double size =
-                        wanted.empty ? 0
-                                     : wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
-                    outcome.value += size;
-                    if (!wanted.empty && size < worth(wanted, best.cells[i]) - 0.05) {
-                        smaller = true;
-                        wanted.rim_x += 8;
-                        wanted.rim_y += 8;
-                    }
-                }
-                outcome.drawn = drawn_;
-                outcome.unplaced = unplaced_;
-                outcome.cells = best.cells;
-                if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
-                if (!smaller) break;
+            Outcome chosen = best_page(first, count, areas);
+            // A scale that the file asks for may want a page with fewer figures on it.
+            for (std::size_t fewer = count - 1; chosen.missed && fewer > 0; --fewer) {
+                Outcome outcome = best_page(first, fewer, {content_});
+                if (!outcome.missed) chosen = std::move(outcome);
             }
             drawn_ = std::move(chosen.drawn);
             unplaced_ = std::move(chosen.unplaced);
+            figures_ = static_cast<int>(drawn_.size());
             find_runs(chosen.sheet, chosen.cells, first);
             sheets_.push_back(std::move(chosen.sheet));
-            first += count;
+            first += chosen.cells.size();
         }
+    }
+
+    /// A page with `count` figures from `first` on, and all that was drawn up to it.
+    struct Outcome {
+        double value = -1e300;
+        bool missed = false;  // a figure is not at the scale that the file asks for
+        Sheet sheet;
+        std::vector<Figure> drawn;
+        std::set<std::size_t> unplaced;
+        std::vector<Box> cells;
+    };
+
+    bool misses(const Wanted& wanted, const Figure& figure) const {
+        return wanted.asked && !wanted.empty && std::abs(figure.scale - *wanted.asked) > 1e-9 * figure.scale;
+    }
+
+    /// What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is chosen anew
+    /// with that knowledge. Leaves what was drawn before as it is.
+    Outcome best_page(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
+        Outcome chosen;
+        const std::set<std::size_t> unplaced_before = unplaced_;
+        const std::vector<Figure> drawn_before = drawn_;
+        const int numbers = figures_;
+        for (int round = 0; round < 4; ++round) {
+            Split best;
+            for (const Box& each : areas)
+                for (Split& split : splits(first, count, each))
+                    if (split.value > best.value + 1e-9) best = std::move(split);
+            if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
+            Outcome outcome;
+            outcome.value = 0;
+            bool smaller = false;
+            for (std::size_t i = 0; i < count; ++i) {
+                Wanted& wanted = wanted_[first + i];
+                fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                const bool missed = misses(wanted, drawn_.back());
+                outcome.missed = outcome.missed || missed;
+                double size = 0;
+                if (!wanted.empty)
+                    size = wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale) -
+                           (missed ? 3 : 0);
+                outcome.value += size;
+                if (!wanted.empty && size < worth(wanted, best.cells[i]) - 0.05) {
+                    smaller = true;
+                    wanted.rim_x += 8;
+                    wanted.rim_y += 8;
+                }
+            }
+            outcome.drawn = std::move(drawn_);
+            outcome.unplaced = std::move(unplaced_);
+            outcome.cells = best.cells;
+            drawn_ = drawn_before;
+            unplaced_ = unplaced_before;
+            figures_ = numbers;
+            if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+            if (!smaller) break;
+        }
+        return chosen;
     }
 
     /// mm² that the text will take, roughly: enough to choose whether it shares a page with the figures.
@@ -913,7 +934,7 @@ private:
         }
         std::vector<RichText> refused;
         for (std::size_t i = 0; i < wanted_.size() && i < drawn_.size(); ++i)
-            if (wanted_[i].asked && !wanted_[i].empty && std::abs(drawn_[i].scale - *wanted_[i].asked) > 1e-9 * drawn_[i].scale) {
+            if (misses(wanted_[i], drawn_[i])) {
                 RichText text = drawn_[i].caption;
                 append(text, one_piece(": " + word("scale refused", language())));
                 refused.push_back(std::move(text));
