@@ -292,11 +292,12 @@ private:
             const bool acceleration = polygon.plane == Plane::acceleration;
             const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
             Wanted wanted;
+            const double si = unit.si.to_double();
             double min_x = 0, max_x = 0, min_y = 0, max_y = 0;
             const auto add = [&](int element) {
                 if (protocol.point(element).at_infinity()) return;
-                const Vector at = protocol.point(element).place();
-                const double x = (at.x / unit.si).to_double(), y = (at.y / unit.si).to_double();
+                const ProjectivePoint& at = protocol.point(element);
+                const double x = at.x.to_double() / si, y = at.y.to_double() / si;
                 min_x = std::min(min_x, x), max_x = std::max(max_x, x), min_y = std::min(min_y, y), max_y = std::max(max_y, y);
             };
             for (const int v : polygon.vectors) {
@@ -306,8 +307,8 @@ private:
             wanted.empty = !(std::max(max_x - min_x, max_y - min_y) > 0);
             wanted.extent_x = std::max(max_x - min_x, 1e-30);
             wanted.extent_y = std::max(max_y - min_y, 1e-30);
-            wanted.asked = asked(polygon.id, unit.si.to_double());
-            if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", unit.si.to_double());
+            wanted.asked = asked(polygon.id, si);
+            if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
             wanted.draw = [this, p](double x, double y) { return polygon_figure(context_, static_cast<int>(p), x, y); };
             for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
                 const auto& equation = protocol.statements[i].equation;

@@ -292,7 +292,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
             ResultRow row;
             row.symbol = {letter, solution.mechanism.bodies[b].name, ""};
             row.name = name_of(row.symbol);
-            row.drawing = (*value / unit.si).to_double();
+            row.drawing = value->to_double() / si;
             if (const auto numeric = checks.scalar(quantity + " " + solution.mechanism.bodies[b].name))
                 row.numeric = *numeric / si;
             row.unit = unit.symbol;
@@ -316,7 +316,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
                 row.name = name_of(vector.symbol);
                 if (!names.insert(row.name).second) continue;
                 const Vector value = solution.protocol.value_of(vector);
-                row.drawing = length(Spot{(value.x / unit.si).to_double(), (value.y / unit.si).to_double()});
+                row.drawing = kinegraph::length(value) / unit.si.to_double();
                 row.millimetres = value.is_zero() ? std::optional<double>(0) : measured(figure, row.name);
                 if (!row.millimetres && figure) row.millimetres = 0;
                 if (const auto numeric = checks.modulus(vector)) row.numeric = *numeric / unit.si.to_double();
@@ -514,7 +514,8 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
     if (centre.at && !centre.at->at_infinity()) {
         const Unit& unit = solution.mechanism.units.length;
         const Vector place = centre.at->place();
-        const double x = (place.x / centre.at->w / unit.si).to_double(), y = (place.y / centre.at->w / unit.si).to_double();
+        const double w = centre.at->w.to_double() * unit.si.to_double();
+        const double x = place.x.to_double() / w, y = place.y.to_double() / w;
         const double size = (solution.pose.size / unit.si).to_double();
         const auto decimals = decimals_for(std::max({std::abs(x), std::abs(y), size}));
         const auto coordinate = [&](double v) {
