@@ -178,7 +178,7 @@ public:
     }
     /// i slides on j; returns the joint's name.
     std::string slide(const char* kind, int point, int i, int j, const std::string& along) {
-        const std::string title = "s" + std::to_string(++slides_);
+        std::string title = "s" + std::to_string(++slides_);
         joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) + ", " +
                           along + ", \"name\": " + quoted(title) + "}");
         return title;

@@ -36,8 +36,8 @@ const Exact least_share = Exact::power_of_two(-60);
 class Held {
 public:
     explicit Held(const Solution& solution) : solution_(solution), carried_(solution.mechanism.bodies.size()) {
-        for (std::size_t i = 0; i < solution.points.size(); ++i) {
-            for (const BodyIndex body : solution.points[i].bodies) carried_[at(body)].push_back(&solution.points[i]);
+        for (const PointMotion& point : solution.points) {
+            for (const BodyIndex body : point.bodies) carried_[at(body)].push_back(&point);
         }
     }
 
@@ -83,8 +83,7 @@ private:
             largest[spin] = std::max(largest[spin], largest[speed] / size);
             largest[speed] = std::max(largest[speed], largest[spin] * size);
         }
-        for (std::size_t i = 0; i < solution_.checks.size(); ++i) {
-            const CheckRow& row = solution_.checks[i];
+        for (const CheckRow& row : solution_.checks) {
             ASSERT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << row.quantity;
             double scale = std::max(std::abs(row.numeric), largest[kind_of(row.quantity)]);
             if (kind_of(row.quantity) == "centre") scale = reach_of_centre(row);
