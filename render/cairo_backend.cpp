@@ -4,11 +4,14 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <png.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <numbers>
 
@@ -153,6 +156,10 @@ std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
     std::vector<png_byte> row(static_cast<std::size_t>(width) * (in_grey ? 1 : 3));
     for (int y = 0; y < height; ++y) {
         const auto* from = reinterpret_cast<const std::uint32_t*>(pixels + y * stride);
+        if (y > 0 && std::memcmp(from, pixels + (y - 1) * stride, static_cast<std::size_t>(width) * 4) == 0) {
+            png_write_row(png, row.data());  // as the row above
+            continue;
+        }
         png_byte* to = row.data();
         if (in_grey) {
             for (int x = 0; x < width; ++x) *to++ = static_cast<png_byte>(from[x]);
@@ -194,13 +201,44 @@ Owned<cairo_font_face_t> embedded_face(const Fonts& fonts, std::uint8_t face) {
     return font;
 }
 
+struct Free {
+    void operator()(unsigned char* memory) const { std::free(memory); }
+};
+using Pixels = std::unique_ptr<unsigned char, Free>;
+
+/// Memory for pictures, kept for the next page: in pages as large as the machine has them, since a thousand small ones take
+/// longer to get than to draw on. What it holds is the last picture, to be painted over.
+class Canvas {
+public:
+    unsigned char* pixels(std::size_t bytes) {
+        if (bytes <= size_) return pixels_.get();
+        constexpr std::size_t large_page = std::size_t{1} << 21;
+        pixels_.reset();
+        size_ = 0;
+        const std::size_t whole = (bytes + large_page - 1) / large_page * large_page;
+        pixels_.reset(static_cast<unsigned char*>(std::aligned_alloc(large_page, whole)));
+        KG_ASSERT(pixels_, "the picture fits into memory");
+        size_ = whole;
+        ::madvise(pixels_.get(), whole, MADV_HUGEPAGE);  // refused by some machines: then it is slower
+        return pixels_.get();
+    }
+
+private:
+    Pixels pixels_;
+    std::size_t size_ = 0;
+};
+
 }  // namespace
 
 std::string to_png(const Page& page, const Fonts& fonts, double dpi) {
     KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
     const double scale = dpi / 25.4;
     const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
-    Owned<cairo_surface_t> surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(page.width), pixels(page.height))};
+    const int width = pixels(page.width), height = pixels(page.height), stride = 4 * width;
+    KG_ASSERT(width > 0 && height > 0 && width <= 32767 && height <= 32767, "the picture is one that cairo draws");
+    static thread_local Canvas canvas;
+    unsigned char* const own = canvas.pixels(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
+    Owned<cairo_surface_t> surface{cairo_image_surface_create_for_data(own, CAIRO_FORMAT_RGB24, width, height, stride)};
     Owned<cairo_t> cr{cairo_create(surface.get())};
     cairo_scale(cr.get(), scale, scale);
     KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
