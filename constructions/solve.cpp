@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "constructions/forces.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
 #include "constructions/plan.hpp"
@@ -11,6 +12,7 @@
 #include "constructions/structure.hpp"
 #include "engine/assert.hpp"
 #include "engine/check.hpp"
+#include "engine/check_forces.hpp"
 
 namespace kinegraph {
 namespace {
@@ -80,7 +82,7 @@ public:
         }
         collect_points();
         if (wanted_.centres) collect_centres(centres);
-        if (wanted_.forces) unsolved("forces", "this version solves motion only; forces are read and checked, but not drawn yet");
+        if (wanted_.forces) collect_forces();
         if (mechanism_.motion) unsolved("motion", "this version does not draw the act of motion of a single body yet");
         hold_against_check();
         solution_.protocol = std::move(board_).finish();
@@ -182,6 +184,15 @@ private:
         }
     }
 
+    void collect_forces() {
+        ForceResults forces = draw_forces(structure_, board_, motion_);
+        solution_.forces = std::move(forces.joints);
+        solution_.efforts = std::move(forces.efforts);
+        solution_.free_bodies = std::move(forces.bodies);
+        for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
+        for (std::string& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
+    }
+
     bool reached(BodyIndex body) const {
         if (!motion_.velocity.turns(body)) return false;
         for (const NodeIndex node : structure_.nodes_of(body)) {
@@ -249,7 +260,7 @@ private:
 
     // --- the check ---------------------------------------------------------------------------------------------------------
     void hold_against_check() {
-        if (!wanted_.velocities && !wanted_.accelerations) return;
+        if (!wanted_.velocities && !wanted_.accelerations && !wanted_.forces) return;
         const NumericMotion numeric = check_motion(mechanism_, solution_.pose);
         const auto row = [&](std::string quantity, double graphical, double independent) {
             solution_.checks.push_back({std::move(quantity), graphical, independent, graphical - independent});
@@ -280,6 +291,28 @@ private:
         }
         for (const Sliding& sliding : solution_.sliding) check_sliding(sliding, numeric, vector_row);
         for (const InstantCentre& centre : solution_.centres) check_centre(centre, numeric, vector_row);
+        if (wanted_.forces) check_against_equilibrium(numeric, row, vector_row);
+    }
+
+    template <class Row, class VectorRow>
+    void check_against_equilibrium(const NumericMotion& motion, const Row& row, const VectorRow& vector_row) const {
+        const NumericForces numeric = check_forces(mechanism_, solution_.pose, motion);
+        for (const JointForce& found : solution_.forces) {
+            if (!found.force) continue;
+            for (const NumericForces::Action& action : numeric.actions) {
+                if (!action.known || action.joint != found.joint || action.on != found.on || action.from != found.from) continue;
+                const std::string name = "force " + mechanism_.joints[at(found.joint)].name + " " +
+                                         (found.from < 0 ? "pin" : body_name(found.from)) + " on " + body_name(found.on);
+                vector_row(name, *found.force, action.force);
+                if (!found.couple->is_zero() || action.couple != 0)
+                    row(name + " couple", found.couple->to_double(), action.couple);
+            }
+        }
+        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
+            if (solution_.efforts[e].value && numeric.effort_known[e]) {
+                row("effort " + solution_.efforts[e].name, solution_.efforts[e].value->to_double(), numeric.efforts[e]);
+            }
+        }
     }
 
     int nodes_at(PointIndex point) const {

@@ -1,5 +1,5 @@
-// The check of the forces: equilibrium of every body as one system of linear equations in doubles, with Eigen. Shares nothing with
-// the constructions but Mechanism, Pose and the numeric motion (for inertia).
+// The check of the forces: equilibrium of every body as one system of linear equations in doubles, with Eigen. Shares nothing
+// with the constructions but Mechanism, Pose and the numeric motion (for inertia).
 #pragma once
 
 #include <array>
@@ -22,16 +22,17 @@ struct NumericForces {
         double couple = 0;
         bool known = false;  ///< determined by equilibrium
     };
-    std::vector<Action> actions;        ///< by joint, then by body of the joint; for two bodies both senses (3 on 2, 2 on 3)
-    std::vector<double> efforts;        ///< by effort index: couple (N m), force (N)
+    std::vector<Action> actions;  ///< by joint, then by body of the joint; for two bodies both senses (3 on 2, 2 on 3)
+    std::vector<double> efforts;  ///< by effort index: couple (N m), force (N)
     std::vector<bool> effort_known;
-    int indeterminacy = 0;              ///< unknowns left free by equilibrium: statically indeterminate by so many
-    bool balanced = true;               ///< false: no effort or reaction can hold the loads (a free motion is not balanced)
-    double residual = 0;                ///< largest unbalanced force relative to the largest load
+    int indeterminacy = 0;  ///< unknowns left free by equilibrium: statically indeterminate by so many
+    bool balanced = true;   ///< false: no effort or reaction can hold the loads (a free motion is not balanced)
+    double residual = 0;    ///< largest unbalanced force relative to the largest load
 };
 
-/// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two components through
-/// the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along Pose::normals, weld force and couple.
+/// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two components
+/// through the point, prismatic a force ⟂ guide and a couple, pin-slot, contact and gear a force along Pose::normals, weld force
+/// and couple.
 NumericForces check_forces(const Mechanism& mechanism, const Pose& pose, const NumericMotion& motion);
 
 }  // namespace kinegraph
