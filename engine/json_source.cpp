@@ -284,8 +284,9 @@ std::string JsonValue::pointer() const {
         }
         segments.push_back(std::move(segment));
     }
+    std::reverse(segments.begin(), segments.end());
     std::string pointer;
-    for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment) pointer += '/' + *segment;
+    for (const std::string& segment : segments) pointer.append(1, '/').append(segment);
     return pointer;
 }
 

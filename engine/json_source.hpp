@@ -84,8 +84,8 @@ private:
 
 class JsonValue::Iterator {
 public:
-    using difference_type = std::ptrdiff_t;
-    using value_type = JsonValue;
+    using difference_type = std::ptrdiff_t;  // NOLINT(readability-identifier-naming): the standard library's name
+    using value_type = JsonValue;            // NOLINT(readability-identifier-naming)
     Iterator() = default;
     explicit Iterator(JsonValue at) : at_(at) {}
     JsonValue operator*() const { return at_; }

@@ -25,14 +25,23 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
     const double most = 0.5 * std::min(room_x, room_y) - node - 4;
     const double radius = std::clamp(4.2 * static_cast<double>(count), std::min(12.0, most), std::max(12.0, most));
     // The frame at the top, then clockwise in the file's order.
-    const auto place = [&](int body) {
-        const double angle = -std::numbers::pi / 2 + 2 * std::numbers::pi * body / static_cast<double>(count);
-        return radius * Spot{std::cos(angle), std::sin(angle)};
+    const auto angle_of = [&](double body) {
+        return -std::numbers::pi / 2 + 2 * std::numbers::pi * body / static_cast<double>(count);
     };
+    const auto place = [&](int body) { return radius * Spot{std::cos(angle_of(body)), std::sin(angle_of(body))}; };
 
     std::vector<Mark>& marks = figure.marks;
     marks.emplace_back(GroupBegin{"figure", figure.id, plain(figure.caption), {{"data-figure", figure.kind}}});
-    marks.emplace_back(circle({0, 0}, radius, {theme.thin, {0xC4, 0xC4, 0xCA}, {}, false}));
+    for (std::size_t b = 0; b < count; ++b) {
+        const double half = 2 * std::asin(std::min(1.0, (node + 0.2) / (2 * radius)));
+        const double from = angle_of(static_cast<double>(b)) + half, to = angle_of(static_cast<double>(b + 1)) - half;
+        if (to <= from) continue;
+        Path arc;
+        arc.segments = {MoveTo{radius * Spot{std::cos(from), std::sin(from)}}, ArcTo{{0, 0}, radius, from, to}};
+        arc.stroked = true;
+        arc.pen = {theme.thin, {0xC4, 0xC4, 0xCA}, {}, false};
+        marks.emplace_back(std::move(arc));
+    }
 
     std::vector<const InstantCentre*> found;
     for (const InstantCentre& centre : solution.centres) {

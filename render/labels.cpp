@@ -25,6 +25,7 @@ constexpr double cell = 4.0;           // of the grid
 constexpr double covers_stroke = 100;  // the price that no wish outweighs
 constexpr double covers_label = 400;
 constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
+constexpr double upright_price = 8;   // of a direction mark that leaves its line
 constexpr double leader_price = 6;
 constexpr double least_of_far = 11;  // leader and distance: no far place costs less
 
@@ -376,16 +377,17 @@ private:
     bool propose_more(std::size_t i, double least) {
         const LabelRequest& request = requests_[i];
         const bool beside = request.toward.has_value();
-        // A vector shorter than its name has room beyond its ends; a direction mark stays on its line.
+        // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
+        const double price = request.along ? upright_price : beside_price;
         if (stage_[i] == 0) {
-            if (beside && least < beside_price) return false;
-            if (beside) propose_around(i, beside_price, length(*request.toward - request.anchor), false);
+            if (beside && least < price) return false;
+            if (beside) propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
             stage_[i] = 1;
             if (beside) return true;
         }
         if (stage_[i] == 1) {
             if (least < least_of_far) return false;
-            propose_around(i, beside ? beside_price : 0.0, 0, true);
+            propose_around(i, beside ? price : 0.0, 0, true);
             stage_[i] = 2;
             return true;
         }
@@ -399,8 +401,9 @@ private:
         Spot axis{1, 0};
         if (request.along) {
             axis = along;
-            // Read from below or from the right, never upside-down.
-            if (axis.x < -1e-9 || (axis.x < 1e-9 && axis.y > 0)) axis = -1.0 * axis;
+            // Read from below or from the right, never upside-down; what is nearly upright reads upwards.
+            constexpr double nearly = 0.17;
+            if (axis.x < -nearly || (axis.x < nearly && axis.y > 0)) axis = -1.0 * axis;
         }
         const InkBox probe = box_at(i, {}, axis);
         const double reach_across =
@@ -409,7 +412,10 @@ private:
         const Spot middle = 0.5 * (box_.min + box_.max);
         const Spot outward = request.anchor - middle;
         for (const double extra : {0.0, 0.7, 1.5, 3.0})
-            for (const double at : {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0})
+            for (const double at :
+                 {0.0, -0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.85, 0.85, -1.0, 1.0, -1.4, 1.4, -1.9, 1.9, -2.5, 2.5}) {
+                // Only a mark that is turned with its line can stand before or behind it.
+                if (std::abs(at) > 1.1 && !request.along) continue;
                 for (const double side : {-1.0, 1.0}) {
                     Candidate candidate;
                     const Spot off = side * across;
@@ -420,6 +426,7 @@ private:
                     if (off.y > 0.3 || (std::abs(off.y) <= 0.3 && off.x < 0)) candidate.price += 0.3;  // above, right
                     finish(i, candidate);
                 }
+            }
     }
 
     void propose_around(std::size_t i, double penalty, double half_line, bool far) {
@@ -472,7 +479,7 @@ private:
         const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
         const double wide = std::max({0.0, box_.min.x - centre.x + reach.x, centre.x + reach.x - box_.max.x});
         const double high = std::max({0.0, box_.min.y - centre.y + reach.y, centre.y + reach.y - box_.max.y});
-        candidate.price += 0.12 * (wide + high);
+        candidate.price += 0.06 * (wide + high);
         // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
         if (wide > spare_.x || high > spare_.y) candidate.price += 30;
         // A name must not seem to belong to a neighbour.
@@ -485,7 +492,23 @@ private:
                 const double other = distance_to_box(requests_[j].anchor, candidate.box);
                 if (other < own + 1.0) candidate.price += 4 * (own + 1.0 - other);
             }
+        // … nor a vector's name to the vector beside it.
+        if (requests_[i].toward && !requests_[i].along) {
+            const double to_own = distance_to_line(requests_[i], centre);
+            for (std::size_t j = 0; j < requests_.size(); ++j) {
+                if (j == i || !requests_[j].toward || requests_[j].along || requests_[j].balloon > 0) continue;
+                const double other = distance_to_line(requests_[j], centre);
+                if (other < to_own + 0.8) candidate.price += 2.5 * std::min(2.0, to_own + 0.8 - other);
+            }
+        }
         candidates_[i].push_back(candidate);
+    }
+
+    /// From the line that a request's label names (its anchor in the middle).
+    static double distance_to_line(const LabelRequest& request, Spot spot) {
+        const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
+        const double t = std::clamp(dot(d, half) / std::max(dot(half, half), 1e-12), -1.0, 1.0);
+        return length(d - t * half);
     }
 
     double price_with_others(std::size_t i, const Candidate& candidate, int besides) const {
@@ -526,7 +549,7 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0;; ++k) {
             if (k == candidates_[i].size()) {
-                if (requests_[i].along || !propose_more(i, least)) break;
+                if (!propose_more(i, least)) break;
                 if (k == candidates_[i].size()) break;
             }
             const Candidate& candidate = candidates_[i][k];

@@ -15,12 +15,8 @@ namespace kinegraph::render {
 
 namespace {
 
-// Measures of the symbols, mm.
-constexpr double pin_radius = 1.5, triangle_height = 6.2, triangle_half = 3.6, base_half = 5.4;
-constexpr double hatch_depth = 2.2, hatch_pitch = 1.5;
-constexpr double slider_half = 8.0, slider_side = 4.4, sleeve_half = 7.5, sleeve_side = 3.6;
-constexpr double wall_beyond = 9.0, axis_beyond = 14.0, rod_beyond = 9.0, slot_half = 10.0, slot_side = 2.2;
-constexpr double overshoot = 7.0, same_place = 0.02;
+constexpr double overshoot = 7.0;    // of a construction line, mm
+constexpr double same_place = 0.02;  // what nobody can tell apart on paper, mm
 constexpr double pi_number = std::numbers::pi;
 
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
@@ -137,6 +133,7 @@ struct Subject {
     std::vector<std::vector<int>> corners;  // by body: points its strokes join
     std::vector<bool> mass_centre;          // by point
     Box box;                                // of the mechanism, m
+    double shortest = 1e300;                // link, m
 
     explicit Subject(const Solution& s) : solution(s), mechanism(s.mechanism) {
         for (const Vector& point : s.pose.points) points.push_back(paper_spot(point));
@@ -168,6 +165,17 @@ struct Subject {
                 if (held) add_corner(joint.bodies[i], joint.point);
             }
         }
+        for (std::size_t b = 1; b < corners.size(); ++b) {
+            double reach = 0;
+            for (const int p : corners[b])
+                for (const int q : corners[b]) reach = std::max(reach, length(points[at_index(p)] - points[at_index(q)]));
+            if (reach > 0) shortest = std::min(shortest, reach);
+        }
+        for (const Joint& a : mechanism.joints)
+            for (const Joint& b : mechanism.joints)
+                if (const double apart = length(points[at_index(a.point)] - points[at_index(b.point)]);
+                    is_fixed_pin(a) && is_fixed_pin(b) && apart > 0)
+                    shortest = std::min(shortest, apart);
         bool first = true;
         const auto include = [&](Spot spot, double radius) {
             const Box around = {{spot.x - radius, spot.y - radius}, {spot.x + radius, spot.y + radius}};
@@ -183,6 +191,9 @@ struct Subject {
     }
 
     double size() const { return std::max({box.width(), box.height(), 1e-12}); }
+    static bool is_fixed_pin(const Joint& joint) {
+        return joint.kind == JointKind::revolute && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+    }
     static bool is_tip(const Joint& joint, BodyIndex body) {
         const auto profile = joint.profiles.find(body);
         return profile != joint.profiles.end() && std::holds_alternative<TipProfile>(profile->second);
@@ -219,7 +230,8 @@ private:
 class Sketch {
 public:
     Sketch(const Subject& subject, const DrawingContext& context, double scale, std::string prefix)
-        : s_(subject),
+        : shrink_(std::clamp(subject.shortest / scale / 14, 0.62, 1.0)),
+          s_(subject),
           m_(subject.mechanism),
           context_(context),
           theme_(context.theme),
@@ -283,6 +295,15 @@ private:
     Colour tint_colour(BodyIndex body) const { return body == 0 ? theme_.paper : theme_.body(body).tint; }
     bool is_wheel(BodyIndex body) const { return m_.bodies[at_index(body)].circle.has_value(); }
 
+    // Measures of the symbols, mm; they shrink where the links are short.
+    double shrink_ = 1;
+    double pin_radius_ = 1.5 * shrink_, triangle_height_ = 6.2 * shrink_, triangle_half_ = 3.6 * shrink_,
+           base_half_ = 5.4 * shrink_;
+    double hatch_depth_ = 2.2 * shrink_, hatch_pitch_ = 1.5 * shrink_;
+    double slider_half_ = 8.0 * shrink_, slider_side_ = 4.4 * shrink_, sleeve_half_ = 7.5 * shrink_, sleeve_side_ = 3.6 * shrink_;
+    double wall_beyond_ = 9.0 * shrink_, axis_beyond_ = 14.0 * shrink_, rod_beyond_ = 9.0 * shrink_;
+    double slot_half_ = 10.0 * shrink_, slot_side_ = 2.2 * shrink_;
+
     const Subject& s_;
     const Mechanism& m_;
     const DrawingContext& context_;
@@ -318,7 +339,7 @@ Shape Sketch::shape_of(BodyIndex body) const {
                             joint.bodies.size() == 2 && joint.bodies[1] == body && length(s_.guides[j]) > 0;
         if (!slides) continue;
         const bool slot = joint.kind == JointKind::pin_slot;
-        const double reach = slot ? slot_half : (joint.bodies[0] == 0 ? sleeve_half : sleeve_half) + rod_beyond;
+        const double reach = slot ? slot_half_ : sleeve_half_ + rod_beyond_;
         rods.push_back({spots_[at_index(joint.point)], s_.guides[j], -reach, reach, slot});
     }
     for (Rod& rod : rods) {
@@ -347,14 +368,14 @@ Shape Sketch::shape_of(BodyIndex body) const {
             if (!rod.slot)
                 shape.bars.push_back({nearest, foot});
             else
-                shape.bars.push_back({nearest, foot + (t > slot_from && t < slot_to ? slot_side : 0) * unit(nearest - foot)});
+                shape.bars.push_back({nearest, foot + (t > slot_from && t < slot_to ? slot_side_ : 0) * unit(nearest - foot)});
         }
         if (rod.slot) {
             const double from = std::max(slot_from, pin_before + 4.0), to = std::min(slot_to, pin_after - 4.0);
             shape.slots.push_back({rod.at + from * rod.along, rod.at + to * rod.along});
             if (rod.from < from - 0.5)
-                shape.bars.push_back({rod.at + rod.from * rod.along, rod.at + (from - slot_side) * rod.along});
-            if (rod.to > to + 0.5) shape.bars.push_back({rod.at + rod.to * rod.along, rod.at + (to + slot_side) * rod.along});
+                shape.bars.push_back({rod.at + rod.from * rod.along, rod.at + (from - slot_side_) * rod.along});
+            if (rod.to > to + 0.5) shape.bars.push_back({rod.at + rod.to * rod.along, rod.at + (to + slot_side_) * rod.along});
         } else {
             shape.bars.push_back({rod.at + rod.from * rod.along, rod.at + rod.to * rod.along});
         }
@@ -370,8 +391,8 @@ Shape Sketch::shape_of(BodyIndex body) const {
                 if (const Spot at = slot.centre + slot.radius * polar_spot(end);
                     length(at - corner) < length(nearest.to - nearest.from) - 1e-9)
                     nearest = {corner, at};
-        if (const double whole = length(nearest.to - nearest.from); whole > slot_side + 0.5)
-            shape.bars.push_back({nearest.from, nearest.to - slot_side * unit(nearest.to - nearest.from)});
+        if (const double whole = length(nearest.to - nearest.from); whole > slot_side_ + 0.5)
+            shape.bars.push_back({nearest.from, nearest.to - slot_side_ * unit(nearest.to - nearest.from)});
     }
     // A body of two guides and no pin (Oldham, trammel cross): the guides are one piece.
     if (corners.empty() && rods.size() >= 2)
@@ -442,11 +463,14 @@ double Sketch::crowding(Spot spot, Spot besides) const {
         if (joint.kind == JointKind::prismatic) {
             const bool on_frame = joint.bodies[1] == 0;
             const Spot d = spot - at;
-            if (std::abs(dot(d, s_.guides[j])) < (on_frame ? slider_half + wall_beyond : sleeve_half) + 1 &&
-                std::abs(cross(d, s_.guides[j])) < (on_frame ? slider_side + hatch_depth : sleeve_side) + 1)
+            if (std::abs(dot(d, s_.guides[j])) < (on_frame ? slider_half_ + wall_beyond_ : sleeve_half_) + 1 &&
+                std::abs(cross(d, s_.guides[j])) < (on_frame ? slider_side_ + hatch_depth_ : sleeve_side_) + 1)
                 crowd += 1;
-        } else if (length(at - besides) > same_place && length(spot - at) < pin_radius + 1) {
-            crowd += 1;
+        } else if (length(at - besides) > same_place) {
+            if (length(spot - at) < pin_radius_ + 1) crowd += 1;
+            // The ground of a fixed pin stands somewhere about it.
+            else if (Subject::is_fixed_pin(joint) && length(spot - at) < triangle_height_ + 2)
+                crowd += 0.4;
         }
     }
     return crowd;
@@ -510,11 +534,11 @@ void Sketch::draw_wall(Spot from, Spot to, Spot away) {
     const Pen edge{theme_.outline, theme_.text, {}, false}, hatch{theme_.thin, theme_.text, {}, false};
     const Spot along = unit(to - from);
     const double whole = length(to - from);
-    const double depth_along = hatch_depth;
+    const double depth_along = hatch_depth_;
     Path strokes;
     strokes.stroked = true;
     strokes.pen = hatch;
-    const int count = std::max(2, static_cast<int>(std::floor(whole / hatch_pitch)));
+    const int count = std::max(2, static_cast<int>(std::floor(whole / hatch_pitch_)));
     const double pitch = whole / count;
     for (int i = 1; i <= count; ++i) {
         const double t = i * pitch, back = std::min(depth_along, t);
@@ -527,7 +551,10 @@ void Sketch::draw_wall(Spot from, Spot to, Spot away) {
 
 void Sketch::draw_fixed_pin(PointIndex point) {
     const Spot at = spot(point);
-    const std::vector<Spot> links = leaving(point);
+    std::vector<Spot> links = leaving(point);
+    for (const Joint& joint : m_.joints)
+        if (const Spot d = spot(joint.point) - at; length(d) > same_place && length(d) < triangle_height_ + hatch_depth_ + 2)
+            links.push_back(unit(d));  // a pin where the triangle would stand
     // Down first, then the sides, then up; away from links and from the arrow of a crank.
     const std::array<std::pair<Spot, double>, 4> choices{
         {{Spot{0, 1}, 0.0}, {Spot{1, 0}, 0.35}, {Spot{-1, 0}, 0.35}, {Spot{0, -1}, 0.6}}};
@@ -549,13 +576,13 @@ void Sketch::draw_fixed_pin(PointIndex point) {
             down = direction;
         }
     }
-    const Spot across = turned(down), base = at + triangle_height * down;
-    Path triangle = polyline({at, base + triangle_half * across, base - triangle_half * across},
+    const Spot across = turned(down), base = at + triangle_height_ * down;
+    Path triangle = polyline({at, base + triangle_half_ * across, base - triangle_half_ * across},
                              {theme_.outline, theme_.text, {}, false}, true);
     triangle.filled = true;
     triangle.fill = theme_.paper;
     ground.emplace_back(std::move(triangle));
-    draw_wall(base + base_half * across, base - base_half * across, down);
+    draw_wall(base + base_half_ * across, base - base_half_ * across, down);
 }
 
 /// Guides of the frame: axis and walls on both sides, open where a link passes.
@@ -574,7 +601,7 @@ void Sketch::draw_guides() {
                     const double crossing = side_distance * run / rise, gap = 2.6 / rise + 1.2 * std::abs(run) / rise;
                     std::vector<Interval> rest;
                     // A link that passes beside the block would leave a stub: that side stays open.
-                    const bool beside = std::abs(crossing) - gap < slider_half;
+                    const bool beside = std::abs(crossing) - gap < slider_half_;
                     for (const Interval piece : pieces) {
                         if (beside) break;
                         if (piece.from < crossing - gap) rest.push_back({piece.from, std::min(piece.to, crossing - gap)});
@@ -589,17 +616,25 @@ void Sketch::draw_guides() {
             }
         };
         if (joint.kind == JointKind::prismatic && joint.bodies[1] == 0) {
-            const double half = slider_half + axis_beyond;
+            const double half = slider_half_ + axis_beyond_;
             construction.emplace_back(
                 line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
-            walls(slider_side + theme_.vector / 2 + theme_.outline / 2, slider_half + wall_beyond, true);
+            // A wall ends before the next pin on its way.
+            double reach = slider_half_ + wall_beyond_;
+            for (const Joint& other : m_.joints) {
+                const Spot d = spot(other.point) - at;
+                const double ahead = std::abs(dot(d, along));
+                if (ahead > slider_half_ && std::abs(cross(d, along)) < slider_side_ + 3)
+                    reach = std::min(reach, std::max(ahead - 3.5, slider_half_ + 2));
+            }
+            walls(slider_side_ + theme_.vector / 2 + theme_.outline / 2, reach, true);
         } else if (joint.kind == JointKind::prismatic && joint.bodies[0] == 0) {
-            walls(theme_.link / 2 + 0.5, sleeve_half, false);
+            walls(theme_.link / 2 + 0.5, sleeve_half_, false);
         } else if (joint.kind == JointKind::pin_slot && joint.bodies[1] == 0) {
-            const double half = slider_half + axis_beyond;
+            const double half = slider_half_ + axis_beyond_;
             construction.emplace_back(
                 line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
-            walls(slot_side, slot_half + 3, true);
+            walls(slot_side_, slot_half_ + 3, true);
         }
     }
 }
@@ -608,7 +643,7 @@ void Sketch::draw_block(const Joint& joint, std::size_t index, std::vector<Mark>
     const BodyIndex body = joint.bodies[0];
     if (body == 0) return;
     const bool on_frame = joint.bodies[1] == 0;
-    const double half = on_frame ? slider_half : sleeve_half, side = on_frame ? slider_side : sleeve_side;
+    const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
     const Spot at = spot(joint.point), u = half * s_.guides[index], w = side * turned(s_.guides[index]);
     Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, {theme_.vector, line_colour(body), {}, false}, true);
     block.filled = true;
@@ -617,11 +652,11 @@ void Sketch::draw_block(const Joint& joint, std::size_t index, std::vector<Mark>
 }
 
 void Sketch::draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks) {
-    const Spot along = unit(slot.to - slot.from), across = slot_side * turned(along);
+    const Spot along = unit(slot.to - slot.from), across = slot_side_ * turned(along);
     const double a = std::atan2(along.y, along.x);
     Path path;
-    path.segments = {MoveTo{slot.from + across}, ArcTo{slot.from, slot_side, a + pi_number / 2, a + 3 * pi_number / 2},
-                     LineTo{slot.to - across}, ArcTo{slot.to, slot_side, a - pi_number / 2, a + pi_number / 2}, Close{}};
+    path.segments = {MoveTo{slot.from + across}, ArcTo{slot.from, slot_side_, a + pi_number / 2, a + 3 * pi_number / 2},
+                     LineTo{slot.to - across}, ArcTo{slot.to, slot_side_, a - pi_number / 2, a + pi_number / 2}, Close{}};
     path.filled = true;
     path.fill = theme_.paper;
     path.stroked = true;
@@ -632,8 +667,8 @@ void Sketch::draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks
 Sketch::CurvedSlot Sketch::curved_slot(const Joint& joint) const {
     const Spot centre = spot(joint.arc), at = spot(joint.point);
     const double radius = length(at - centre);
-    if (radius < slot_side + 0.5) return {};
-    const double middle = std::atan2(at.y - centre.y, at.x - centre.x), half = std::min(slot_half / radius, 2.6);
+    if (radius < slot_side_ + 0.5) return {};
+    const double middle = std::atan2(at.y - centre.y, at.x - centre.x), half = std::min(slot_half_ / radius, 2.6);
     return {centre, radius, middle - half, middle + half};
 }
 
@@ -642,11 +677,11 @@ void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
     if (radius <= 0) return;
     const Spot start = centre + radius * polar_spot(from), end = centre + radius * polar_spot(to);
     Path path;
-    path.segments = {MoveTo{centre + (radius + slot_side) * polar_spot(from)},
-                     ArcTo{centre, radius + slot_side, from, to},
-                     ArcTo{end, slot_side, to, to + pi_number},
-                     ArcTo{centre, radius - slot_side, to, from},
-                     ArcTo{start, slot_side, from + pi_number, from + 2 * pi_number},
+    path.segments = {MoveTo{centre + (radius + slot_side_) * polar_spot(from)},
+                     ArcTo{centre, radius + slot_side_, from, to},
+                     ArcTo{end, slot_side_, to, to + pi_number},
+                     ArcTo{centre, radius - slot_side_, to, from},
+                     ArcTo{start, slot_side_, from + pi_number, from + 2 * pi_number},
                      Close{}};
     path.filled = true;
     path.fill = theme_.paper;
@@ -789,8 +824,8 @@ void Sketch::balloon(BodyIndex body) {
         for (std::size_t j = 0; j < m_.joints.size(); ++j)
             if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies[0] == body) {
                 request.anchor = spot(m_.joints[j].point);
-                const double half = m_.joints[j].bodies[1] == 0 ? slider_half : sleeve_half;
-                const double side = m_.joints[j].bodies[1] == 0 ? slider_side : sleeve_side;
+                const double half = m_.joints[j].bodies[1] == 0 ? slider_half_ : sleeve_half_;
+                const double side = m_.joints[j].bodies[1] == 0 ? slider_side_ : sleeve_side_;
                 request.toward = request.anchor + (half + 2) * s_.guides[j];
                 request.clearance = side + 2.2;
             }
@@ -823,7 +858,7 @@ void Sketch::draw_clamp(const Joint& joint) {
     const std::vector<Spot> links = leaving(joint.point);
     const Spot along = links.empty() ? Spot{1, 0} : links.front();
     const bool fixed = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
-    if (fixed) draw_wall(at + base_half * turned(along), at - base_half * turned(along), -1.0 * along);
+    if (fixed) draw_wall(at + base_half_ * turned(along), at - base_half_ * turned(along), -1.0 * along);
     const double half = 1.7;
     const Spot u = half * along, w = half * turned(along);
     const BodyIndex body = joint.bodies[0] != 0 ? joint.bodies[0] : joint.bodies.back();
@@ -857,7 +892,7 @@ void Sketch::draw_in_colour() {
         const bool already = std::any_of(pinned.begin(), pinned.end(), [&](Spot p) { return length(p - at) < same_place; });
         const bool hinge = joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot;
         if (hinge && !already) {
-            pins.emplace_back(ring(at, pin_radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+            pins.emplace_back(ring(at, pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
             pinned.push_back(at);
         } else if (joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear) {
             pins.emplace_back(disc(at, 0.65, theme_.text));
@@ -888,7 +923,7 @@ void Sketch::draw_in_grey() {
             const Joint& joint = m_.joints[j];
             if (joint.kind != JointKind::prismatic || joint.bodies[0] != body) continue;
             const bool on_frame = joint.bodies[1] == 0;
-            const double half = on_frame ? slider_half : sleeve_half, side = on_frame ? slider_side : sleeve_side;
+            const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
             const Spot at = spot(joint.point), u = half * s_.guides[j], w = side * turned(s_.guides[j]);
             Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, thin, true);
             block.filled = true;
@@ -924,7 +959,7 @@ void Sketch::draw_points(bool names) {
         request.size = theme_.label;
         request.colour = theme_.text;
         request.anchor = spots_[p];
-        request.clearance = 2.3;
+        request.clearance = pin_radius_ + 0.8;
         for (std::size_t q = p; q < spots_.size(); ++q) {
             if (!s_.shown[q] || named[q] || length(spots_[q] - spots_[p]) > same_place) continue;
             named[q] = true;
@@ -1026,7 +1061,7 @@ void Sketch::draw_drivers() {
             Spot side = turned(along);
             if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
             std::string about = joint.name;
-            straight(spot(joint.point) + (slider_side + 5.0) * side, along, slide->speed.to_double(), joint.bodies[0], about);
+            straight(spot(joint.point) + (slider_side_ + 5.0) * side, along, slide->speed.to_double(), joint.bodies[0], about);
         } else if (const auto* point = std::get_if<PointDriver>(&driver)) {
             const Vector direction = direction_of(point->along, s_.solution.pose);
             const Spot along = unit(paper_spot(direction));
@@ -1195,9 +1230,7 @@ void Sketch::draw_centres() {
                             const Spot at = known[0] + (end + sense * step) * along;
                             sum += 2 * crowding(at, at);
                             for (const Joint& joint : m_.joints) {
-                                const bool fixed = joint.kind == JointKind::revolute &&
-                                                   std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
-                                if (fixed && length(spot(joint.point) + Spot{0, 5} - at) < 6) sum += 1;
+                                if (Subject::is_fixed_pin(joint) && length(spot(joint.point) + Spot{0, 5} - at) < 6) sum += 3;
                             }
                         }
                         return sum;
@@ -1225,7 +1258,8 @@ void Sketch::draw_centres() {
     std::vector<bool> drawn(all.size(), true);
     const auto secondary = std::count_if(all.begin(), all.end(),
                                          [](const InstantCentre& c) { return c.at && c.how != InstantCentre::How::primary; });
-    if (secondary > 14) {
+    const Spot room{view.width(), view.height()};
+    if (secondary > 14 || room.x * room.y < 700 * static_cast<double>(secondary)) {
         drawn.assign(all.size(), false);
         std::vector<std::size_t> wanted;
         for (std::size_t c = 0; c < all.size(); ++c)
@@ -1314,7 +1348,7 @@ void Sketch::draw_centres() {
                 centres.emplace_back(GroupEnd{});
             }
             request.anchor = place[c];
-            request.clearance = at_pin ? 2.3 : 1.7;
+            request.clearance = at_pin ? pin_radius_ + 0.8 : 1.7;
         } else {
             Spot base, along;
             double shaft = 0;
@@ -1336,7 +1370,7 @@ void Sketch::draw_centres() {
                     const bool flip = up > down + 0.05 || (std::abs(up - down) <= 0.05 && dot(along, at - middle) < 0);
                     if (flip) along = -1.0 * along;
                     base = at;
-                    shaft = slider_side + 15;
+                    shaft = slider_side_ + 15;
                     break;
                 }
                 if (shaft == 0) continue;
@@ -1355,7 +1389,8 @@ void Sketch::draw_centres() {
             for (const std::size_t d : here) {
                 construction.emplace_back(group(all[d]));
                 draw_arrow(construction, base, tip, theme_.thin, theme_.secondary);
-                for (std::size_t k = 1; k < arrows_to[d].size(); ++k)
+                // Parallels all say where they go; of two lines to a far centre one says it.
+                for (std::size_t k = 1; k < arrows_to[d].size() && where[d] == Where::infinity; ++k)
                     draw_arrow(construction, arrows_to[d][k].base, arrows_to[d][k].base + 3.0 * arrows_to[d][k].along,
                                theme_.thin, theme_.secondary);
                 construction.emplace_back(GroupEnd{});

@@ -331,7 +331,7 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
         return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
     };
     const auto finish = [&](Figure figure) {
-        place_labels(figure, context.fonts);
+        place_labels(figure, context.fonts, Spot{room_x, room_y});
         figure.marks.emplace_back(GroupEnd{});
         return figure;
     };

@@ -164,6 +164,21 @@ struct Wanted {
     std::function<Figure(double, double)> draw;
     std::vector<Block> equations;
     double caption_width = 60;
+    struct Drawn {
+        double room_x, room_y;
+        Figure figure;
+    };
+    std::vector<Drawn> drawn;
+
+    /// Drawn once for all rooms between the one it was drawn for and what it takes: the scale is the largest that fits.
+    Figure drawn_into(double room_x, double room_y) {
+        for (const Drawn& each : drawn)
+            if (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
+                each.figure.box.height() <= room_y)
+                return each.figure;
+        drawn.push_back({room_x, room_y, draw(room_x, room_y)});
+        return drawn.back().figure;
+    }
 };
 
 /// A column that text may flow into.
@@ -178,8 +193,8 @@ struct Run {
 /// What stands together: a heading and what is below it; split only where it is longer than any column.
 struct Section {
     std::vector<Block> rows;
-    int home = -1;          // the figure it explains; −1: none
-    bool elsewhere = true;  // may stand in the cell of another figure
+    int home = -1;           // the figure it explains; −1: none
+    bool continued = false;  // its first rows stand already: the rest comes after them
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;
@@ -209,7 +224,7 @@ public:
         const double share = estimated_text() / (content_.width() * content_.height());
         bool done = false;
         if (wanted_.size() <= at_most() && share < one_page_share)
-            for (const double spare : {0.4, 0.55, 0.75, 1.0}) {
+            for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0}) {
                 attempt(spare);
                 if ((done = sheets_.size() == 1)) break;
             }
@@ -325,7 +340,9 @@ private:
         return {std::vector<double>(n, 1.0 / static_cast<double>(n))};
     }
 
-    /// How large a figure would be drawn in a cell: the logarithm of its longer side on paper.
+    /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
+    static double use_of(double size) { return std::log(size) - 40 / size; }
+    /// How large a figure would be drawn in a cell, and what that is worth.
     double worth(const Wanted& wanted, const Box& cell) const {
         const double width = cell.width(), height = cell.height() - 8;
         const auto drawn = [&](double w, double h) -> double {
@@ -339,7 +356,7 @@ private:
             }
             // The step of the scale first, then the air that it leaves.
             const double air = std::log(std::max(wanted.extent_x / room_x, wanted.extent_y / room_y) / scale);
-            return std::log(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
+            return use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
         };
         if (wanted.equations.empty()) return drawn(width, height);
         double stack_width = 0, stack_height = 0;
@@ -437,35 +454,50 @@ private:
             if (areas.empty()) areas.push_back(content_);
             // What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is
             // chosen anew with that knowledge.
-            for (int round = 0;; ++round) {
+            struct Outcome {
+                double value = -1e300;
+                Sheet sheet;
+                std::vector<Figure> drawn;
+                std::set<std::size_t> unplaced;
+                std::vector<Box> cells;
+            };
+            Outcome chosen;
+            const std::set<std::size_t> unplaced_before = unplaced_;
+            const std::vector<Figure> drawn_before = drawn_;
+            const int numbers = figures_;
+            for (int round = 0; round < 4; ++round) {
                 Split best;
                 for (const Box& each : areas)
                     for (Split& split : splits(first, count, each))
                         if (split.value > best.value + 1e-9) best = std::move(split);
-                Sheet sheet;
-                const std::size_t before = drawn_.size();
-                const int numbers = figures_;
+                if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
+                Outcome outcome;
+                outcome.value = 0;
+                drawn_ = drawn_before;
+                unplaced_ = unplaced_before;
+                figures_ = numbers;
                 bool smaller = false;
                 for (std::size_t i = 0; i < count; ++i) {
                     Wanted& wanted = wanted_[first + i];
-                    fill_cell(sheet, wanted, first + i, best.cells[i]);
-                    if (std::log(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale) <
-                        worth(wanted, best.cells[i]) - 0.05) {
+                    fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                    const double size = use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
+                    outcome.value += size;
+                    if (size < worth(wanted, best.cells[i]) - 0.05) {
                         smaller = true;
                         wanted.rim_x += 8;
                         wanted.rim_y += 8;
                     }
                 }
-                if (smaller && round < 2) {
-                    drawn_.resize(before);
-                    figures_ = numbers;
-                    unplaced_.clear();
-                    continue;
-                }
-                find_runs(sheet, best.cells, first);
-                sheets_.push_back(std::move(sheet));
-                break;
+                outcome.drawn = drawn_;
+                outcome.unplaced = unplaced_;
+                outcome.cells = best.cells;
+                if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+                if (!smaller) break;
             }
+            drawn_ = std::move(chosen.drawn);
+            unplaced_ = std::move(chosen.unplaced);
+            find_runs(chosen.sheet, chosen.cells, first);
+            sheets_.push_back(std::move(chosen.sheet));
             first += count;
         }
     }
@@ -558,10 +590,13 @@ private:
         return all;
     }
 
-    void fill_cell(Sheet& sheet, const Wanted& wanted, std::size_t index, const Box& cell) {
-        const double caption = caption_height(wanted, cell.width());
-        const Box room = rectangle(cell.min.x, cell.min.y + caption, cell.max.x, cell.max.y);
-        Figure figure = wanted.draw(room.width(), room.height());
+    void fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell) {
+        Box room = rectangle(cell.min.x, cell.min.y + caption_height(wanted, cell.width()), cell.max.x, cell.max.y);
+        Figure figure = wanted.drawn_into(room.width(), room.height());
+        // Captions of a row of figures share a baseline; a long one takes what it needs.
+        std::vector<Mark> caption;
+        room.min.y = std::max(room.min.y, cell.min.y + set_caption(caption, figure, cell.min, cell.width()));
+        if (figure.box.height() > room.height()) figure = wanted.drawn_into(room.width(), room.height());
         if (!wanted.equations.empty()) {
             const std::array<Block, 2> blocks{arranged(wanted.equations, false), arranged(wanted.equations, true)};
             if (!beside(sheet, figure, blocks, room) && !apart(sheet, figure, wanted, blocks, room)) {
@@ -571,6 +606,7 @@ private:
         } else {
             centre(figure, room);
         }
+        --figures_;
         set_caption(sheet.marks, figure, cell.min, cell.width());
         sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());
         drawn_.push_back(std::move(figure));
@@ -618,7 +654,7 @@ private:
     }
 
     /// The room divided between equations and figure, whichever way leaves the figure larger.
-    bool apart(Sheet& sheet, Figure& figure, const Wanted& wanted, const std::array<Block, 2>& blocks, const Box& room) const {
+    bool apart(Sheet& sheet, Figure& figure, Wanted& wanted, const std::array<Block, 2>& blocks, const Box& room) const {
         struct Way {
             Box figure_room;
             Spot corner;
@@ -642,8 +678,8 @@ private:
             if (would_be < scale) scale = would_be, best = &way;
         }
         // A polygon three steps smaller is no fair price: then the equations stand with the steps.
-        if (!best) return false;
-        Figure smaller = wanted.draw(best->figure_room.width(), best->figure_room.height());
+        if (!best || scale > 3 * figure.scale) return false;
+        Figure smaller = wanted.drawn_into(best->figure_room.width(), best->figure_room.height());
         if (smaller.scale > 3 * figure.scale || smaller.box.width() > best->figure_room.width() ||
             smaller.box.height() > best->figure_room.height())
             return false;
@@ -767,7 +803,7 @@ private:
                 std::size_t to = std::min(rows.size(), from + fit);
                 // A table is divided between groups where it can.
                 if (to < rows.size())
-                    for (std::size_t k = to; k > from + fit / 2; --k)
+                    for (std::size_t k = to; k > from + 4; --k)
                         if (rows[k].group != rows[k - 1].group) {
                             to = k;
                             break;
@@ -799,7 +835,6 @@ private:
                 order.push_back(section_of(statement));
         for (const std::string& name : order) {
             Section section;
-            section.elsewhere = false;
             if (name == "centres") section.home = 0;
             for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
                 const Polygon& polygon = s.protocol.polygons[p];
@@ -1001,13 +1036,36 @@ private:
         for (Section& section : rest)
             while (!section.rows.empty())
                 if (!place_section(section)) split_section(section);
-        if (small <= 0)
-            for (const Late& each : late_rest)
-                if (!place_late(each)) {
-                    sheets_.emplace_back();
-                    sheets_.back().runs = text_runs(0, 0, 0);
-                    place_late(each);
-                }
+        if (small <= 0) place_last(late_rest);
+    }
+
+    /// Figures after the text, as large as the last page has columns to spare for them.
+    void place_last(const std::vector<Late>& figures) {
+        if (figures.empty()) return;
+        int free = 0;
+        std::vector<Run>& runs = sheets_.back().runs;
+        while (free < static_cast<int>(runs.size()) && runs[runs.size() - 1 - static_cast<std::size_t>(free)].used == 0) ++free;
+        if (free < 2) {
+            std::vector<Late> left;
+            for (const Late& each : figures)
+                if (!place_late(each)) left.push_back(each);
+            if (left.empty()) return;
+            sheets_.emplace_back();
+            sheets_.back().runs = text_runs(0, 0, 0);
+            place_last(left);
+            return;
+        }
+        // The mechanism over two columns, the circle in the third or below.
+        const int first = format_.columns - free;
+        Box place = column(first);
+        const bool third = free > 2 && figures.size() > 1;
+        const double bottom = std::min(column(first + 1).max.y, place.max.y);
+        const double height = bottom - place.min.y - (figures.size() > 1 && !third ? 68 : 0);
+        const Block block = figure_block(figures.front(), 2 * measure_ + gap, std::min(height, 150.0));
+        set(sheets_.back(), block, place.min);
+        if (figures.size() < 2) return;
+        place = third ? column(first + 2) : rectangle(place.min.x, place.min.y + block.height + gap, place.max.x, bottom);
+        set(sheets_.back(), figure_block(figures.back(), measure_, std::min(place.height(), 85.0)), place.min);
     }
 
     /// Columns of a text page below its figures.
@@ -1025,10 +1083,7 @@ private:
     }
 
     /// Whether a section may stand in a run: under a caption only what explains that figure.
-    static bool may_stand(const Section& section, const Run& run) {
-        if (run.home < 0 || run.home == section.home) return true;
-        return section.elsewhere && !run.under_caption;
-    }
+    static bool may_stand(const Section& section, const Run& run) { return run.home == section.home || !run.under_caption; }
 
     bool place_section(Section& section) {
         const double height = section.height();
@@ -1036,6 +1091,7 @@ private:
             if (at_home && section.home < 0) continue;
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
+                    if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
                     if (at_home ? run.home != section.home : !may_stand(section, run)) continue;
                     const double before = run.used > 0 ? section_gap : 0;
                     if (run.left() < before + height) continue;
@@ -1053,10 +1109,13 @@ private:
 
     /// A section longer than what is left anywhere: its first rows into the roomiest run, the rest goes on.
     void split_section(Section& section) {
+        // From left to right, so that the rows are read in order.
         Run* best = nullptr;
-        Sheet* on = nullptr;
-        for (Run& run : sheets_.back().runs)
-            if (!best || run.left() > best->left() + 0.1) best = &run, on = &sheets_.back();
+        Sheet* on = &sheets_.back();
+        for (Run& run : on->runs)
+            if (!best && run.left() >= 30 + section_gap) best = &run;
+        for (Run& run : on->runs)
+            if (!best || (best->left() < 30 && run.left() > best->left())) best = &run;
         const double first = section.rows.front().height + (section.rows.size() > 1 ? section.rows[1].height : 0);
         const double before = best && best->used > 0 ? section_gap : 0;
         // Not worth a split: a new page, unless this one is new already.
@@ -1077,6 +1136,7 @@ private:
             ++count;
         }
         section.rows.erase(section.rows.begin(), section.rows.begin() + static_cast<std::ptrdiff_t>(count));
+        section.continued = true;
     }
 
     bool place_late(const Late& late) {

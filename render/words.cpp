@@ -26,8 +26,8 @@ constexpr std::array sentences{
     Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4} {1}{2}.",
         "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4} {1}{2}."},
     Row{Sentence::crank_acceleration,
-        "{2} moves on a circle about {1}: {3} is made of ω² {1}{2}, from {2} to {1}, and α {1}{2}, normal to it.",
-        "{2} percorre un cerchio di centro {1}: {3} si compone di ω² {1}{2}, da {2} a {1}, e di α {1}{2}, normale a {1}{2}."},
+        "Body {0} turns about {1}: {3} is made of ω² {1}{2}, from {2} to {1}, and α {1}{2}, normal to it.",
+        "Il corpo {0} ruota attorno a {1}: {3} si compone di ω² {1}{2}, da {2} a {1}, e di α {1}{2}, normale a {1}{2}."},
     Row{Sentence::image_velocity,
         "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω {3}{0}, normal to {3}{0}].",
         "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω {3}{0}, normale a {3}{0}]."},
@@ -249,7 +249,8 @@ RichText point_name(std::string_view name) {
     result.text += primes;
     if (lowers) result.sub = name.substr(letters, digits - letters);
     result.sub_face = Face::regular;
-    if (starred) result.sup = "∗";
+    if (starred && lowers) result.sup = "∗";
+    if (starred && !lowers) result.text += "*";
     return {result};
 }
 
@@ -422,8 +423,6 @@ RichText typeset(const Symbol& symbol, Language language) {
             KG_ASSERT(false, "a symbol has a letter");
     }
     result.sub = symbol.about;
-    for (std::size_t star = result.sub.find('*'); star != std::string::npos; star = result.sub.find('*', star))
-        result.sub.replace(star, 1, "∗");  // on the line, as high as a letter's middle
     result.sub_face = digits_only(symbol.about) ? Face::regular : Face::italic;
     result.sup = symbol.term;
     return {result};

@@ -226,7 +226,8 @@ TEST(CircleDiagram, has_a_chord_for_each_centre_found) {
     expect_well_grouped(figure);
     int chords = 0;
     for (const Mark& mark : figure.marks)
-        if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() == 2) ++chords;
+        if (const auto* path = std::get_if<Path>(&mark); path && path->segments.size() == 2)
+            chords += std::holds_alternative<LineTo>(path->segments[1]);
     EXPECT_EQ(chords, 6);
     EXPECT_LE(figure.box.width(), 60);
 }

@@ -1,11 +1,16 @@
 // Labels: none covers a stroke, an arrowhead or another label, in crowds too, and each stays beside its own object.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 #include <string>
 
+#include "constructions/solve.hpp"
 #include "render/figure.hpp"
 #include "render/shapes.hpp"
 
@@ -178,6 +183,116 @@ TEST(Labels, are_placed_alike_twice) {
         return places;
     };
     EXPECT_EQ(once(), once());
+}
+
+/// A label's ink, from its outlines.
+Box ink_of(const TextMark& text) {
+    std::vector<Mark> dots;
+    for (const Glyph& glyph : text.glyphs)
+        for (const Segment& segment : fonts().outline(glyph.face, glyph.index).segments) {
+            const auto add = [&](Spot s) {
+                const Spot at = glyph.origin + glyph.size * Spot{s.x, -s.y};
+                dots.emplace_back(Axis{at, at});
+            };
+            if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
+            if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
+            if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                add(c->control_1);
+                add(c->control_2);
+                add(c->to);
+            }
+        }
+    return box_of(dots);
+}
+
+/// What the labels of a finished figure cover: strokes (sampled every tenth of a mm) and each other.
+std::vector<std::string> covered(const Figure& figure) {
+    struct Label {
+        std::string words;
+        Box box;  // of the ink as if it were not turned
+        double angle;
+        Spot pivot;
+        Spot unturned(Spot spot) const {
+            const Spot d = spot - pivot;
+            const double c = std::cos(angle), n = std::sin(angle);
+            return pivot + Spot{d.x * c + d.y * n, d.y * c - d.x * n};
+        }
+        bool holds(Spot spot, double reach) const {
+            const Spot at = unturned(spot);
+            return at.x > box.min.x - reach && at.x < box.max.x + reach && at.y > box.min.y - reach && at.y < box.max.y + reach;
+        }
+    };
+    std::vector<Label> labels;
+    std::vector<std::pair<Spot, double>> ink;
+    const auto stroke = [&](Spot from, Spot to, double half) {
+        const int steps = static_cast<int>(length(to - from) / 0.1) + 1;
+        for (int i = 0; i <= steps; ++i) ink.emplace_back(from + (static_cast<double>(i) / steps) * (to - from), half);
+    };
+    for (const Mark& mark : figure.marks) {
+        if (const auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
+            labels.push_back({text->words, ink_of(*text), text->angle, text->pivot});
+        const auto* path = std::get_if<Path>(&mark);
+        if (!path) continue;
+        // The ring of a body's number is part of its label.
+        const auto* ring = path->segments.size() == 3 ? std::get_if<ArcTo>(&path->segments[1]) : nullptr;
+        if (ring && !path->filled && ring->radius == 2.3) continue;
+        const double half = path->stroked ? path->pen.width / 2 : 0;
+        Spot pen, start;
+        for (const Segment& segment : path->segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) pen = start = m->to;
+            if (const auto* l = std::get_if<LineTo>(&segment)) stroke(pen, l->to, half), pen = l->to;
+            if (std::holds_alternative<Close>(segment)) stroke(pen, start, half);
+            if (const auto* a = std::get_if<ArcTo>(&segment))
+                for (int i = 0; i <= 400; ++i) {
+                    const double angle = a->from + (a->to - a->from) * i / 400;
+                    ink.emplace_back(a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)}, half);
+                }
+        }
+    }
+    std::vector<std::string> faults;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const bool on_stroke = std::any_of(ink.begin(), ink.end(), [&](const std::pair<Spot, double>& dot) {
+            return labels[i].holds(dot.first, dot.second + 0.1);
+        });
+        if (on_stroke) faults.push_back(labels[i].words + " on a stroke");
+        for (std::size_t j = 0; j < labels.size(); ++j) {
+            if (i == j) continue;
+            bool met = false;
+            const Label turned_back{labels[j].words, labels[j].box, -labels[j].angle, labels[j].pivot};
+            for (int a = 0; a <= 20; ++a)
+                for (int b = 0; b <= 8; ++b) {
+                    const Box& box = labels[j].box;
+                    met = met ||
+                          labels[i].holds(
+                              turned_back.unturned({box.min.x + box.width() * a / 20, box.min.y + box.height() * b / 8}), 0.1);
+                }
+            if (met) faults.push_back(labels[i].words + " on " + labels[j].words);
+        }
+    }
+    return faults;
+}
+
+TEST(Labels, of_every_example_cover_nothing) {
+    const Theme theme;
+    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR)) {
+        if (entry.path().extension() != ".json") continue;
+        std::stringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        const auto mechanism = read_mechanism(text.str(), "example");
+        ASSERT_TRUE(mechanism.has_value()) << entry.path();
+        const auto solution = solve(*mechanism);
+        ASSERT_TRUE(solution.has_value()) << entry.path();
+        const DrawingContext context{*solution, theme, fonts()};
+        for (const Spot room : {Spot{185, 150}, Spot{125, 90}}) {
+            std::vector<Figure> figures{mechanism_figure(context, room.x, room.y, true),
+                                        velocities_on_mechanism(context, room.x, room.y), circle_diagram(context, 60, 60)};
+            for (std::size_t p = 0; p < solution->protocol.polygons.size(); ++p)
+                figures.push_back(polygon_figure(context, static_cast<int>(p), room.x, room.y));
+            for (const Figure& figure : figures)
+                EXPECT_EQ(covered(figure), std::vector<std::string>{})
+                    << entry.path().filename() << " " << figure.id << " " << room.x;
+        }
+    }
 }
 
 TEST(Labels, eighty_among_fifteen_hundred_strokes_take_milliseconds) {

@@ -326,13 +326,24 @@ TEST(Reader, TenMegabytesAreReadInReasonableTime) {
     std::string points = R"("P0": [0, 0])";
     std::string unknown = R"("none")";
     for (int i = 1; points.size() < 5'000'000; ++i) {
-        // A chain, deepest first where the reader looks, and as many names that are none.
-        points += ", \"P" + std::to_string(i) + R"(": {"from": "P)" + std::to_string(i - 1) + R"(", "distance": 1, "angle": 0})";
-        unknown += ", \"Q" + std::to_string(i) + '"';
+        // A chain of points, each placed by the one before, and as many names that are none.
+        const std::string number = std::to_string(i);
+        points.append(", \"P")
+            .append(number)
+            .append(R"(": {"from": "P)")
+            .append(std::to_string(i - 1))
+            .append(R"(", "distance": 1, "angle": 0})");
+        unknown.append(", \"Q").append(number).append(1, '"');
     }
-    for (const std::string& text :
-         {R"({"kinegraph": 1, "points": {)" + points + R"(}, "bodies": {"1": [)" + unknown + R"(]}, "joints": []})",
-          std::string(10'000'000, '['), '"' + std::string(10'000'000, 'x') + '"', "[" + std::string(10'000'000, '9') + "]"}) {
+    const auto ten_million = [](char c) {
+        std::string text;
+        text.resize(10'000'000, c);
+        return text;
+    };
+    const std::vector<std::string> texts{
+        R"({"kinegraph": 1, "points": {)" + points + R"(}, "bodies": {"1": [)" + unknown + R"(]}, "joints": []})",
+        ten_million('['), '"' + ten_million('x') + '"', "[" + ten_million('9') + "]"};
+    for (const std::string& text : texts) {
         const auto start = std::chrono::steady_clock::now();
         EXPECT_FALSE(read_mechanism(text, "large.json"));
         // Generous: what must not happen is a quadratic loop, which would take hours.

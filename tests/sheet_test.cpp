@@ -1,0 +1,243 @@
+// Sheets: nothing overlaps, nothing is cut, nothing is missing, on every example, paper and language.
+#include "render/sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "constructions/solve.hpp"
+#include "render/backends.hpp"
+#include "render/shapes.hpp"
+#include "render/tables.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+
+const Fonts& fonts() {
+    static const Fonts opened = std::move(*Fonts::open());
+    return opened;
+}
+
+Solution solved(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    auto mechanism = read_mechanism(text.str(), path.filename().string());
+    if (!mechanism) throw std::runtime_error("not read: " + path.string());
+    auto solution = solve(std::move(*mechanism));
+    if (!solution) throw std::runtime_error("not solved: " + path.string());
+    return std::move(*solution);
+}
+Solution example(const std::string& name) { return solved(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / name); }
+
+std::vector<std::string> example_names() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::vector<const TextMark*> texts_of(const Page& page) {
+    std::vector<const TextMark*> texts;
+    for (const Mark& mark : page.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(text);
+    return texts;
+}
+bool says(const Page& page, const std::string& words) {
+    for (const TextMark* text : texts_of(page))
+        if (text->words.find(words) != std::string::npos) return true;
+    return false;
+}
+bool says(const std::vector<Page>& pages, const std::string& words) {
+    return std::any_of(pages.begin(), pages.end(), [&](const Page& page) { return says(page, words); });
+}
+
+/// True ink of a text that is not turned.
+Box ink_of(const TextMark& text) {
+    Box box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const Glyph& glyph : text.glyphs)
+        for (const render::Segment& segment : fonts().outline(glyph.face, glyph.index).segments) {
+            const auto add = [&](Spot s) {
+                const Spot at{glyph.origin.x + glyph.size * s.x, glyph.origin.y - glyph.size * s.y};
+                box.min = {std::min(box.min.x, at.x), std::min(box.min.y, at.y)};
+                box.max = {std::max(box.max.x, at.x), std::max(box.max.y, at.y)};
+            };
+            if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
+            if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
+            if (const auto* c = std::get_if<CurveTo>(&segment)) add(c->control_1), add(c->control_2), add(c->to);
+        }
+    return box;
+}
+
+class EveryExample : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryExample, NothingIsCutAndNoTextCoversAnother) {
+    const Solution solution = example(GetParam() + ".json");
+    for (const Paper paper : {Paper::a4, Paper::a3, Paper::letter})
+        for (const Language language : {Language::en, Language::it}) {
+            const auto pages = lay_out(solution, {paper, language, {}}, fonts());
+            ASSERT_FALSE(pages.empty());
+            for (std::size_t p = 0; p < pages.size(); ++p) {
+                SCOPED_TRACE("paper " + std::to_string(static_cast<int>(paper)) + " page " + std::to_string(p + 1));
+                const Page& page = pages[p];
+                const Box box = box_of(page.marks);
+                EXPECT_GE(box.min.x, 19.5);
+                EXPECT_GE(box.min.y, 9.5);
+                EXPECT_LE(box.max.x, page.width - 9.5);
+                EXPECT_LE(box.max.y, page.height - 9.5);
+                std::vector<std::pair<Box, std::string>> inks;
+                for (const TextMark* text : texts_of(page)) {
+                    if (text->glyphs.empty() || text->angle != 0 || text->cls != "text") continue;
+                    const Box ink = ink_of(*text);
+                    if (ink.min.x > ink.max.x) continue;
+                    for (const auto& [other, words] : inks) {
+                        const double x = std::min(ink.max.x, other.max.x) - std::max(ink.min.x, other.min.x);
+                        const double y = std::min(ink.max.y, other.max.y) - std::max(ink.min.y, other.min.y);
+                        // Parts of one sentence in two colours interlock; strangers do not meet.
+                        EXPECT_FALSE(x > 0.1 && y > 0.1) << '"' << text->words << "\" over \"" << words << '"';
+                    }
+                    inks.emplace_back(ink, text->words);
+                }
+            }
+        }
+}
+
+TEST_P(EveryExample, GroupsNestIdsAreUniqueAndAxesMeasureTheirValue) {
+    const auto pages = lay_out(example(GetParam() + ".json"), {}, fonts());
+    for (const Page& page : pages) {
+        std::set<std::string> ids;
+        std::vector<double> scales;
+        double value = 0;
+        int depth = 0;
+        for (const Mark& mark : page.marks) {
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+                ++depth;
+                EXPECT_TRUE(group->id.empty() || ids.insert(group->id).second) << group->id;
+                for (const auto& [name, text] : group->attributes) {
+                    if (name == "data-scale") scales.push_back(std::strtod(text.c_str(), nullptr));
+                    if (name == "data-value") value = std::strtod(text.c_str(), nullptr);
+                }
+            }
+            if (std::holds_alternative<GroupEnd>(mark)) --depth;
+            EXPECT_GE(depth, 0);
+            if (const auto* axis = std::get_if<Axis>(&mark)) {
+                ASSERT_FALSE(scales.empty());
+                EXPECT_NEAR(std::hypot(axis->tip.x - axis->tail.x, axis->tip.y - axis->tail.y), value / scales.back(), 1e-6);
+            }
+        }
+        EXPECT_EQ(depth, 0);
+    }
+}
+
+TEST_P(EveryExample, IsTheSameEveryTime) {
+    const Solution solution = example(GetParam() + ".json");
+    const auto first = lay_out(solution, {}, fonts()), second = lay_out(solution, {}, fonts());
+    ASSERT_EQ(first.size(), second.size());
+    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(to_svg(first[i], fonts()), to_svg(second[i], fonts()));
+}
+
+TEST_P(EveryExample, EveryCentreBodyAndVectorIsListed) {
+    const Solution solution = example(GetParam() + ".json");
+    const auto pages = lay_out(solution, {}, fonts());
+    EXPECT_TRUE(says(pages, "Bodies"));
+    EXPECT_TRUE(solution.centres.empty() || says(pages, "Instant centres"));
+    for (const DrawnVector& vector : solution.protocol.vectors) {
+        RichText symbol = typeset(vector.symbol, Language::en);
+        EXPECT_TRUE(says(pages, plain(symbol))) << name_of(vector.symbol);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sheet, EveryExample, testing::ValuesIn(example_names()),
+                         [](const testing::TestParamInfo<std::string>& each) { return each.param; });
+
+TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
+    const auto pages = lay_out(example("four_bar.json"), {}, fonts());
+    EXPECT_TRUE(says(pages[0], "Fig. 1"));
+    EXPECT_TRUE(says(pages[0], "Mechanism and instant centres"));
+    EXPECT_TRUE(says(pages[0], "Velocity polygon"));
+    EXPECT_TRUE(says(pages[0], "Acceleration polygon"));
+    EXPECT_TRUE(says(pages[0], "1 mm ≙ "));
+    EXPECT_TRUE(says(pages[0], "1 : "));
+    EXPECT_TRUE(says(pages[0], "1/" + std::to_string(pages.size())));
+}
+
+TEST(Sheet, TheFourBarFitsOneA3) {
+    EXPECT_EQ(lay_out(example("four_bar.json"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u);
+}
+
+TEST(Sheet, WithoutMotionThereIsStillADrawing) {
+    auto mechanism = read_mechanism(
+        R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [1, 0.5]}, "bodies": {"1": ["O", "A"]},
+            "joints": [{"revolute": "O", "bodies": [0, 1]}]})",
+        "still.json");
+    ASSERT_TRUE(mechanism);
+    auto solution = solve(std::move(*mechanism));
+    ASSERT_TRUE(solution);
+    const auto pages = lay_out(*solution, {}, fonts());
+    ASSERT_EQ(pages.size(), 1u);
+    EXPECT_TRUE(says(pages[0], "Nothing is driven"));
+}
+
+TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
+    Solution solution = example("four_bar.json");
+    solution.mechanism.title.en =
+        "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on";
+    const auto pages = lay_out(solution, {}, fonts());
+    for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
+}
+
+TEST(Results, AreMeasuredOnTheDrawing) {
+    const Solution solution = example("four_bar.json");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    std::vector<Figure> figures{polygon_figure(context, 0, 150, 100), polygon_figure(context, 1, 150, 100)};
+    int vectors = 0;
+    for (const ResultRow& row : result_rows(context, figures)) {
+        ASSERT_TRUE(row.numeric) << row.name << " has its number from the check";
+        EXPECT_NEAR(row.drawing, *row.numeric, 1e-9) << row.name;
+        if (!row.millimetres) continue;
+        ++vectors;
+        const double scale = row.symbol.letter == Symbol::Letter::v ? figures[0].scale : figures[1].scale;
+        EXPECT_NEAR(*row.millimetres * scale, row.drawing, 1e-6 * scale) << row.name;
+    }
+    EXPECT_GE(vectors, 10);
+}
+
+TEST(Results, AsTextNameTheirUnits) {
+    const std::string text = results_table(example("four_bar.json"), Language::en);
+    for (const char* words : {"ω [rad/s]", "vx [m/s]", "x [mm]", "1,3", "Four-bar linkage", "by Grübler"})
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    EXPECT_NE(results_table(example("four_bar.json"), Language::it).find("−12,5664"), std::string::npos);
+}
+
+TEST(Tables, PowersAreSetAsSuperscripts) {
+    const RichText text = with_powers("m/s²");
+    ASSERT_EQ(text.size(), 1u);
+    EXPECT_EQ(text[0].text, "m/s");
+    EXPECT_EQ(text[0].sup, "2");
+    EXPECT_EQ(shortest(0.1), "0.1");
+    EXPECT_EQ(shortest(0.025, Language::it), "0,025");
+}
+
+TEST(Tables, AnEquationKeepsToItsWidthAsFarAsItCan) {
+    const Solution solution = example("four_bar.json");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    Equation equation;
+    const auto term = [](const char* about, const char* up) {
+        return Term{{Symbol::Letter::a, about, up}, true, true, {LineReason::Kind::perpendicular_to_segment, "O4", "B"}, 1};
+    };
+    equation.sides = {{term("B", "n"), term("B", "t")}, {term("A", "n"), term("A", "t"), term("BA", "n"), term("BA", "t")}};
+    EXPECT_LE(equation_block(context, equation, 80).width, 80);
+    EXPECT_GT(equation_block(context, equation, 200).width, 80);
+}
+
+}  // namespace
