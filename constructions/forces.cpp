@@ -71,6 +71,14 @@ struct Resolved {
     std::vector<std::pair<std::string, Place>> meets;
 };
 
+/// One force of a body's polygon.
+struct Side {
+    Symbol symbol;
+    Force force;
+    int bond = -1;         ///< −1: a load
+    bool external = true;  ///< a load, an effort or reaction of the frame
+};
+
 struct Run {
     std::vector<Reaction> reactions;  ///< by bond
     std::vector<Resolved> order;
@@ -1019,6 +1027,7 @@ private:
             if (!in(order, member)) order.push_back(member);
         }
         for (const int member : order) free_body(member, run);
+        join_polygons();
     }
 
     void explain(const Run& run, bool balanced) {
@@ -1081,11 +1090,12 @@ private:
         } else {
             body.body = member;
         }
-        std::vector<std::pair<Symbol, Force>> sides;
-        const auto apply = [&](AppliedForce applied, const std::optional<Force>& force) {
+        std::vector<Side> sides;
+        const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
             if (force) {
                 applied.force = board_.value(*force);
-                sides.emplace_back(applied.symbol, *force);
+                const bool external = bond < 0 || bonds_[at(bond)].first == frame || bonds_[at(bond)].second == frame;
+                sides.push_back({applied.symbol, *force, bond, external});
             }
             if (!applied.force.is_zero() || !applied.couple.is_zero()) body.forces.push_back(std::move(applied));
         };
@@ -1096,7 +1106,7 @@ private:
             applied.kind = load.kind;
             applied.at = board_.value(load.place).place();
             applied.couple = value(load.couple);
-            apply(std::move(applied), load.force);
+            apply(std::move(applied), load.force, -1);
         }
         for (const int b : bonds_of_[at(member)]) {
             const Bond& bond = bonds_[at(b)];
@@ -1122,7 +1132,7 @@ private:
                     applied.couple = reversed ? -board_.value(*reaction.couple) : board_.value(*reaction.couple);
                 }
             }
-            apply(std::move(applied), force);
+            apply(std::move(applied), force, b);
         }
         const auto meets = meets_of_.find(member);
         if (meets != meets_of_.end()) {
@@ -1132,30 +1142,116 @@ private:
                 if (!listed) body.meets.emplace_back(letter, board_.value(place).place());
             }
         }
-        if (!sides.empty()) body.polygon = draw_polygon(member, sides);
+        if (!sides.empty()) {
+            sort_round(sides);
+            body.polygon = draw_polygon(member, sides);
+            sides_.emplace_back(member, std::move(sides));
+        }
         if (!body.forces.empty()) results_.bodies.push_back(std::move(body));
     }
 
-    /// Tip to tail: the forces of a body in equilibrium close.
-    int draw_polygon(int member, const std::vector<std::pair<Symbol, Force>>& sides) {
+    /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of common
+    /// forces.
+    void sort_round(std::vector<Side>& sides) const {
+        const Vector first = board_.value(sides.front().force);
+        const auto half = [&](const Vector& v) {
+            const int turned = cross(first, v).sign();
+            return turned > 0 || (turned == 0 && dot(first, v).sign() > 0) ? 0 : 1;
+        };
+        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+            const Vector u = board_.value(a.force), v = board_.value(b.force);
+            if (half(u) != half(v)) return half(u) < half(v);
+            return cross(u, v).sign() > 0;
+        });
+    }
+
+    int add_force_polygon(std::string id) {
         Polygon polygon;
         polygon.plane = Plane::force;
-        polygon.id = "forces-" + member_name(member);
-        const int index = board_.add_polygon(std::move(polygon));
-        auto here = board_.pole<Plane::force>();
-        for (const auto& [symbol, force] : sides) {
-            const auto next = board_.carry(here, force);
-            DrawnVector drawn;
-            drawn.symbol = symbol;
-            drawn.polygon = index;
-            drawn.tail = here.element;
-            drawn.tip = next.element;
-            drawn.body = is_pin(member) ? -1 : member;
-            board_.draw(std::move(drawn));
+        polygon.id = std::move(id);
+        return board_.add_polygon(std::move(polygon));
+    }
+
+    using Corner = PointOn<Plane::force>;
+
+    void draw_side(int polygon, const Side& side, int member, Corner tail, Corner tip) {
+        DrawnVector drawn;
+        drawn.symbol = side.symbol;
+        drawn.polygon = polygon;
+        drawn.tail = tail.element;
+        drawn.tip = tip.element;
+        drawn.body = is_pin(member) ? -1 : member;
+        drawn.role = side.external ? DrawnVector::Role::external : DrawnVector::Role::internal;
+        board_.draw(std::move(drawn));
+    }
+
+    /// Tip to tail: the forces of a body in equilibrium close.
+    int draw_polygon(int member, const std::vector<Side>& sides) {
+        const int polygon = add_force_polygon("forces-" + member_name(member));
+        place_sides(polygon, member, sides, 0, board_.pole<Plane::force>(), -1);
+        return polygon;
+    }
+
+    /// Sets the sides off from `start`, beginning with the one at `from`; the side of the bond `shared` is there already.
+    /// Returns the tails of the sides, in their order.
+    std::vector<Corner> place_sides(int polygon, int member, const std::vector<Side>& sides, std::size_t from, Corner start,
+                                    int shared) {
+        std::vector<Corner> tails(sides.size());
+        Face face;
+        face.body = is_pin(member) ? -1 : member;
+        Corner here = start;
+        for (std::size_t n = 0; n < sides.size(); ++n) {
+            const std::size_t i = (from + n) % sides.size();
+            const Corner next = n + 1 == sides.size() ? start : board_.carry(here, sides[i].force);
+            if (n + 1 == sides.size()) {
+                KG_ASSERT(board_.coincide(board_.carry(here, sides[i].force), start),
+                          "the forces of a body in equilibrium close");
+            }
+            if (shared < 0 || sides[i].bond != shared) draw_side(polygon, sides[i], member, here, next);
+            tails[i] = here;
+            face.corners.push_back(here.element);
             here = next;
         }
-        KG_ASSERT(board_.coincide(here, board_.pole<Plane::force>()), "the forces of a body in equilibrium close");
-        return index;
+        board_.add_face(polygon, std::move(face));
+        return tails;
+    }
+
+    /// The triangles laid side by side on their common forces, so that the external forces close.
+    void join_polygons() {
+        std::set<int> placed;
+        int count = 0;
+        for (std::size_t first = 0; first < sides_.size(); ++first) {
+            if (placed.count(sides_[first].first) != 0 || sides_.size() < 2) continue;
+            const int polygon = add_force_polygon(count == 0 ? "closure" : "closure-" + std::to_string(count + 1));
+            ++count;
+            struct Open {
+                std::size_t index, from;
+                Corner start;
+                int shared;
+            };
+            std::vector<Open> open{{first, 0, board_.pole<Plane::force>(), -1}};
+            placed.insert(sides_[first].first);
+            for (std::size_t next = 0; next < open.size(); ++next) {
+                const Open here = open[next];
+                const auto& [member, sides] = sides_[here.index];
+                const std::vector<Corner> tails = place_sides(polygon, member, sides, here.from, here.start, here.shared);
+                for (std::size_t i = 0; i < sides.size(); ++i) {
+                    if (sides[i].external) continue;
+                    const Bond& bond = bonds_[at(sides[i].bond)];
+                    const int other = bond.first == member ? bond.second : bond.first;
+                    if (placed.count(other) != 0) continue;
+                    for (std::size_t k = 0; k < sides_.size(); ++k) {
+                        if (sides_[k].first != other) continue;
+                        const auto& across = sides_[k].second;
+                        for (std::size_t m = 0; m < across.size(); ++m) {
+                            if (across[m].bond != sides[i].bond) continue;
+                            placed.insert(other);
+                            open.push_back({k, m, tails[(i + 1) % sides.size()], sides[i].bond});
+                        }
+                    }
+                }
+            }
+        }
     }
 
     Structure& structure_;
@@ -1169,6 +1265,7 @@ private:
     std::vector<Load> loads_;
     std::vector<std::pair<Place, std::string>> named_meets_;
     std::map<int, std::vector<std::pair<std::string, Place>>> meets_of_;
+    std::vector<std::pair<int, std::vector<Side>>> sides_;  ///< by member, in the order resolved
     ForceResults results_;
 };
 

@@ -364,6 +364,8 @@ void Board::label(Image image) {
     protocol_.images.push_back(std::move(image));
 }
 
+void Board::add_face(int polygon, Face face) { protocol_.polygons[position(polygon)].faces.push_back(std::move(face)); }
+
 void Board::draw(DrawnLine line) {
     line.statement = current_statement_;
     protocol_.lines.push_back(std::move(line));

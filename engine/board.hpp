@@ -96,6 +96,11 @@ struct Guard {
     bool by_finer_pose = false;  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
 };
 
+/// The polygon of one body within a joined force polygon: its corners in order.
+struct Face {
+    BodyIndex body = -1;
+    std::vector<int> corners;  ///< elements: points of the force plane
+};
 /// A polygon: a figure of one plane, with its own pole.
 struct Polygon {
     Plane plane = Plane::velocity;
@@ -105,6 +110,7 @@ struct Polygon {
     bool translating = false;
     std::vector<int> vectors;  ///< indices into Protocol::vectors
     std::vector<int> images;   ///< indices into Protocol::images
+    std::vector<Face> faces;   ///< force polygons: one for each body
 };
 /// A named vector of a polygon, from tail to tip (elements that are points of its plane).
 struct DrawnVector {
@@ -112,7 +118,17 @@ struct DrawnVector {
     int polygon = 0;
     int tail = -1, tip = -1;
     BodyIndex body = -1;
-    enum class Role { absolute, relative, normal, tangential, transport, sliding, coriolis } role = Role::absolute;
+    enum class Role {
+        absolute,
+        relative,
+        normal,
+        tangential,
+        transport,
+        sliding,
+        coriolis,
+        external,
+        internal
+    } role = Role::absolute;
     int statement = -1;
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
@@ -325,6 +341,7 @@ public:
     int add_polygon(Polygon polygon);
     void draw(DrawnVector vector);
     void label(Image image);
+    void add_face(int polygon, Face face);
     void draw(DrawnLine line);
 
     Protocol finish() &&;
