@@ -163,6 +163,8 @@ struct Wanted {
     std::optional<double> asked;
     std::function<Figure(double, double)> draw;
     std::vector<Block> equations;
+    bool empty = false;  // all its vectors are zero: a pole and names
+    double weight = 1;   // against the other figures of the page
     double caption_width = 60;
     struct Drawn {
         double room_x, room_y;
@@ -264,6 +266,8 @@ private:
         mechanism.rim_x = 22;
         mechanism.rim_y = 26;
         mechanism.caption_width = 95;
+        // Its symbols and letters do not shrink with it: drawn small, it is crowded.
+        mechanism.weight = 1.7;
         mechanism.draw = [this](double x, double y) { return mechanism_figure(context_, x, y, !solution().centres.empty()); };
         wanted_.push_back(std::move(mechanism));
 
@@ -288,6 +292,7 @@ private:
                 add(protocol.vectors[static_cast<std::size_t>(v)].tail);
                 add(protocol.vectors[static_cast<std::size_t>(v)].tip);
             }
+            wanted.empty = !(std::max(max_x - min_x, max_y - min_y) > 0);
             wanted.extent_x = std::max(max_x - min_x, 1e-30);
             wanted.extent_y = std::max(max_y - min_y, 1e-30);
             wanted.asked = asked(polygon.id, unit.si.to_double());
@@ -344,6 +349,7 @@ private:
     static double use_of(double size) { return std::log(size) - 40 / size; }
     /// How large a figure would be drawn in a cell, and what that is worth.
     double worth(const Wanted& wanted, const Box& cell) const {
+        if (wanted.empty) return cell.width() > 60 && cell.height() > 30 ? 0 : -6;
         const double width = cell.width(), height = cell.height() - 8;
         const auto drawn = [&](double w, double h) -> double {
             const double room_x = w - wanted.rim_x, room_y = h - wanted.rim_y;
@@ -356,7 +362,7 @@ private:
             }
             // The step of the scale first, then the air that it leaves.
             const double air = std::log(std::max(wanted.extent_x / room_x, wanted.extent_y / room_y) / scale);
-            return use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
+            return wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
         };
         if (wanted.equations.empty()) return drawn(width, height);
         double stack_width = 0, stack_height = 0;
@@ -437,7 +443,8 @@ private:
 
     void place_figures(double spare) {
         for (std::size_t first = 0; first < wanted_.size();) {
-            const std::size_t count = std::min(at_most(), wanted_.size() - first);
+            const std::size_t count =
+                std::min(first > 0 ? std::max<std::size_t>(at_most(), 4) : at_most(), wanted_.size() - first);
             std::vector<Box> areas;
             if (spare > 0) {
                 const double need = spare * estimated_text();
@@ -480,9 +487,11 @@ private:
                 for (std::size_t i = 0; i < count; ++i) {
                     Wanted& wanted = wanted_[first + i];
                     fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
-                    const double size = use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
+                    const double size =
+                        wanted.empty ? 0
+                                     : wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
                     outcome.value += size;
-                    if (size < worth(wanted, best.cells[i]) - 0.05) {
+                    if (!wanted.empty && size < worth(wanted, best.cells[i]) - 0.05) {
                         smaller = true;
                         wanted.rim_x += 8;
                         wanted.rim_y += 8;
@@ -542,6 +551,14 @@ private:
 
     double caption_height(const Wanted& wanted, double width) const { return wanted.caption_width > width ? 11 : 7; }
 
+    /// A diagram has no scale, nor has a polygon of which all vectors are zero.
+    static bool has_scale(const Figure& figure) {
+        if (figure.kind == "centres" || figure.unit.empty()) return false;
+        return (figure.kind != "velocity" && figure.kind != "acceleration") ||
+               std::any_of(figure.marks.begin(), figure.marks.end(),
+                           [](const Mark& mark) { return std::holds_alternative<Axis>(mark); });
+    }
+
     /// "Fig. 1  Mechanism and instant centres  1 : 5" on one line, or two where the cell is narrow.
     double set_caption(std::vector<Mark>& marks, const Figure& figure, Spot at, double width) {
         const Theme& theme = options_.theme;
@@ -549,9 +566,7 @@ private:
         append(text, one_piece("   "));
         append(text, figure.caption);
         const ShapedLine caption = shape(text, theme.label);
-        const ShapedLine scale = figure.scale > 0 && !figure.unit.empty() && figure.kind != "centres"
-                                     ? shape(scale_words(figure), theme.body_text)
-                                     : ShapedLine{};
+        const ShapedLine scale = has_scale(figure) ? shape(scale_words(figure), theme.body_text) : ShapedLine{};
         if (caption.width + 5 + scale.width <= width) {
             set_text(marks, caption, {at.x, at.y + 3.8}, theme.text, "text");
             set_text(marks, scale, {at.x + caption.width + 5, at.y + 3.8}, theme.secondary, "text");

@@ -47,8 +47,11 @@ public:
         return Spot{*x, *y};
     }
     std::optional<Spot> of_point(const std::string& kind, std::string name, BodyIndex body) const {
+        // A starred place belongs to its own body alone: the plain row may be another's.
+        const bool starred = name.ends_with('*');
         while (!name.empty() && name.back() == '*') name.pop_back();
-        if (const auto plain_point = components(kind + " " + name)) return plain_point;
+        if (!starred)
+            if (const auto plain_point = components(kind + " " + name)) return plain_point;
         return components(kind + " " + name + " on " + body_name(body));
     }
     std::string body_name(BodyIndex body) const {

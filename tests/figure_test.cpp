@@ -195,6 +195,36 @@ TEST(MechanismFigure, survives_strange_names) {
     expect_well_grouped(velocities_on_mechanism({solution, theme, fonts()}, 150, 120));
 }
 
+TEST(MechanismFigure, is_the_same_drawing_at_any_size) {
+    const auto four_bar = [](const std::string& e) {
+        return solved(R"({"kinegraph": 1, "points": {"A": [0, 0], "B": [3e)" + e + R"(, 4e)" + e + R"(], "C": [12e)" + e +
+                      R"(, 7e)" + e + R"(], "D": [11e)" + e +
+                      R"(, 0]}, "bodies": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C", "D"]}, "joints": [
+            {"revolute": "A", "bodies": ["0", "1"]}, {"revolute": "B", "bodies": ["1", "2"]}, {"revolute": "C", "bodies": ["2", "3"]},
+            {"revolute": "D", "bodies": ["0", "3"]}], "drivers": [{"body": "1", "omega": 3}]})");
+    };
+    const Theme theme;
+    const Solution usual = four_bar("-2");
+    const Figure expected = mechanism_figure({usual, theme, fonts()}, 150, 120, true);
+    for (const std::string e : {"-42", "38"}) {
+        const Solution solution = four_bar(e);
+        const Figure figure = mechanism_figure({solution, theme, fonts()}, 150, 120, true);
+        EXPECT_NEAR(figure.scale / expected.scale, std::pow(10, std::stoi(e) + 2), std::pow(10, std::stoi(e) + 2) * 1e-9);
+        EXPECT_NEAR(figure.box.width(), expected.box.width(), 12);  // the bar's numbers are longer
+        expect_well_grouped(figure);
+    }
+}
+
+TEST(MechanismFigure, of_a_single_point_is_drawn) {
+    const Solution solution = solved(R"({"kinegraph": 1, "points": {"O": [0, 0]}, "bodies": {"2": ["O"]},
+        "joints": [{"revolute": "O", "bodies": ["0", "2"]}], "drivers": [{"body": "2", "omega": 1}]})");
+    const Theme theme;
+    const Figure figure = mechanism_figure({solution, theme, fonts()}, 150, 120, true);
+    expect_well_grouped(figure);
+    EXPECT_GT(figure.box.height(), 10);
+    EXPECT_LT(figure.box.height(), 60);
+}
+
 TEST(VelocitiesOnMechanism, have_axes_as_long_as_their_values) {
     const Theme theme;
     for (const auto& file : examples()) {

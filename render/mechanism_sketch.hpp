@@ -1,0 +1,161 @@
+// A mechanism being drawn at one scale: what it takes from the solution (Subject), what each body is made of on paper (Shape) and
+// the layers of marks (Sketch). Shared by the files that draw links, symbols and centres; of no use to others.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "render/figure.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render::drawing {
+
+constexpr double overshoot = 7.0;    // of a construction line, mm
+constexpr double same_place = 0.02;  // what nobody can tell apart on paper, mm
+constexpr double pi_number = std::numbers::pi;
+
+inline std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
+/// A place, y downwards.
+inline Spot paper_spot(const Vector& v) { return {v.x.to_double(), -v.y.to_double()}; }
+/// A direction as a unit, y downwards, of whatever length it is given.
+Spot paper_direction(const Vector& v);
+inline Spot polar_spot(double angle) { return {std::cos(angle), std::sin(angle)}; }
+inline Box grown(Box box, double by) { return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}}; }
+bool contains(const Box& box, Spot spot);
+/// The part of the line from + t·along that lies in the box, as an interval of t; from > to where it misses.
+struct Interval {
+    double from, to;
+};
+Interval within(const Box& box, Spot from, Spot along);
+
+struct Bar {
+    Spot from, to;
+};
+double distance(Spot spot, const Bar& bar);
+
+/// What a body is drawn of, mm.
+struct Shape {
+    std::vector<Bar> bars;
+    std::vector<Spot> plate;  // hull; empty: none
+    std::vector<Bar> slots;   // centre lines of straight slots
+    Spot middle;              // somewhere on it
+};
+
+/// What the figure takes from the solution, once, in metres with y downwards; scales are tried on it.
+struct Subject {
+    const Solution& solution;
+    const Mechanism& mechanism;
+    std::vector<Spot> points;
+    std::vector<Spot> guides, normals;      // units, by joint
+    std::vector<bool> shown;                // by point: some body carries it
+    std::vector<std::vector<int>> corners;  // by body: points its strokes join
+    std::vector<bool> mass_centre;          // by point
+    Box box;                                // of the mechanism, m
+    double shortest = 1e300;                // link, m
+
+    explicit Subject(const Solution& s);
+
+    double size() const { return std::max(box.width(), box.height()); }
+    static bool is_fixed_pin(const Joint& joint) {
+        return joint.kind == JointKind::revolute && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+    }
+    static bool is_tip(const Joint& joint, BodyIndex body) {
+        const auto profile = joint.profiles.find(body);
+        return profile != joint.profiles.end() && std::holds_alternative<TipProfile>(profile->second);
+    }
+    /// A point where the body only touches or is slid upon: no stroke leads there.
+    bool touches_there(BodyIndex body, PointIndex point) const;
+
+private:
+    void add_corner(BodyIndex body, PointIndex point) {
+        std::vector<int>& list = corners[at_index(body)];
+        if (std::find(list.begin(), list.end(), point) == list.end()) list.push_back(point);
+    }
+};
+
+/// One try at a scale.
+class Sketch {
+public:
+    Sketch(const Subject& subject, const DrawingContext& context, double scale, std::string prefix);
+
+    std::vector<Mark> tints, construction, ground, bodies, pins, arrows, centres, type;
+    std::vector<LabelRequest> labels;
+
+    Spot spot(PointIndex point) const { return spots_[at_index(point)]; }
+    Spot spot(const Vector& place) const { return (1 / scale_) * paper_spot(place); }
+    const Shape& shape(BodyIndex body) const { return shapes_[at_index(body)]; }
+    double size() const { return s_.size() / scale_; }
+    Box mechanism_box() const { return {(1 / scale_) * s_.box.min, (1 / scale_) * s_.box.max}; }
+    /// Legal, and met once in the figure.
+    std::string id(std::string_view kind, std::string_view name);
+
+    void draw_in_colour();
+    void draw_in_grey();
+    void draw_points(bool names);
+    void draw_drivers();
+    void draw_compass();
+    void draw_centres();
+    void draw_pole(const InstantCentre& centre);
+    Figure finish(std::string kind, std::string figure_id, std::string unit_name);
+    void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit);
+
+private:
+    friend class CentresDrawing;
+
+    /// The centre line of a slot curved about a point; radius 0: too narrow to draw.
+    struct CurvedSlot {
+        Spot centre;
+        double radius = 0, from = 0, to = 0;
+    };
+    CurvedSlot curved_slot(const Joint& joint) const;
+    Shape shape_of(BodyIndex body) const;
+    Symbol symbol_of(const InstantCentre& centre) const;
+    std::vector<Spot> leaving(PointIndex point) const;
+    double crowding(Spot spot, Spot besides) const;
+    bool lies_on(BodyIndex body, BodyIndex longer) const;
+    std::vector<BodyIndex> drawing_order() const;
+    void draw_body(BodyIndex body);
+    void draw_block(const Joint& joint, std::size_t index, std::vector<Mark>& marks);
+    void draw_profiles(BodyIndex body, std::vector<Mark>& marks);
+    void draw_wall(Spot from, Spot to, Spot away);
+    void draw_fixed_pin(PointIndex point);
+    void draw_guides();
+    void draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks);
+    void draw_curved_slot(const Joint& joint, std::vector<Mark>& marks);
+    void draw_mass_centre(Spot centre);
+    void draw_clamp(const Joint& joint);
+    void balloon(BodyIndex body);
+    Colour line_colour(BodyIndex body) const { return body == 0 ? theme_.text : theme_.body(body).line; }
+    Colour letter_colour(BodyIndex body) const { return body == 0 ? theme_.text : theme_.body(body).letter; }
+    Colour tint_colour(BodyIndex body) const { return body == 0 ? theme_.paper : theme_.body(body).tint; }
+    bool is_wheel(BodyIndex body) const { return m_.bodies[at_index(body)].circle.has_value(); }
+
+    // Measures of the symbols, mm; they shrink where the links are short.
+    double shrink_ = 1;
+    double pin_radius_ = 1.5 * shrink_, triangle_height_ = 6.2 * shrink_, triangle_half_ = 3.6 * shrink_,
+           base_half_ = 5.4 * shrink_;
+    double hatch_depth_ = 2.2 * shrink_, hatch_pitch_ = 1.5 * shrink_;
+    double slider_half_ = 8.0 * shrink_, slider_side_ = 4.4 * shrink_, sleeve_half_ = 7.5 * shrink_, sleeve_side_ = 3.6 * shrink_;
+    double wall_beyond_ = 9.0 * shrink_, axis_beyond_ = 14.0 * shrink_, rod_beyond_ = 9.0 * shrink_;
+    double slot_half_ = 10.0 * shrink_, slot_side_ = 2.2 * shrink_;
+
+    const Subject& s_;
+    const Mechanism& m_;
+    const DrawingContext& context_;
+    const Theme& theme_;
+    double scale_;
+    std::string prefix_;
+    std::set<std::string> ids_;
+    std::vector<Spot> spots_;
+    std::vector<Shape> shapes_;
+    std::vector<std::pair<Spot, Spot>> arcs_of_drivers_;  // pivot and where the arrow is: ground turns away from it
+};
+
+}  // namespace kinegraph::render::drawing

@@ -1,0 +1,588 @@
+// The symbols of a mechanism (ISO 3952): ground, guides, blocks, slots, wheels, links, pins, mass centres, drivers, compass
+// strokes and names. Owns how each is drawn; where it stands the shapes say.
+#include <algorithm>
+#include <array>
+
+#include "render/mechanism_sketch.hpp"
+#include "render/tables.hpp"
+
+namespace kinegraph::render::drawing {
+
+namespace {
+
+/// The number as given: significant digits without the zeros that only fill.
+std::string given_number(double value, Language language, int digits = 6) {
+    std::string text = number(value, digits, language);
+    const std::size_t mark = text.find_first_of(".,");
+    if (mark == std::string::npos) return text;
+    std::size_t end = mark + 1;
+    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    std::size_t keep = end;
+    while (keep > mark + 1 && text[keep - 1] == '0') --keep;
+    if (keep == mark + 1) keep = mark;
+    text.erase(keep, end - keep);
+    // Six digits are for round values; of 120 rpm in rad/s four tell enough.
+    if (digits == 6 && keep - mark > 3)
+        if (std::string rounded_text = given_number(value, language, 4); rounded_text.size() + 1 < text.size())
+            return rounded_text;
+    return text;
+}
+
+}  // namespace
+
+/// Ground: a line with hatching on the side `away`.
+void Sketch::draw_wall(Spot from, Spot to, Spot away) {
+    const Pen edge{theme_.outline, theme_.text, {}, false}, hatch{theme_.thin, theme_.text, {}, false};
+    const Spot along = unit(to - from);
+    const double whole = length(to - from);
+    const double depth_along = hatch_depth_;
+    Path strokes;
+    strokes.stroked = true;
+    strokes.pen = hatch;
+    const int count = std::max(2, static_cast<int>(std::floor(whole / hatch_pitch_)));
+    const double pitch = whole / count;
+    for (int i = 1; i <= count; ++i) {
+        const double t = i * pitch, back = std::min(depth_along, t);
+        strokes.segments.emplace_back(MoveTo{from + t * along});
+        strokes.segments.emplace_back(LineTo{from + (t - back) * along + back * away});
+    }
+    ground.emplace_back(std::move(strokes));
+    ground.emplace_back(line(from, to, edge));
+}
+
+void Sketch::draw_fixed_pin(PointIndex point) {
+    const Spot at = spot(point);
+    std::vector<Spot> links = leaving(point);
+    for (const Joint& joint : m_.joints)
+        if (const Spot d = spot(joint.point) - at; length(d) > same_place && length(d) < triangle_height_ + hatch_depth_ + 2)
+            links.push_back(unit(d));  // a pin where the triangle would stand
+    // Down first, then the sides, then up; away from links and from the arrow of a crank.
+    const std::array<std::pair<Spot, double>, 4> choices{
+        {{Spot{0, 1}, 0.0}, {Spot{1, 0}, 0.35}, {Spot{-1, 0}, 0.35}, {Spot{0, -1}, 0.6}}};
+    Spot down{0, 1};
+    double least = 1e300;
+    for (const auto& [direction, bias] : choices) {
+        double price = bias;
+        for (const Spot link : links) {
+            const double angle = std::acos(std::clamp(dot(link, direction), -1.0, 1.0));
+            if (angle < 1.2) price += 2.5 * (1.2 - angle);
+        }
+        for (const auto& [pivot, arrow] : arcs_of_drivers_)
+            if (length(pivot - at) < same_place) {
+                const double angle = std::acos(std::clamp(dot(unit(arrow - pivot), direction), -1.0, 1.0));
+                if (angle < 1.2) price += 1.0 * (1.2 - angle);
+            }
+        if (price < least - 1e-9) {
+            least = price;
+            down = direction;
+        }
+    }
+    const Spot across = turned(down), base = at + triangle_height_ * down;
+    Path triangle = polyline({at, base + triangle_half_ * across, base - triangle_half_ * across},
+                             {theme_.outline, theme_.text, {}, false}, true);
+    triangle.filled = true;
+    triangle.fill = theme_.paper;
+    ground.emplace_back(std::move(triangle));
+    draw_wall(base + base_half_ * across, base - base_half_ * across, down);
+}
+
+/// Guides of the frame: axis and walls on both sides, open where a link passes.
+void Sketch::draw_guides() {
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        if (joint.bodies.size() != 2 || length(s_.guides[j]) == 0) continue;
+        const Spot at = spot(joint.point), along = s_.guides[j];
+        const auto walls = [&](double side_distance, double half, bool heed_links) {
+            for (const double side : {1.0, -1.0}) {
+                const Spot away = side * turned(along);
+                std::vector<Interval> pieces{{-half, half}};
+                for (const Spot link : heed_links ? leaving(joint.point) : std::vector<Spot>{}) {
+                    const double rise = dot(link, away), run = dot(link, along);
+                    if (rise < 0.08) continue;
+                    const double crossing = side_distance * run / rise, gap = 2.6 / rise + 1.2 * std::abs(run) / rise;
+                    std::vector<Interval> rest;
+                    // A link that passes beside the block would leave a stub: that side stays open.
+                    const bool beside = std::abs(crossing) - gap < slider_half_;
+                    for (const Interval piece : pieces) {
+                        if (beside) break;
+                        if (piece.from < crossing - gap) rest.push_back({piece.from, std::min(piece.to, crossing - gap)});
+                        if (piece.to > crossing + gap) rest.push_back({std::max(piece.from, crossing + gap), piece.to});
+                    }
+                    pieces = rest;
+                }
+                for (const Interval piece : pieces)
+                    if (piece.to - piece.from > 6)
+                        draw_wall(at + piece.from * along + side_distance * away, at + piece.to * along + side_distance * away,
+                                  away);
+            }
+        };
+        if (joint.kind == JointKind::prismatic && joint.bodies[1] == 0) {
+            const double half = slider_half_ + axis_beyond_;
+            construction.emplace_back(
+                line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
+            // A wall ends before the next pin on its way.
+            double reach = slider_half_ + wall_beyond_;
+            for (const Joint& other : m_.joints) {
+                const Spot d = spot(other.point) - at;
+                const double ahead = std::abs(dot(d, along));
+                if (ahead > slider_half_ && std::abs(cross(d, along)) < slider_side_ + 3)
+                    reach = std::min(reach, std::max(ahead - 3.5, slider_half_ + 2));
+            }
+            walls(slider_side_ + theme_.vector / 2 + theme_.outline / 2, reach, true);
+        } else if (joint.kind == JointKind::prismatic && joint.bodies[0] == 0) {
+            walls(theme_.link / 2 + 0.5, sleeve_half_, false);
+        } else if (joint.kind == JointKind::pin_slot && joint.bodies[1] == 0) {
+            const double half = slider_half_ + axis_beyond_;
+            construction.emplace_back(
+                line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
+            walls(slot_side_, slot_half_ + 3, true);
+        }
+    }
+}
+
+void Sketch::draw_block(const Joint& joint, std::size_t index, std::vector<Mark>& marks) {
+    const BodyIndex body = joint.bodies[0];
+    if (body == 0) return;
+    const bool on_frame = joint.bodies[1] == 0;
+    const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
+    const Spot at = spot(joint.point), u = half * s_.guides[index], w = side * turned(s_.guides[index]);
+    Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, {theme_.vector, line_colour(body), {}, false}, true);
+    block.filled = true;
+    block.fill = tint_colour(body);
+    marks.emplace_back(std::move(block));
+}
+
+void Sketch::draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks) {
+    const Spot along = unit(slot.to - slot.from), across = slot_side_ * turned(along);
+    const double a = std::atan2(along.y, along.x);
+    Path path;
+    path.segments = {MoveTo{slot.from + across}, ArcTo{slot.from, slot_side_, a + pi_number / 2, a + 3 * pi_number / 2},
+                     LineTo{slot.to - across}, ArcTo{slot.to, slot_side_, a - pi_number / 2, a + pi_number / 2}, Close{}};
+    path.filled = true;
+    path.fill = theme_.paper;
+    path.stroked = true;
+    path.pen = {theme_.vector, line_colour(body), {}, true};
+    marks.emplace_back(std::move(path));
+}
+
+void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
+    const auto [centre, radius, from, to] = curved_slot(joint);
+    if (radius <= 0) return;
+    const Spot start = centre + radius * polar_spot(from), end = centre + radius * polar_spot(to);
+    Path path;
+    path.segments = {MoveTo{centre + (radius + slot_side_) * polar_spot(from)},
+                     ArcTo{centre, radius + slot_side_, from, to},
+                     ArcTo{end, slot_side_, to, to + pi_number},
+                     ArcTo{centre, radius - slot_side_, to, from},
+                     ArcTo{start, slot_side_, from + pi_number, from + 2 * pi_number},
+                     Close{}};
+    path.filled = true;
+    path.fill = theme_.paper;
+    path.stroked = true;
+    const BodyIndex body = joint.bodies[1];
+    path.pen = {body == 0 ? theme_.outline : theme_.vector, line_colour(body), {}, true};
+    (body == 0 ? ground : marks).emplace_back(std::move(path));
+}
+
+/// Wheels, cams and flat faces.
+void Sketch::draw_profiles(BodyIndex body, std::vector<Mark>& marks) {
+    const Body& data = m_.bodies[at_index(body)];
+    const Pen pen{theme_.vector, line_colour(body), {}, false};
+    bool geared = false;
+    for (const Joint& joint : m_.joints)
+        if (joint.kind == JointKind::gear && std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end())
+            geared = true;
+    std::vector<std::pair<Spot, double>> circles;
+    const auto add_circle = [&](Spot centre, double radius) {
+        for (const auto& [c, r] : circles)
+            if (length(c - centre) < same_place && std::abs(r - radius) < same_place) return;
+        circles.emplace_back(centre, radius);
+        Pen edge = pen;
+        if (geared && body != 0) edge.dashes = dash_dot();
+        (body == 0 ? ground : marks).emplace_back(circle(centre, radius, edge));
+        if (body == 0) {
+            // Hatch the rim on the side where nothing rolls: inside, unless the wheels are within.
+            bool inner = true;
+            for (std::size_t other = 1; other < m_.bodies.size(); ++other)
+                if (const auto& wheel = m_.bodies[other].circle)
+                    if (length(spot(wheel->centre) - centre) + wheel->radius.to_double() / scale_ < radius + 0.5) inner = false;
+            Path rim;
+            rim.stroked = true;
+            rim.pen = {theme_.thin, theme_.text, {}, false};
+            const int count = std::max(8, static_cast<int>(2 * pi_number * radius / 3.0));
+            for (int i = 0; i < count; ++i) {
+                const double angle = 2 * pi_number * i / count, lean = angle + 1.5 / radius;
+                rim.segments.emplace_back(MoveTo{centre + radius * polar_spot(angle)});
+                rim.segments.emplace_back(LineTo{centre + (radius + (inner ? -1.6 : 1.6)) * polar_spot(lean)});
+            }
+            ground.emplace_back(std::move(rim));
+        }
+    };
+    if (data.circle) add_circle(spot(data.circle->centre), data.circle->radius.to_double() / scale_);
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        if (joint.kind != JointKind::rolling && joint.kind != JointKind::contact && joint.kind != JointKind::gear) continue;
+        const auto in = std::find(joint.bodies.begin(), joint.bodies.end(), body);
+        if (in == joint.bodies.end()) continue;
+        const auto profile = joint.profiles.find(body);
+        const Spot at = spot(joint.point);
+        const Spot tangent = turned(s_.normals[j]);
+        const bool first = in == joint.bodies.begin();
+        if (profile != joint.profiles.end() && std::holds_alternative<CircleProfile>(profile->second)) {
+            const Spot centre = spot(std::get<CircleProfile>(profile->second).centre);
+            add_circle(centre, length(at - centre));
+        } else if (profile != joint.profiles.end() && std::holds_alternative<LineProfile>(profile->second)) {
+            if (length(tangent) == 0) continue;
+            const double half = 16;
+            if (body == 0) {
+                // Hatched away from what stands on it.
+                const BodyIndex other = joint.bodies[first ? 1 : 0];
+                Spot away = s_.normals[j];
+                const Spot across = is_wheel(other) ? spot(m_.bodies[at_index(other)].circle->centre) : shape(other).middle;
+                if (dot(across - at, away) > 0) away = -1.0 * away;
+                draw_wall(at - half * tangent, at + half * tangent, away);
+            } else {
+                marks.emplace_back(line(at - half * tangent, at + half * tangent, {theme_.link, line_colour(body), {}, true}));
+                const std::vector<int>& corners = s_.corners[at_index(body)];
+                if (!corners.empty()) {
+                    const Spot from = spot(corners.front());
+                    const double t = dot(from - at, tangent);
+                    marks.emplace_back(
+                        line(from, at + std::clamp(t, -half, half) * tangent, {theme_.link, line_colour(body), {}, true}));
+                }
+            }
+        } else if (!data.circle && profile == joint.profiles.end() && length(tangent) > 0 && first) {
+            construction.emplace_back(
+                line(at - 10.0 * tangent, at + 10.0 * tangent, {theme_.thin, theme_.secondary, dash_dot(), false}));
+        }
+    }
+}
+
+void Sketch::draw_body(BodyIndex body) {
+    const Body& data = m_.bodies[at_index(body)];
+    const Shape& shape = shapes_[at_index(body)];
+    // Of two links in line (a dead point) the shorter one lies on top, narrower, so that both are seen.
+    bool on_another = false;
+    for (std::size_t other = 1; other < m_.bodies.size(); ++other)
+        on_another = on_another || lies_on(body, static_cast<int>(other));
+    const Pen stroke{on_another ? 0.5 * theme_.link : theme_.link, line_colour(body), {}, true};
+    std::vector<Mark> marks;
+    draw_profiles(body, marks);
+    if (!shape.plate.empty()) {
+        tints.emplace_back(filled(shape.plate, tint_colour(body)));
+        marks.emplace_back(polyline(shape.plate, stroke, true));
+    }
+    for (const Bar& bar : shape.bars)
+        if (length(bar.to - bar.from) > 1e-6) marks.emplace_back(line(bar.from, bar.to, stroke));
+    // The block covers the end of its own rod: they are one piece.
+    for (std::size_t j = 0; j < m_.joints.size(); ++j)
+        if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies.size() == 2 && m_.joints[j].bodies[0] == body)
+            draw_block(m_.joints[j], j, marks);
+    for (const Bar& slot : shape.slots) draw_slot(slot, body, marks);
+    for (const Joint& joint : m_.joints)
+        if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
+            draw_curved_slot(joint, marks);
+    const std::string& words = in(data.label, context_.language);
+    bodies.emplace_back(GroupBegin{"link", id("link", data.name), words.empty() ? data.name : data.name + ": " + words, {}});
+    for (Mark& mark : marks) bodies.push_back(std::move(mark));
+    bodies.emplace_back(GroupEnd{});
+}
+
+/// The body's number in a circle beside its longest stroke; names longer than two letters go without the circle.
+void Sketch::balloon(BodyIndex body) {
+    const Body& data = m_.bodies[at_index(body)];
+    const Shape& shape = shapes_[at_index(body)];
+    LabelRequest request;
+    request.text = one_piece(data.name);
+    request.size = data.name.size() > 1 ? theme_.small : theme_.derived;
+    request.colour = letter_colour(body);
+    if (context_.fonts.shape(request.text, request.size).width < 3.7)
+        request.balloon = 2.3;
+    else
+        request.size = theme_.derived;
+    std::vector<Bar> sides = shape.bars;
+    for (std::size_t i = 0; i < shape.plate.size(); ++i)
+        sides.push_back({shape.plate[i], shape.plate[(i + 1) % shape.plate.size()]});
+    const auto longest = std::max_element(sides.begin(), sides.end(), [](const Bar& a, const Bar& b) {
+        return length(a.to - a.from) < length(b.to - b.from) - 1e-9;
+    });
+    if (longest != sides.end() && length(longest->to - longest->from) > 6) {
+        request.anchor = 0.5 * (longest->from + longest->to);
+        request.toward = longest->to;
+        request.clearance = 2.7;
+    } else {
+        // A block or a wheel: beside it.
+        request.anchor = shape.middle;
+        request.clearance = 6.4;
+        for (std::size_t j = 0; j < m_.joints.size(); ++j)
+            if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies[0] == body) {
+                request.anchor = spot(m_.joints[j].point);
+                const double half = m_.joints[j].bodies[1] == 0 ? slider_half_ : sleeve_half_;
+                const double side = m_.joints[j].bodies[1] == 0 ? slider_side_ : sleeve_side_;
+                request.toward = request.anchor + (half + 2) * s_.guides[j];
+                request.clearance = side + 2.2;
+            }
+        if (data.circle) {
+            const double radius = data.circle->radius.to_double() / scale_;
+            request.anchor = spot(data.circle->centre) + (radius * std::sqrt(0.5)) * Spot{1, -1};
+            request.toward = request.anchor + 4.0 * Spot{1, 1};
+            request.clearance = 1.8;
+        }
+    }
+    labels.push_back(std::move(request));
+}
+
+void Sketch::draw_mass_centre(Spot centre) {
+    constexpr double radius = 1.9;
+    pins.emplace_back(ring(centre, radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+    for (const double from : {0.0, pi_number}) {
+        Path quarter;
+        quarter.segments = {MoveTo{centre}, LineTo{centre + radius * polar_spot(from)},
+                            ArcTo{centre, radius, from, from + pi_number / 2}, Close{}};
+        quarter.filled = true;
+        quarter.fill = theme_.text;
+        pins.emplace_back(std::move(quarter));
+    }
+}
+
+/// Two bodies in one piece: a filled square across the joint; a clamp in the frame: a wall.
+void Sketch::draw_clamp(const Joint& joint) {
+    const Spot at = spot(joint.point);
+    const std::vector<Spot> links = leaving(joint.point);
+    const Spot along = links.empty() ? Spot{1, 0} : links.front();
+    const bool fixed = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+    if (fixed) draw_wall(at + base_half_ * turned(along), at - base_half_ * turned(along), -1.0 * along);
+    const double half = 1.7;
+    const Spot u = half * along, w = half * turned(along);
+    const BodyIndex body = joint.bodies[0] != 0 ? joint.bodies[0] : joint.bodies.back();
+    if (!fixed) pins.emplace_back(filled({at + u + w, at + u - w, at - u - w, at - u + w}, line_colour(body)));
+}
+
+void Sketch::draw_in_colour() {
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        const bool fixed = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+        if (joint.kind == JointKind::revolute && fixed) draw_fixed_pin(joint.point);
+        if (joint.kind == JointKind::weld) draw_clamp(joint);
+        if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies[1] == 0) draw_curved_slot(joint, ground);
+    }
+    draw_guides();
+    {
+        std::vector<Mark> frame;
+        draw_profiles(0, frame);
+    }
+    for (const BodyIndex body : drawing_order())
+        if (body != 0) draw_body(body);
+    for (std::size_t b = 1; b < m_.bodies.size(); ++b) balloon(static_cast<int>(b));
+
+    // Joints: one group each; a pin where bodies turn about each other, a dot where they touch.
+    std::vector<Spot> pinned;
+    for (const Joint& joint : m_.joints) {
+        const Spot at = spot(joint.point);
+        std::string title = joint.name + ":";
+        for (const BodyIndex body : joint.bodies) title += " " + m_.bodies[at_index(body)].name;
+        pins.emplace_back(GroupBegin{"joint", id("joint", joint.name), title, {}});
+        const bool already = std::any_of(pinned.begin(), pinned.end(), [&](Spot p) { return length(p - at) < same_place; });
+        const bool hinge = joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot;
+        if (hinge && !already) {
+            pins.emplace_back(ring(at, pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+            pinned.push_back(at);
+        } else if (joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear) {
+            pins.emplace_back(disc(at, 0.65, theme_.text));
+        }
+        pins.emplace_back(GroupEnd{});
+    }
+    for (std::size_t p = 0; p < spots_.size(); ++p) {
+        if (!s_.shown[p]) continue;
+        const bool taken = std::any_of(m_.joints.begin(), m_.joints.end(), [&](const Joint& joint) {
+            return length(spot(joint.point) - spots_[p]) < same_place && joint.kind != JointKind::prismatic;
+        });
+        if (taken) continue;
+        if (s_.mass_centre[p])
+            draw_mass_centre(spots_[p]);
+        else
+            pins.emplace_back(disc(spots_[p], 0.65, theme_.text));
+    }
+}
+
+/// The same mechanism as a thin grey skeleton, under vectors.
+void Sketch::draw_in_grey() {
+    const Pen thin{theme_.outline, {0x9A, 0x9A, 0xA2}, {}, true};
+    for (const BodyIndex body : drawing_order()) {
+        if (body == 0) continue;
+        const Shape& shape = shapes_[at_index(body)];
+        bodies.emplace_back(GroupBegin{"link", id("link", m_.bodies[at_index(body)].name), m_.bodies[at_index(body)].name, {}});
+        for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+            const Joint& joint = m_.joints[j];
+            if (joint.kind != JointKind::prismatic || joint.bodies[0] != body) continue;
+            const bool on_frame = joint.bodies[1] == 0;
+            const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
+            const Spot at = spot(joint.point), u = half * s_.guides[j], w = side * turned(s_.guides[j]);
+            Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, thin, true);
+            block.filled = true;
+            block.fill = theme_.paper;
+            bodies.emplace_back(std::move(block));
+        }
+        if (const auto& wheel = m_.bodies[at_index(body)].circle)
+            bodies.emplace_back(circle(spot(wheel->centre), wheel->radius.to_double() / scale_, thin));
+        if (!shape.plate.empty()) bodies.emplace_back(polyline(shape.plate, thin, true));
+        for (const Bar& bar : shape.bars)
+            if (length(bar.to - bar.from) > 1e-6) bodies.emplace_back(line(bar.from, bar.to, thin));
+        for (const Bar& slot : shape.slots) bodies.emplace_back(line(slot.from, slot.to, thin));
+        bodies.emplace_back(GroupEnd{});
+    }
+    for (const Joint& joint : m_.joints) {
+        if (joint.kind == JointKind::prismatic) continue;
+        pins.emplace_back(ring(spot(joint.point), 0.9, theme_.paper, thin));
+        if (joint.kind == JointKind::revolute && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end())
+            draw_fixed_pin(joint.point);
+    }
+}
+
+/// Names of points; those at one place share a label.
+void Sketch::draw_points(bool names) {
+    if (!names) return;
+    std::vector<bool> named(spots_.size(), false);
+    for (std::size_t p = 0; p < spots_.size(); ++p) {
+        if (!s_.shown[p] || named[p]) continue;
+        const auto there = std::find_if(labels.begin(), labels.end(), [&](const LabelRequest& label) {
+            return label.balloon == 0 && !label.toward && length(label.anchor - spots_[p]) < same_place;
+        });
+        LabelRequest request;
+        request.size = theme_.label;
+        request.colour = theme_.text;
+        request.anchor = spots_[p];
+        request.clearance = pin_radius_ + 0.8;
+        for (std::size_t q = p; q < spots_.size(); ++q) {
+            if (!s_.shown[q] || named[q] || length(spots_[q] - spots_[p]) > same_place) continue;
+            named[q] = true;
+            if (!request.text.empty()) request.text.push_back(one_piece(" ≡ ").front());
+            for (Piece& piece : typeset(Symbol{Symbol::Letter::point, m_.points[q].name, ""}, context_.language))
+                request.text.push_back(std::move(piece));
+        }
+        if (there != labels.end()) {
+            // An instant centre falls on the point: "B ≡ P_13".
+            request.text.push_back(one_piece(" ≡ ").front());
+            for (Piece& piece : there->text) request.text.push_back(std::move(piece));
+            there->text = std::move(request.text);
+            there->clearance = std::max(there->clearance, request.clearance);
+        } else {
+            labels.push_back(std::move(request));
+        }
+    }
+}
+
+/// ω of a driven body as an arc about its pivot, the speed of a driven slide as an arrow beside it.
+void Sketch::draw_drivers() {
+    const auto valued = [&](Symbol symbol, double value, const Unit& unit_of) {
+        RichText text = typeset(symbol, context_.language);
+        const std::string figure = given_number(value / unit_of.si.to_double(), context_.language);
+        for (Piece& piece : with_powers(" = " + figure + " " + unit_of.symbol)) text.push_back(std::move(piece));
+        return text;
+    };
+    const auto straight = [&](Spot start, Spot along, double value, BodyIndex body, const std::string& about) {
+        if (value == 0) return;
+        const Spot direction = value < 0 ? -1.0 * along : along;
+        const Spot tail = start - 7.0 * direction, tip = start + 7.0 * direction;
+        draw_arrow(arrows, tail, tip, theme_.outline, letter_colour(body));
+        LabelRequest request;
+        request.text = valued({Symbol::Letter::v, about, ""}, value, m_.units.velocity);
+        request.size = theme_.label;
+        request.colour = letter_colour(body);
+        request.anchor = start;
+        request.toward = tip;
+        request.clearance = 1.5;
+        labels.push_back(std::move(request));
+    };
+    for (const Driver& driver : m_.drivers) {
+        if (const auto* spin = std::get_if<SpinDriver>(&driver)) {
+            const double omega = spin->omega.to_double();
+            if (omega == 0) continue;
+            PointIndex pivot = -1;
+            for (const Joint& joint : m_.joints) {
+                const auto has = [&](BodyIndex b) {
+                    return std::find(joint.bodies.begin(), joint.bodies.end(), b) != joint.bodies.end();
+                };
+                if (pivot < 0 && joint.kind == JointKind::revolute && has(spin->body) && has(spin->relative_to))
+                    pivot = joint.point;
+            }
+            const std::vector<int>& corners = s_.corners[at_index(spin->body)];
+            if (pivot < 0 && !corners.empty()) pivot = corners.front();
+            if (pivot < 0) continue;
+            const Spot at = spot(pivot);
+            Spot arm{1, 0};
+            const auto& wheel = m_.bodies[at_index(spin->body)].circle;
+            double reach = wheel ? wheel->radius.to_double() / scale_ : 12;
+            for (const int corner : corners)
+                if (length(spot(corner) - at) > 1) {
+                    arm = unit(spot(corner) - at);
+                    reach = length(spot(corner) - at);
+                    break;
+                }
+            // On paper y runs down: counter-clockwise is the negative turn.
+            const double turn = omega > 0 ? -1 : 1;
+            // Ahead of the crank if nothing is in the way, else further on.
+            double radius = 8, start = 0, sweep = 0, least = 1e300;
+            for (const double tried : {std::clamp(0.4 * reach, 8.0, 14.0), std::clamp(0.25 * reach, 6.0, 8.0), 11.0})
+                for (int step = 0; step < 9; ++step) {
+                    const double from = std::atan2(arm.y, arm.x) + turn * (2.6 / tried + 0.6 * step);
+                    const double by = turn * std::min(1.05, 11.0 / tried);
+                    double price = 0.35 * step + 0.1 * std::abs(tried - 0.4 * reach);
+                    for (int i = 0; i <= 6; ++i) price += 2.5 * crowding(at + tried * polar_spot(from + by * i / 6), at);
+                    if (price < least - 1e-9) {
+                        least = price;
+                        radius = tried;
+                        start = from;
+                        sweep = by;
+                    }
+                }
+            draw_arc_arrow(arrows, at, radius, start, start + sweep, theme_.outline, letter_colour(spin->body));
+            const Spot middle = at + radius * polar_spot(start + 0.5 * sweep);
+            arcs_of_drivers_.emplace_back(at, middle);
+            LabelRequest request;
+            Symbol symbol{Symbol::Letter::omega, m_.bodies[at_index(spin->body)].name, ""};
+            if (spin->relative_to != 0) symbol.about += m_.bodies[at_index(spin->relative_to)].name;
+            request.text = valued(symbol, omega, m_.units.angular_velocity);
+            request.size = theme_.label;
+            request.colour = letter_colour(spin->body);
+            request.anchor = middle;
+            request.clearance = 1.5;
+            labels.push_back(std::move(request));
+        } else if (const auto* slide = std::get_if<SlideDriver>(&driver)) {
+            const Joint& joint = m_.joints[at_index(slide->joint)];
+            const Spot along = s_.guides[at_index(slide->joint)];
+            Spot side = turned(along);
+            if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
+            std::string about = joint.name;
+            straight(spot(joint.point) + (slider_side_ + 5.0) * side, along, slide->speed.to_double(), joint.bodies[0], about);
+        } else if (const auto* point = std::get_if<PointDriver>(&driver)) {
+            const Vector direction = direction_of(point->along, s_.solution.pose);
+            const Spot along = paper_direction(direction);
+            straight(spot(point->at) + 11.0 * along, along, point->speed.to_double(), point->body,
+                     m_.points[at_index(point->at)].name);
+        }
+    }
+}
+
+/// The compass strokes that found the points.
+void Sketch::draw_compass() {
+    for (const PositionStep& step : s_.solution.pose.steps) {
+        if (step.point < 0 || !s_.shown[at_index(step.point)]) continue;
+        const Spot at = spot(step.point);
+        for (const PositionStep::Arc& arc : step.arcs) {
+            const Spot centre = spot(arc.centre);
+            const double radius = arc.radius.to_double() / scale_;
+            if (radius < 2 || std::abs(length(at - centre) - radius) > 0.1) continue;
+            const double middle = std::atan2(at.y - centre.y, at.x - centre.x);
+            const double half = std::clamp(6 * pi_number / 180, 4.0 / radius, 9.0 / radius);
+            Path stroke;
+            stroke.segments = {MoveTo{centre + radius * polar_spot(middle - half)},
+                               ArcTo{centre, radius, middle - half, middle + half}};
+            stroke.stroked = true;
+            stroke.pen = {theme_.thin, theme_.secondary, {}, false};
+            construction.emplace_back(std::move(stroke));
+        }
+    }
+}
+
+}  // namespace kinegraph::render::drawing
