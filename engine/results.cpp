@@ -262,7 +262,7 @@ private:
             if (centre.everywhere) where.add("everywhere", std::string("true"));
             if (centre.at && !centre.at->at_infinity())
                 where.add("at", std::optional(centre.at->place()));
-            else if (centre.at && !centre.everywhere)
+            else if (centre.at)
                 where.add_towards(centre.at->place());
             if (where.empty()) continue;
             if (centre.depends_on_drivers) where.add("depends on drivers", std::string("true"));

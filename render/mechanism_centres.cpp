@@ -184,8 +184,8 @@ private:
     }
     double obstruction(const Ray& ray, double end, double sense) const {
         double sum = 0;
-        for (double step = 3; step <= 18; step += 3) {
-            const Spot at = ray.at + (end + sense * step) * ray.along;
+        for (int step = 1; step <= 6; ++step) {
+            const Spot at = ray.at + (end + sense * 3.0 * step) * ray.along;
             sum += 2 * sketch_.crowding(at, at);
             for (const Joint& joint : sketch_.m_.joints)
                 if (Subject::is_fixed_pin(joint) && length(sketch_.spot(joint.point) + Spot{0, 5} - at) < 6) sum += 3;

@@ -359,10 +359,8 @@ void Sketch::draw_clamp(const Joint& joint) {
 }
 
 void Sketch::draw_in_colour() {
-    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
-        const Joint& joint = m_.joints[j];
-        const bool fixed = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
-        if (joint.kind == JointKind::revolute && fixed) draw_fixed_pin(joint.point);
+    for (const Joint& joint : m_.joints) {
+        if (Subject::is_fixed_pin(joint)) draw_fixed_pin(joint.point);
         if (joint.kind == JointKind::weld) draw_clamp(joint);
         if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies[1] == 0) draw_curved_slot(joint, ground);
     }
@@ -474,7 +472,7 @@ void Sketch::draw_points(bool names) {
 
 /// ω of a driven body as an arc about its pivot, the speed of a driven slide as an arrow beside it.
 void Sketch::draw_drivers() {
-    const auto valued = [&](Symbol symbol, double value, const Unit& unit_of) {
+    const auto valued = [&](const Symbol& symbol, double value, const Unit& unit_of) {
         RichText text = typeset(symbol, context_.language);
         const std::string figure = given_number(value / unit_of.si.to_double(), context_.language);
         for (Piece& piece : with_powers(" = " + figure + " " + unit_of.symbol)) text.push_back(std::move(piece));
