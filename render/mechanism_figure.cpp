@@ -157,19 +157,27 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         std::vector<std::pair<Spot, Spot>> rays;
         for (const Shown& one : shown) {
             const Spot at = sketch.spot(one.motion->point);
+            const Spot tip = at + Spot{one.motion->velocity->x.to_double() / velocity_scale,
+                                       -one.motion->velocity->y.to_double() / velocity_scale};
+            bool squared_off = false;
             for (const InstantCentre& centre : solution.centres) {
                 const std::vector<BodyIndex>& carriers = one.motion->bodies;
                 if (!centre.at || centre.first != 0 || centre.everywhere || centre.at->at_infinity()) continue;
                 if (std::find(carriers.begin(), carriers.end(), centre.second) == carriers.end()) continue;
                 const Spot pole = sketch.spot(centre.at->place());
                 const double whole = length(pole - at);
-                if (whole < 0.1) continue;
+                if (!std::isfinite(whole) || whole < 0.1) continue;
                 const Interval seen = within(view, at, unit(pole - at));
                 rays.emplace_back(at, at + std::clamp(whole, 0.0, std::max(seen.to, 8.0)) * unit(pole - at));
                 if (whole <= seen.to) sketch.draw_pole(centre);
+                // The right angle between ray and velocity, once at each point.
+                constexpr double corner = 1.8;
+                if (!squared_off && length(tip - at) > 3 * corner) {
+                    const Spot r = corner * unit(pole - at), v = corner * unit(tip - at);
+                    sketch.construction.emplace_back(polyline({at + r, at + r + v, at + v}, thin));
+                    squared_off = true;
+                }
             }
-            const Spot tip = at + Spot{one.motion->velocity->x.to_double() / velocity_scale,
-                                       -one.motion->velocity->y.to_double() / velocity_scale};
             Symbol symbol{
                 Symbol::Letter::v,
                 one.motion->label.empty() ? solution.mechanism.points[at_index(one.motion->point)].name : one.motion->label, ""};

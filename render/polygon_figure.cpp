@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/assert.hpp"
@@ -30,6 +31,7 @@ public:
         const Unit& unit = polygon_.plane == Plane::acceleration ? units.acceleration : units.velocity;
         unit_ = unit.symbol;
         si_ = unit.si;
+        si_is_one_ = si_ == Exact(1);
         measure();
     }
 
@@ -73,10 +75,16 @@ private:
         double x = 0, y = 0;
     };
 
+    /// Each element is turned to doubles once: the rationals are long.
     Place place(int element) const {
-        const Vector at = protocol_.point(element).place();
-        return {(at.x / si_).to_double(), (at.y / si_).to_double()};
+        const auto [found, fresh] = places_.try_emplace(element);
+        if (fresh) {
+            const ProjectivePoint& at = protocol_.point(element);
+            found->second = {in_unit(at.x), in_unit(at.y)};
+        }
+        return found->second;
     }
+    double in_unit(const Exact& si_value) const { return (si_is_one_ ? si_value : si_value / si_).to_double(); }
     Spot spot(const Figure& figure, Place p) const { return {p.x / figure.scale, -p.y / figure.scale}; }
     Spot spot(const Figure& figure, int element) const { return spot(figure, place(element)); }
 
@@ -172,7 +180,7 @@ private:
         for (const int index : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
             const Vector exact = protocol_.value_of(vector);
-            const double value = kinegraph::length({exact.x / si_, exact.y / si_});
+            const double value = kinegraph::length(si_is_one_ ? exact : Vector{exact.x / si_, exact.y / si_});
             if (!(value > extent_ * 1e-12)) continue;  // nothing to draw: the tables say that it is zero
             const std::string base = name_of(vector.symbol);
             if (!seen.emplace(vector.tail, vector.tip, base).second) continue;
@@ -315,6 +323,8 @@ private:
     const Polygon& polygon_;
     std::string unit_;
     Exact si_ = 1;
+    bool si_is_one_ = true;
+    mutable std::map<int, Place> places_;
     Place min_, max_;  // the pole, at the origin, belongs to it
     double extent_ = 0;
 };

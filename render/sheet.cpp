@@ -175,8 +175,9 @@ struct Wanted {
     /// Drawn once for all rooms between the one it was drawn for and what it takes: the scale is the largest that fits.
     Figure drawn_into(double room_x, double room_y) {
         for (const Drawn& each : drawn)
-            if (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
-                each.figure.box.height() <= room_y)
+            if ((each.room_x == room_x && each.room_y == room_y) ||
+                (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
+                 each.figure.box.height() <= room_y))
                 return each.figure;
         drawn.push_back({room_x, room_y, draw(room_x, room_y)});
         return drawn.back().figure;
@@ -268,7 +269,17 @@ private:
         mechanism.caption_width = 95;
         // Its symbols and letters do not shrink with it: drawn small, it is crowded.
         mechanism.weight = 1.7;
-        mechanism.draw = [this](double x, double y) { return mechanism_figure(context_, x, y, !solution().centres.empty()); };
+        mechanism.draw = [this](double x, double y) {
+            Figure figure = mechanism_figure(context_, x, y, !solution().centres.empty());
+            if (!wanted_.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+            // The scale that the file asks for is too large for the paper: ours, then.
+            if (!unscaled_) {
+                unscaled_ = solution();
+                unscaled_->mechanism.scales.clear();
+            }
+            const DrawingContext context{*unscaled_, context_.theme, context_.fonts, context_.language};
+            return mechanism_figure(context, x, y, !solution().centres.empty());
+        };
         wanted_.push_back(std::move(mechanism));
 
         const Protocol& protocol = s.protocol;
@@ -281,11 +292,12 @@ private:
             const bool acceleration = polygon.plane == Plane::acceleration;
             const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
             Wanted wanted;
+            const double si = unit.si.to_double();
             double min_x = 0, max_x = 0, min_y = 0, max_y = 0;
             const auto add = [&](int element) {
                 if (protocol.point(element).at_infinity()) return;
-                const Vector at = protocol.point(element).place();
-                const double x = (at.x / unit.si).to_double(), y = (at.y / unit.si).to_double();
+                const ProjectivePoint& at = protocol.point(element);
+                const double x = at.x.to_double() / si, y = at.y.to_double() / si;
                 min_x = std::min(min_x, x), max_x = std::max(max_x, x), min_y = std::min(min_y, y), max_y = std::max(max_y, y);
             };
             for (const int v : polygon.vectors) {
@@ -295,8 +307,8 @@ private:
             wanted.empty = !(std::max(max_x - min_x, max_y - min_y) > 0);
             wanted.extent_x = std::max(max_x - min_x, 1e-30);
             wanted.extent_y = std::max(max_y - min_y, 1e-30);
-            wanted.asked = asked(polygon.id, unit.si.to_double());
-            if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", unit.si.to_double());
+            wanted.asked = asked(polygon.id, si);
+            if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
             wanted.draw = [this, p](double x, double y) { return polygon_figure(context_, static_cast<int>(p), x, y); };
             for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
                 const auto& equation = protocol.statements[i].equation;
@@ -459,56 +471,77 @@ private:
                 }
             }
             if (areas.empty()) areas.push_back(content_);
-            // What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is
-            // chosen anew with that knowledge.
-            struct Outcome {
-                double value = -1e300;
-                Sheet sheet;
-                std::vector<Figure> drawn;
-                std::set<std::size_t> unplaced;
-                std::vector<Box> cells;
-            };
-            Outcome chosen;
-            const std::set<std::size_t> unplaced_before = unplaced_;
-            const std::vector<Figure> drawn_before = drawn_;
-            const int numbers = figures_;
-            for (int round = 0; round < 4; ++round) {
-                Split best;
-                for (const Box& each : areas)
-                    for (Split& split : splits(first, count, each))
-                        if (split.value > best.value + 1e-9) best = std::move(split);
-                if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
-                Outcome outcome;
-                outcome.value = 0;
-                drawn_ = drawn_before;
-                unplaced_ = unplaced_before;
-                figures_ = numbers;
-                bool smaller = false;
-                for (std::size_t i = 0; i < count; ++i) {
-                    Wanted& wanted = wanted_[first + i];
-                    fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
-                    const double size =
-                        wanted.empty ? 0
-                                     : wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale);
-                    outcome.value += size;
-                    if (!wanted.empty && size < worth(wanted, best.cells[i]) - 0.05) {
-                        smaller = true;
-                        wanted.rim_x += 8;
-                        wanted.rim_y += 8;
-                    }
-                }
-                outcome.drawn = drawn_;
-                outcome.unplaced = unplaced_;
-                outcome.cells = best.cells;
-                if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
-                if (!smaller) break;
+            Outcome chosen = best_page(first, count, areas);
+            // A scale that the file asks for may want a page with fewer figures on it.
+            for (std::size_t fewer = count - 1; chosen.missed && fewer > 0; --fewer) {
+                Outcome outcome = best_page(first, fewer, {content_});
+                if (!outcome.missed) chosen = std::move(outcome);
             }
             drawn_ = std::move(chosen.drawn);
             unplaced_ = std::move(chosen.unplaced);
+            figures_ = static_cast<int>(drawn_.size());
             find_runs(chosen.sheet, chosen.cells, first);
             sheets_.push_back(std::move(chosen.sheet));
-            first += count;
+            first += chosen.cells.size();
         }
+    }
+
+    /// A page with `count` figures from `first` on, and all that was drawn up to it.
+    struct Outcome {
+        double value = -1e300;
+        bool missed = false;  // a figure is not at the scale that the file asks for
+        Sheet sheet;
+        std::vector<Figure> drawn;
+        std::set<std::size_t> unplaced;
+        std::vector<Box> cells;
+    };
+
+    bool misses(const Wanted& wanted, const Figure& figure) const {
+        return wanted.asked && !wanted.empty && std::abs(figure.scale - *wanted.asked) > 1e-9 * figure.scale;
+    }
+
+    /// What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is chosen anew
+    /// with that knowledge. Leaves what was drawn before as it is.
+    Outcome best_page(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
+        Outcome chosen;
+        const std::set<std::size_t> unplaced_before = unplaced_;
+        const std::vector<Figure> drawn_before = drawn_;
+        const int numbers = figures_;
+        for (int round = 0; round < 4; ++round) {
+            Split best;
+            for (const Box& each : areas)
+                for (Split& split : splits(first, count, each))
+                    if (split.value > best.value + 1e-9) best = std::move(split);
+            if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
+            Outcome outcome;
+            outcome.value = 0;
+            bool smaller = false;
+            for (std::size_t i = 0; i < count; ++i) {
+                Wanted& wanted = wanted_[first + i];
+                fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                const bool missed = misses(wanted, drawn_.back());
+                outcome.missed = outcome.missed || missed;
+                double size = 0;
+                if (!wanted.empty)
+                    size = wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale) -
+                           (missed ? 3 : 0);
+                outcome.value += size;
+                if (!wanted.empty && size < worth(wanted, best.cells[i]) - 0.05) {
+                    smaller = true;
+                    wanted.rim_x += 8;
+                    wanted.rim_y += 8;
+                }
+            }
+            outcome.drawn = std::move(drawn_);
+            outcome.unplaced = std::move(unplaced_);
+            outcome.cells = best.cells;
+            drawn_ = drawn_before;
+            unplaced_ = unplaced_before;
+            figures_ = numbers;
+            if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+            if (!smaller) break;
+        }
+        return chosen;
     }
 
     /// mm² that the text will take, roughly: enough to choose whether it shares a page with the figures.
@@ -900,9 +933,17 @@ private:
                 section.rows.push_back(paragraph(one_piece(word("nothing driven", language()))));
             add(std::move(section));
         }
-        if (!s.remarks.empty()) {
+        std::vector<RichText> refused;
+        for (std::size_t i = 0; i < wanted_.size() && i < drawn_.size(); ++i)
+            if (misses(wanted_[i], drawn_[i])) {
+                RichText text = drawn_[i].caption;
+                append(text, one_piece(": " + word("scale refused", language())));
+                refused.push_back(std::move(text));
+            }
+        if (!s.remarks.empty() || !refused.empty()) {
             Section section;
             section.rows.push_back(heading(word("remarks", language())));
+            for (const RichText& each : refused) section.rows.push_back(paragraph(each));
             for (const std::string& each : s.remarks) section.rows.push_back(paragraph(with_powers(each)));
             add(std::move(section));
         }
@@ -1005,8 +1046,11 @@ private:
 
         // What the pages with figures take.
         std::vector<Section> rest;
+        // First what explains a figure beside that figure, then the others wherever there is room.
         for (Section& section : sections_)
-            if (!place_section(section)) rest.push_back(std::move(section));
+            if (section.home >= 0) place_section(section, true);
+        for (Section& section : sections_)
+            if (!section.rows.empty() && !place_section(section)) rest.push_back(std::move(section));
         std::vector<Late> late_rest;
         for (Late& each : late)
             if (!rest.empty() || !place_late(each)) late_rest.push_back(std::move(each));
@@ -1100,10 +1144,10 @@ private:
     /// Whether a section may stand in a run: under a caption only what explains that figure.
     static bool may_stand(const Section& section, const Run& run) { return run.home == section.home || !run.under_caption; }
 
-    bool place_section(Section& section) {
+    bool place_section(Section& section, bool only_at_home = false) {
         const double height = section.height();
         for (const bool at_home : {true, false}) {
-            if (at_home && section.home < 0) continue;
+            if (at_home ? section.home < 0 : only_at_home) continue;
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
                     if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
@@ -1276,6 +1320,7 @@ private:
     Box inner_, content_, block_;
     double measure_ = 80;
 
+    std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::vector<Wanted> wanted_;
     std::map<std::size_t, std::size_t> equation_polygon_;  // statement → index into wanted_
     std::set<std::size_t> unplaced_;                       // figures whose equations stand with the steps

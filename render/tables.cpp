@@ -292,7 +292,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
             ResultRow row;
             row.symbol = {letter, solution.mechanism.bodies[b].name, ""};
             row.name = name_of(row.symbol);
-            row.drawing = (*value / unit.si).to_double();
+            row.drawing = value->to_double() / si;
             if (const auto numeric = checks.scalar(quantity + " " + solution.mechanism.bodies[b].name))
                 row.numeric = *numeric / si;
             row.unit = unit.symbol;
@@ -316,7 +316,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
                 row.name = name_of(vector.symbol);
                 if (!names.insert(row.name).second) continue;
                 const Vector value = solution.protocol.value_of(vector);
-                row.drawing = length(Spot{(value.x / unit.si).to_double(), (value.y / unit.si).to_double()});
+                row.drawing = kinegraph::length(value) / unit.si.to_double();
                 row.millimetres = value.is_zero() ? std::optional<double>(0) : measured(figure, row.name);
                 if (!row.millimetres && figure) row.millimetres = 0;
                 if (const auto numeric = checks.modulus(vector)) row.numeric = *numeric / unit.si.to_double();
@@ -514,7 +514,8 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
     if (centre.at && !centre.at->at_infinity()) {
         const Unit& unit = solution.mechanism.units.length;
         const Vector place = centre.at->place();
-        const double x = (place.x / centre.at->w / unit.si).to_double(), y = (place.y / centre.at->w / unit.si).to_double();
+        const double w = centre.at->w.to_double() * unit.si.to_double();
+        const double x = place.x.to_double() / w, y = place.y.to_double() / w;
         const double size = (solution.pose.size / unit.si).to_double();
         const auto decimals = decimals_for(std::max({std::abs(x), std::abs(y), size}));
         const auto coordinate = [&](double v) {
@@ -607,14 +608,21 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
         RichText how = how_found(centre, context.solution, context.language);
         if (centre.depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
         const ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
-        const auto wrapped = context.fonts.wrap(how, theme.body_text, std::max(20.0, width - symbols - where.width - 3));
-        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
-        double baseline = 3.2;
-        for (const ShapedLine& each : wrapped) {
-            set_text(block.marks, each, {symbols, baseline}, theme.text, "text");
-            baseline += 4.1;
+        const double indent = std::min(symbols, 0.3 * width), room = width - indent;
+        std::vector<ShapedLine> wrapped;
+        for (double size = theme.body_text; size > 4; size -= 0.5) {
+            wrapped = context.fonts.wrap(how, size, room);
+            if (std::none_of(wrapped.begin(), wrapped.end(), [&](const ShapedLine& l) { return l.width > room; })) break;
         }
-        set_right(block.marks, where, width, 3.2, theme.text);
+        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
+        double baseline = shaped[i].width > indent - 1.5 && !wrapped.empty() ? 7.3 : 3.2;
+        for (std::size_t k = 0; k < wrapped.size(); ++k) {
+            set_text(block.marks, wrapped[k], {indent, baseline}, theme.text, "text");
+            // The coordinates end the last line, or stand on their own.
+            if (k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room) baseline += 4.1;
+        }
+        set_right(block.marks, where, width, baseline, theme.text);
+        baseline += 4.1;
         block.width = width;
         block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
         lines.push_back(std::move(block));

@@ -185,6 +185,8 @@ constexpr std::array fixed_words{
     FixedWords{"steps acceleration", "Steps: accelerations", "Procedimento: accelerazioni"},
     FixedWords{"steps relative motion", "Steps: relative motion", "Procedimento: moto relativo"},
     FixedWords{"remarks", "Remarks", "Osservazioni"},
+    FixedWords{"scale refused", "at the scale that the file asks for it does not fit the sheet.",
+               "alla scala richiesta dal file non sta nel foglio."},
     FixedWords{"unsolved", "Not determined", "Non determinato"},
     FixedWords{"mobility", "Mobility", "Mobilità"},
     FixedWords{"degrees of freedom", "degrees of freedom", "gradi di libertà"},

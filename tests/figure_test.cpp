@@ -154,9 +154,9 @@ TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
         for (const Joint& joint : solution.mechanism.joints) EXPECT_EQ(ids.count("joint-" + legal_id(joint.name)), 1U);
         for (const InstantCentre& centre : solution.centres)
             if (centre.at) {
-                const std::string first = solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name;
-                const std::string second = solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name;
-                EXPECT_EQ(ids.count("centre-" + legal_id(first + "." + second)), 1U);
+                std::string name = "centre-" + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name);
+                name += "." + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name);
+                EXPECT_EQ(ids.count(name), 1U);
             }
     }
 }

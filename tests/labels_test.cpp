@@ -29,6 +29,12 @@ LabelRequest named(const std::string& text, Spot anchor) {
     return request;
 }
 
+/// The i-th place of a grid, row by row.
+Spot grid(int i, int columns, double dx, double dy) {
+    const int row = i / columns;
+    return {dx * (i - row * columns), dy * row};
+}
+
 /// Corners of a label's ink, grown by `margin`, turned with it.
 struct Ink {
     std::string words;
@@ -107,7 +113,7 @@ TEST(Labels, of_a_crowd_of_points_do_not_meet) {
         strokes.push_back({{5.0 * i, -10}, {5.0 * i, 20}});
     }
     for (const auto& [from, to] : strokes) figure.marks.emplace_back(line(from, to, {0.18, {}, {}, false}));
-    for (int i = 0; i < 9; ++i) figure.labels.push_back(named("P" + std::to_string(i), {5.0 * (i % 3), 5.0 * (i / 3)}));
+    for (int i = 0; i < 9; ++i) figure.labels.push_back(named("P" + std::to_string(i), grid(i, 3, 5, 5)));
     const auto requests = figure.labels;
     place_labels(figure, fonts());
     expect_clean(figure, requests, strokes, 0.18);
@@ -171,7 +177,7 @@ TEST(Labels, are_placed_alike_twice) {
     const auto once = [] {
         Figure figure;
         for (int i = 0; i < 20; ++i) {
-            const Spot at{7.0 * (i % 5), 6.0 * (i / 5)};
+            const Spot at = grid(i, 5, 7, 6);
             figure.marks.emplace_back(disc(at, 0.8, {}));
             figure.labels.push_back(named("Q" + std::to_string(i), at));
         }
@@ -302,7 +308,7 @@ TEST(Labels, eighty_among_fifteen_hundred_strokes_take_milliseconds) {
         const Spot at{std::fmod(37.0 * i, 280.0), std::fmod(23.0 * i, 180.0)};
         figure.marks.emplace_back(line(at, at + 3 * Spot{std::cos(angle), std::sin(angle)}, {0.18, {}, {}, false}));
     }
-    for (int i = 0; i < 80; ++i) figure.labels.push_back(named("P" + std::to_string(i), {30.0 * (i % 10), 22.0 * (i / 10)}));
+    for (int i = 0; i < 80; ++i) figure.labels.push_back(named("P" + std::to_string(i), grid(i, 10, 30, 22)));
     const auto start = std::chrono::steady_clock::now();
     place_labels(figure, fonts());
     const double took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

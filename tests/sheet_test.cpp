@@ -79,34 +79,48 @@ Box ink_of(const TextMark& text) {
 
 class EveryExample : public testing::TestWithParam<std::string> {};
 
+void expect_clean(const std::vector<Page>& pages) {
+    ASSERT_FALSE(pages.empty());
+    for (std::size_t p = 0; p < pages.size(); ++p) {
+        SCOPED_TRACE("page " + std::to_string(p + 1));
+        const Page& page = pages[p];
+        const Box box = box_of(page.marks);
+        EXPECT_GE(box.min.x, 19.5);
+        EXPECT_GE(box.min.y, 9.5);
+        EXPECT_LE(box.max.x, page.width - 9.5);
+        EXPECT_LE(box.max.y, page.height - 9.5);
+        std::vector<std::pair<Box, std::string>> inks;
+        for (const TextMark* text : texts_of(page)) {
+            if (text->glyphs.empty() || text->angle != 0 || text->cls != "text") continue;
+            const Box ink = ink_of(*text);
+            if (ink.min.x > ink.max.x) continue;
+            for (const auto& [other, words] : inks) {
+                const double x = std::min(ink.max.x, other.max.x) - std::max(ink.min.x, other.min.x);
+                const double y = std::min(ink.max.y, other.max.y) - std::max(ink.min.y, other.min.y);
+                EXPECT_FALSE(x > 0.1 && y > 0.1) << '"' << text->words << "\" over \"" << words << '"';
+            }
+            inks.emplace_back(ink, text->words);
+        }
+        // No prose, caption or table on an arrow.
+        for (const Mark& mark : page.marks) {
+            const auto* axis = std::get_if<Axis>(&mark);
+            if (!axis) continue;
+            for (int i = 0; i <= 100; ++i) {
+                const double t = i / 100.0;
+                const Spot at{axis->tail.x + t * (axis->tip.x - axis->tail.x), axis->tail.y + t * (axis->tip.y - axis->tail.y)};
+                for (const auto& [ink, words] : inks)
+                    EXPECT_FALSE(at.x > ink.min.x && at.x < ink.max.x && at.y > ink.min.y && at.y < ink.max.y) << words;
+            }
+        }
+    }
+}
+
 TEST_P(EveryExample, NothingIsCutAndNoTextCoversAnother) {
     const Solution solution = example(GetParam() + ".json");
     for (const Paper paper : {Paper::a4, Paper::a3, Paper::letter})
         for (const Language language : {Language::en, Language::it}) {
-            const auto pages = lay_out(solution, {paper, language, {}}, fonts());
-            ASSERT_FALSE(pages.empty());
-            for (std::size_t p = 0; p < pages.size(); ++p) {
-                SCOPED_TRACE("paper " + std::to_string(static_cast<int>(paper)) + " page " + std::to_string(p + 1));
-                const Page& page = pages[p];
-                const Box box = box_of(page.marks);
-                EXPECT_GE(box.min.x, 19.5);
-                EXPECT_GE(box.min.y, 9.5);
-                EXPECT_LE(box.max.x, page.width - 9.5);
-                EXPECT_LE(box.max.y, page.height - 9.5);
-                std::vector<std::pair<Box, std::string>> inks;
-                for (const TextMark* text : texts_of(page)) {
-                    if (text->glyphs.empty() || text->angle != 0 || text->cls != "text") continue;
-                    const Box ink = ink_of(*text);
-                    if (ink.min.x > ink.max.x) continue;
-                    for (const auto& [other, words] : inks) {
-                        const double x = std::min(ink.max.x, other.max.x) - std::max(ink.min.x, other.min.x);
-                        const double y = std::min(ink.max.y, other.max.y) - std::max(ink.min.y, other.min.y);
-                        // Parts of one sentence in two colours interlock; strangers do not meet.
-                        EXPECT_FALSE(x > 0.1 && y > 0.1) << '"' << text->words << "\" over \"" << words << '"';
-                    }
-                    inks.emplace_back(ink, text->words);
-                }
-            }
+            SCOPED_TRACE("paper " + std::to_string(static_cast<int>(paper)));
+            expect_clean(lay_out(solution, {paper, language, {}}, fonts()));
         }
 }
 
@@ -192,6 +206,47 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
         "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on";
     const auto pages = lay_out(solution, {}, fonts());
     for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
+}
+
+TEST(Sheet, TheFilesScalesAreTaken) {
+    Solution solution = example("four_bar.json");
+    solution.mechanism.scales = {{"mechanism", Exact::ratio(25, 10000), ""},  // 1 : 2.5
+                                 {"velocity", Exact::ratio(8, 1000), ""},
+                                 {"acceleration", Exact::ratio(2, 10), ""}};
+    const auto pages = lay_out(solution, {}, fonts());
+    EXPECT_TRUE(says(pages[0], "1 : 2.5"));
+    EXPECT_TRUE(says(pages[0], "1 mm ≙ 0.008 m/s"));
+    EXPECT_TRUE(says(pages[0], "1 mm ≙ 0.2 m/s"));
+    EXPECT_FALSE(says(pages, "Remarks"));
+    expect_clean(pages);
+}
+
+TEST(Sheet, AScaleTooLargeForThePaperIsRefusedAndSaidSo) {
+    Solution solution = example("four_bar.json");
+    solution.mechanism.scales = {{"mechanism", Exact::ratio(1, 10000), ""}, {"velocity", Exact::ratio(1, 10000), ""}};
+    const auto pages = lay_out(solution, {}, fonts());
+    EXPECT_TRUE(says(pages, "does not fit the sheet"));
+    expect_clean(pages);
+}
+
+TEST(Sheet, LongNamesPushNothingAside) {
+    auto mechanism = read_mechanism(
+        R"({"kinegraph": 1, "frame": "the foundation", "units": {"length": "mm"},
+            "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": 60}, "O4": [150, 0],
+                       "the upper pin": {"meet": [{"circle": "A", "radius": 150}, {"circle": "O4", "radius": 80}], "side": "left"}},
+            "bodies": {"driving crank": ["O2", "A"],
+                       "connecting rod": {"points": ["A", "the upper pin"], "label": "a rod of which more is said than has room on one line <&>"},
+                       "rocking lever": ["O4", "the upper pin"]},
+            "joints": [{"revolute": "O2", "bodies": ["the foundation", "driving crank"]},
+                       {"revolute": "A", "bodies": ["driving crank", "connecting rod"]},
+                       {"revolute": "the upper pin", "bodies": ["connecting rod", "rocking lever"]},
+                       {"revolute": "O4", "bodies": ["the foundation", "rocking lever"]}],
+            "drivers": [{"body": "driving crank", "omega": 5}]})",
+        "long.json");
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message;
+    auto solution = solve(std::move(*mechanism));
+    ASSERT_TRUE(solution);
+    for (const Paper paper : {Paper::a4, Paper::a3}) expect_clean(lay_out(*solution, {paper, Language::en, {}}, fonts()));
 }
 
 TEST(Results, AreMeasuredOnTheDrawing) {
