@@ -1,6 +1,7 @@
 #include "constructions/forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -32,6 +33,7 @@ struct Bond {
     int effort = -1;
     Place place;
     DirectionHandle direction;  ///< line: along it; guide: normal to it
+    int part_of = -1;           ///< ≥ 0: a component, along x or y, of the force of this bond (a hinge)
     Symbol symbol;              ///< of the force on `first`
     Symbol reverse;             ///< of the force on `second`
 };
@@ -99,9 +101,12 @@ public:
             bonds_of_[at(bonds_[b].first)].push_back(static_cast<int>(b));
             bonds_of_[at(bonds_[b].second)].push_back(static_cast<int>(b));
         }
+        joint_bonds_ = bonds_.size();
+        origin_ = board_.place(0);
         read_loads();
         if (!results_.unsolved.empty()) return std::move(results_);
-        const Run run = solve(loads_);
+        Run run = solve(loads_);
+        gather_components(run);
         collect(run);
         return std::move(results_);
     }
@@ -396,11 +401,40 @@ private:
 
     Run fresh() {
         Run run;
-        run.reactions.resize(bonds_.size());
-        for (std::size_t b = 0; b < bonds_.size(); ++b) {
+        run.reactions.resize(joint_bonds_);
+        for (std::size_t b = 0; b < joint_bonds_; ++b) {
             if (bonds_[b].kind == Bond::Kind::line) run.reactions[b].action = action(bonds_[b].place, bonds_[b].direction);
         }
+        fit(run);
         return run;
+    }
+
+    /// Components added since the run began: open where their hinge is, else nothing more.
+    void fit(Run& run) {
+        for (std::size_t b = run.reactions.size(); b < bonds_.size(); b += 2) {
+            Reaction& hinge = run.reactions[at(bonds_[b].part_of)];
+            Reaction parts[2];
+            for (std::size_t i = 0; i < 2; ++i) {
+                parts[i].known = hinge.known;
+                if (!hinge.known) parts[i].action = action(bonds_[b + i].place, bonds_[b + i].direction);
+            }
+            hinge.known = true;
+            for (Reaction& part : parts) run.reactions.push_back(part);
+        }
+    }
+
+    /// A hinge whose force has no line is tried by its components.
+    void split(int pin) {
+        for (const Vector& along : {Vector{1, 0}, Vector{0, 1}}) {
+            Bond part = bonds_[at(pin)];
+            part.kind = Bond::Kind::line;
+            part.direction = board_.given_direction(along);
+            part.part_of = pin;
+            const int index = static_cast<int>(bonds_.size());
+            bonds_of_[at(part.first)].push_back(index);
+            bonds_of_[at(part.second)].push_back(index);
+            bonds_.push_back(std::move(part));
+        }
     }
 
     std::vector<std::vector<int>> groups() const {
@@ -423,6 +457,7 @@ private:
 
     /// The rules, until no more follows.
     void advance(const std::vector<Load>& loads, Run& run) {
+        fit(run);
         const auto all = groups();
         bool found = true;
         while (found && !all_known(run)) {
@@ -622,6 +657,18 @@ private:
         }
     }
 
+    /// A guide or a clamp takes force and couple: its real line is moved aside by their arm.
+    void settle_with_couple(int b, Force force_on_group, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
+        const Bond& bond = bonds_[at(b)];
+        settle_couple(b, couple_on_group, group, run);
+        if (board_.is_zero(force_on_group)) return;
+        Reaction& reaction = run.reactions[at(b)];
+        reaction.force = in(group, bond.first) ? force_on_group : board_.negate(force_on_group);
+        const Place place =
+            reaction.couple ? board_.carry(bond.place, board_.arm(*reaction.couple, *reaction.force)) : bond.place;
+        if (!reaction.action) reaction.action = action(place, board_.direction(*reaction.force));
+    }
+
     void settle_couple(int b, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
         Reaction& reaction = run.reactions[at(b)];
         reaction.known = true;
@@ -722,15 +769,25 @@ private:
             return true;
         }
         const bool takes_couple = bonds_[at(b)].kind == Bond::Kind::guide || bonds_[at(b)].kind == Bond::Kind::clamp;
-        if (known.force && of == Shape::line) {
+        if (of == Shape::line) {
             const Action line = *run.reactions[at(b)].action;
-            settle(b, opposite_along(known, line.direction), line.place, group, run);
+            if (known.force) {
+                settle(b, opposite_along(known, line.direction), line.place, group, run);
+            } else {
+                run.reactions[at(b)].known = true;
+            }
+        } else if (takes_couple) {
+            const ScalarHandle couple = board_.difference(board_.given(0), moment(known, bonds_[at(b)].place));
+            if (known.force) {
+                const Force force = of == Shape::guide ? opposite_along(known, bonds_[at(b)].direction) : opposite(known);
+                settle_with_couple(b, force, couple, group, run);
+            } else {
+                settle_couple(b, couple, group, run);
+            }
         } else if (known.force) {
-            const Force force = of == Shape::guide ? opposite_along(known, bonds_[at(b)].direction) : opposite(known);
-            settle(b, force, takes_couple ? known.place : place_of(b, run), group, run);
+            settle(b, opposite(known), bonds_[at(b)].place, group, run);
         } else {
             run.reactions[at(b)].known = true;
-            if (takes_couple && known.couple) settle_couple(b, board_.difference(board_.given(0), *known.couple), group, run);
         }
         return true;
     }
@@ -826,12 +883,7 @@ private:
 
     /// A guide's reaction balances what is left, force and couple.
     void settle_guide(int guide, Force across, const Wrench& rest, const std::vector<int>& group, Run& run) {
-        if (rest.force && !board_.is_zero(across)) {
-            settle(guide, across, rest.place, group, run);
-            return;
-        }
-        run.reactions[at(guide)].known = true;
-        if (rest.couple) settle_couple(guide, board_.difference(board_.given(0), *rest.couple), group, run);
+        settle_with_couple(guide, across, board_.difference(board_.given(0), moment(rest, bonds_[at(guide)].place)), group, run);
     }
 
     bool two_lines(const std::vector<int>& group, int one, int two, int couple, const Wrench& known, Run& run) {
@@ -921,15 +973,32 @@ private:
 
     Run add_up(const std::vector<Run>& parts) {
         Run total = parts.front();
-        for (std::size_t p = 1; p < parts.size(); ++p) total = combine(total, parts[p], std::nullopt);
+        fit(total);
+        for (std::size_t p = 1; p < parts.size(); ++p) {
+            Run part = parts[p];
+            fit(part);
+            add_to(total, part, std::nullopt);
+        }
         return total;
     }
 
     /// a + s·b, bond by bond.
-    Run combine(const Run& a, const Run& b, std::optional<ScalarHandle> factor) {
+    Run combine(Run a, ScalarHandle share_a, Run b, ScalarHandle share_b) {
+        fit(a);
+        fit(b);
         Run total = a;
-        for (std::size_t i = 0; i < bonds_.size(); ++i) {
+        for (Reaction& reaction : total.reactions) {
+            if (reaction.force) reaction.force = board_.scale<Plane::force>(share_a, *reaction.force);
+            if (reaction.couple) reaction.couple = board_.product(share_a, *reaction.couple);
+        }
+        add_to(total, b, share_b);
+        return total;
+    }
+
+    void add_to(Run& total, const Run& b, std::optional<ScalarHandle> factor) {
+        for (std::size_t i = 0; i < b.reactions.size(); ++i) {
             Reaction& sum_of = total.reactions[i];
+            sum_of.known = true;
             const Reaction& more = b.reactions[i];
             if (more.force) {
                 const Force scaled = factor ? board_.scale<Plane::force>(*factor, *more.force) : *more.force;
@@ -945,74 +1014,98 @@ private:
             sum_of.deduced = false;
         }
         for (const Resolved& resolved : b.order) note({resolved.member}, total);
-        return total;
     }
 
-    /// The last rule. One unknown gets two trial values, 0 with the loads and 1 without them; each is drawn; what does not close
-    /// then tells in which proportion they must be added, for everything is linear.
+    /// The last rule. One unknown gets two trial values; each is drawn; what does not close
+    /// then tells in which proportion they must be added, for everything is linear. Several unknowns nest.
     void close_by_trial(const std::vector<Load>& loads, Run& run, int depth) {
-        constexpr int deepest = 6;
+        constexpr int deepest = 8;
         if (depth > deepest) return;
-        for (std::size_t b = 0; b < bonds_.size(); ++b) {
+        int tried = -1, hinge = -1;
+        for (std::size_t b = 0; b < bonds_.size() && tried < 0; ++b) {
             if (run.reactions[b].known) continue;
             const Shape of = shape(static_cast<int>(b), run);
-            if ((of == Shape::line || of == Shape::couple) && try_value(loads, run, static_cast<int>(b), depth)) return;
+            if (of == Shape::line || of == Shape::couple) tried = static_cast<int>(b);
+            if (of == Shape::pin && hinge < 0) hinge = static_cast<int>(b);
+        }
+        if (tried >= 0) {
+            try_value(loads, run, tried, depth);
+        } else if (hinge >= 0) {
+            split(hinge);
+            fit(run);
+            close_by_trial(loads, run, depth);
         }
     }
 
     /// A force along the bond's own line, or its couple.
     bool try_value(const std::vector<Load>& loads, Run& run, int b, int depth) {
-        say(Sentence::trial, {bonds_[at(b)].symbol});
-        Run with_loads = run, unit = fresh();
-        Reaction& zero = with_loads.reactions[at(b)];
-        const bool couple = shape(b, run) == Shape::couple;
-        const std::optional<Action> line = zero.action;
-        zero.known = true;
-        unit.reactions[at(b)].known = true;
-        if (couple) {
-            unit.reactions[at(b)].couple = board_.given(1);
-            unit.reactions[at(b)].only_couple = zero.only_couple;
-        } else {
-            unit.reactions[at(b)].action = line;
-            unit.reactions[at(b)].force = board_.scale<Plane::force>(board_.given(1), line->direction);
-            if (bonds_[at(b)].kind == Bond::Kind::guide) {
-                const ScalarHandle turning =
-                    board_.moment(board_.vector(bonds_[at(b)].place, line->place), *unit.reactions[at(b)].force);
-                if (!board_.is_zero(turning)) unit.reactions[at(b)].couple = turning;
-            }
+        say(Sentence::trial, {bonds_[at(b)].symbol}, "");
+        Run first = run, second = run;
+        give(first, b, 1);
+        give(second, b, 2);
+        for (Run* trial : {&first, &second}) {
+            advance(loads, *trial);
+            if (!trial->complete) close_by_trial(loads, *trial, depth + 1);
+            if (!trial->complete) return false;
         }
-        advance(loads, with_loads);
-        if (!with_loads.complete) close_by_trial(loads, with_loads, depth + 1);
-        advance({}, unit);
-        if (!unit.complete) close_by_trial({}, unit, depth + 1);
-        if (!with_loads.complete || !unit.complete) return false;
         for (int member = 1; member < members_; ++member) {
-            const Wrench open = known_on({member}, {}, unit);
-            if (open.vanishes()) continue;
-            const Wrench gap = known_on({member}, loads, with_loads);
-            const auto factor = proportion(gap, open);
-            if (!factor) continue;
-            run = combine(with_loads, unit, *factor);
-            run.complete = true;
-            return true;
+            const auto gap_1 = gaps(member, loads, first), gap_2 = gaps(member, loads, second);
+            for (std::size_t c = 0; c < gap_1.size(); ++c) {
+                const ScalarHandle change = board_.difference(gap_1[c], gap_2[c]);
+                if (board_.is_zero(change)) continue;
+                const ScalarHandle share = board_.quotient(gap_1[c], change);
+                run = combine(first, board_.difference(board_.given(1), share), second, share);
+                run.complete = true;
+                return true;
+            }
         }
         return false;
     }
 
-    /// s with gap + s·open = 0 (they are proportional where one trial is enough).
-    std::optional<ScalarHandle> proportion(const Wrench& gap, const Wrench& open) {
-        if (open.force) {
-            const Force against =
-                gap.force ? board_.negate(*gap.force) : board_.scale<Plane::force>(board_.given(0), *open.force);
-            if (gap.force && !board_.parallel(board_.direction(*gap.force), board_.direction(*open.force))) return std::nullopt;
-            return board_.ratio(against, *open.force);
+    /// Declares a bond known, of a trial size along its line or as a couple.
+    void give(Run& run, int b, int size) {
+        Reaction& reaction = run.reactions[at(b)];
+        const Bond& bond = bonds_[at(b)];
+        reaction.known = true;
+        if (shape(b, run) == Shape::couple) {
+            reaction.couple = board_.given(size);
+            return;
         }
-        const ScalarHandle against = gap.couple ? board_.difference(board_.given(0), *gap.couple) : board_.given(0);
-        return board_.quotient(against, *open.couple);
+        reaction.force = board_.scale<Plane::force>(board_.given(size), reaction.action->direction);
+        if (bond.kind != Bond::Kind::guide) return;
+        const ScalarHandle turning = board_.moment(board_.vector(bond.place, reaction.action->place), *reaction.force);
+        if (!board_.is_zero(turning)) reaction.couple = turning;
+    }
+
+    /// What does not close at a member: components along x and y, and the moment about one fixed place.
+    std::array<ScalarHandle, 3> gaps(int member, const std::vector<Load>& loads, const Run& run) {
+        const Wrench gap = known_on({member}, loads, run);
+        const auto component = [&](const Vector& across) {
+            if (!gap.force) return board_.given(0);
+            return board_.moment(board_.given<drawing>([across](const Pose&) { return across; }), *gap.force);
+        };
+        return {component({0, -1}), component({1, 0}), moment(gap, origin_)};
     }
 
     // --- results
     // ----------------------------------------------------------------------------------------------------------------
+    /// The components of a hinge that was tried by them are its force again.
+    void gather_components(Run& run) {
+        fit(run);
+        for (std::size_t b = joint_bonds_; b < bonds_.size(); ++b) {
+            Reaction& hinge = run.reactions[at(bonds_[b].part_of)];
+            Reaction& part = run.reactions[b];
+            if (!part.known) hinge.known = false;
+            if (part.force) hinge.force = hinge.force ? board_.add(*hinge.force, *part.force) : *part.force;
+            part.force.reset();
+        }
+        for (std::size_t member = 0; member < bonds_of_.size(); ++member) {
+            std::erase_if(bonds_of_[member], [&](int b) { return bonds_[at(b)].part_of >= 0; });
+        }
+        bonds_.resize(joint_bonds_);
+        run.reactions.resize(joint_bonds_);
+    }
+
     void collect(const Run& run) {
         bool balanced = true;
         if (run.complete) {
@@ -1261,6 +1354,8 @@ private:
     int members_ = 0;
     std::vector<PointIndex> pins_;
     std::vector<Bond> bonds_;
+    Place origin_;                 ///< about which gaps are measured
+    std::size_t joint_bonds_ = 0;  ///< bonds of joints and efforts; components come after them
     std::vector<std::vector<int>> bonds_of_;
     std::vector<Load> loads_;
     std::vector<std::pair<Place, std::string>> named_meets_;
