@@ -89,8 +89,8 @@ struct Run {
 
 class Statics {
 public:
-    Statics(Structure& structure, Board& board, const Motion& motion)
-        : structure_(structure), board_(board), mechanism_(structure.mechanism()), motion_(motion) {}
+    Statics(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility)
+        : structure_(structure), board_(board), mechanism_(structure.mechanism()), motion_(motion), mobility_(mobility) {}
 
     ForceResults draw() {
         members_ = static_cast<int>(mechanism_.bodies.size());
@@ -106,6 +106,7 @@ public:
         read_loads();
         if (!results_.unsolved.empty()) return std::move(results_);
         Run run = solve(loads_);
+        for (std::size_t round = 0; round < mechanism_.joints.size() && turn_gears(run); ++round) run = solve(loads_);
         gather_components(run);
         collect(run);
         return std::move(results_);
@@ -203,6 +204,43 @@ private:
         bonds_.push_back(bond);
     }
 
+    /// Teeth only push: the force on a gear points into its own material. Where the line of action tried makes them pull, the
+    /// other one, mirrored at the common tangent, is taken. True where a line was changed.
+    bool turn_gears(const Run& run) {
+        bool changed = false;
+        for (std::size_t b = 0; b < joint_bonds_; ++b) {
+            Bond& bond = bonds_[b];
+            if (bond.joint < 0 || mechanism_.joints[at(bond.joint)].kind != JointKind::gear || !run.reactions[b].force) continue;
+            const JointIndex joint = bond.joint;
+            const Vector normal = quarter_turn(board_.pose().tangents[at(joint)]);
+            const int radial = dot(board_.value(*run.reactions[b].force), normal).sign();
+            if (material_side(joint) * radial >= 0) continue;
+            const bool mirror = mirrored_gears_.insert(joint).second;
+            if (!mirror) mirrored_gears_.erase(joint);
+            const auto mirrored = [joint](const Pose& pose) {
+                const Vector &d = pose.normals[at(joint)], &t = pose.tangents[at(joint)];
+                return (2 * dot(d, t) / squared_length(t)) * t - d;
+            };
+            bond.direction = mirror ? board_.direction(board_.given<drawing>(mirrored)) : board_.normal(joint);
+            changed = true;
+        }
+        return changed;
+    }
+
+    /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the centres'
+    /// places along it (0 for a rack); 0 where the file gives only a tangent.
+    int material_side(JointIndex index) const {
+        const Joint& joint = mechanism_.joints[at(index)];
+        const Vector normal = quarter_turn(board_.pose().tangents[at(index)]);
+        const auto curvature = [&](BodyIndex body) {
+            const auto profile = joint.profiles.find(body);
+            const auto* circle = profile == joint.profiles.end() ? nullptr : std::get_if<CircleProfile>(&profile->second);
+            if (circle == nullptr) return Exact();
+            return 1 / dot(board_.pose().at(circle->centre) - board_.pose().at(joint.point), normal);
+        };
+        return (curvature(joint.bodies[0]) - curvature(joint.bodies[1])).sign();
+    }
+
     // --- loads ----------------------------------------------------------------------------------------------------------------
     void add_load(Load load) {
         if (load.member == frame) return;
@@ -247,6 +285,11 @@ private:
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
             const PointIndex from = spring.between[end], to = spring.between[1 - end];
             const Exact magnitude = spring.magnitude;
+            if (board_.coincide(board_.place(from), board_.place(to))) {
+                results_.unsolved.push_back(
+                    {"forces", "the ends of " + spring.name + " coincide at this position: its pull has no direction"});
+                return;
+            }
             const auto pull = [=](const Pose& pose) { return magnitude * unit_along(pose.at(to) - pose.at(from), pose.bits); };
             add_load({spring.bodies[end],
                       {Symbol::Letter::F, spring.name, {}},
@@ -459,15 +502,10 @@ private:
     void advance(const std::vector<Load>& loads, Run& run) {
         fit(run);
         const auto all = groups();
-        bool found = true;
-        while (found && !all_known(run)) {
-            found = false;
-            for (const auto& group : all) {
-                if (magnitudes(group, loads, run) || lines(group, loads, run)) {
-                    found = true;
-                    break;
-                }
-            }
+        const auto any = [&](auto rule) { return std::any_of(all.begin(), all.end(), rule); };
+        const auto direct = [&](const auto& group) { return magnitudes(group, loads, run) || lines(group, loads, run, false); };
+        const auto beside_couples = [&](const auto& group) { return lines(group, loads, run, true); };
+        while (!all_known(run) && (any(direct) || any(beside_couples))) {
         }
         run.complete = all_known(run);
     }
@@ -504,7 +542,8 @@ private:
     }
 
     // --- lines of action ------------------------------------------------------------------------------------------------------
-    bool lines(const std::vector<int>& group, const std::vector<Load>& loads, Run& run) {
+    /// `beside_couples`: bodies that carry a couple too; tried when nothing else is left.
+    bool lines(const std::vector<int>& group, const std::vector<Load>& loads, Run& run, bool beside_couples) {
         const std::vector<int> unknown = unknown_of(group, run);
         std::vector<int> pins, guides, fixed, couples;
         for (const int b : unknown) {
@@ -526,7 +565,7 @@ private:
             }
         }
         const std::size_t forces = pins.size() + guides.size() + fixed.size();
-        if (pins.empty() && guides.empty()) return false;
+        if ((pins.empty() && guides.empty()) || couples.empty() == beside_couples) return false;
         if (forces < 2 || forces > 3 || couples.size() > 1) return false;
         if (forces == 3 && (fixed.size() != 2 || !couples.empty())) return false;
         if (forces == 2 && fixed.size() == 2) return false;
@@ -943,17 +982,18 @@ private:
 
     // --- superposition and trials --------------------------------------------------------------------------------------------
     Run solve(const std::vector<Load>& loads) {
-        Run run = fresh();
-        advance(loads, run);
-        if (run.complete) return run;
+        Run direct = fresh();
+        advance(loads, direct);
+        if (direct.complete) return direct;
         // Several loaded bodies: one after the other.
         std::vector<int> loaded;
         for (const Load& load : loads) {
             if (!in(loaded, load.member)) loaded.push_back(load.member);
         }
         if (loaded.size() < 2) {
+            Run run = direct;
             close_by_trial(loads, run, 0);
-            return run;
+            return run.complete ? run : direct;
         }
         std::vector<Run> parts;
         for (const int member : loaded) {
@@ -964,7 +1004,7 @@ private:
             Run part = fresh();
             advance(own, part);
             if (!part.complete) close_by_trial(own, part, 0);
-            if (!part.complete) return part;
+            if (!part.complete) return direct;  // what the rules found without trials holds whatever the rest is
             parts.push_back(std::move(part));
         }
         say(Sentence::superposition_sum, {});
@@ -1112,7 +1152,7 @@ private:
             for (int member = 1; member < members_ && balanced; ++member) balanced = known_on({member}, loads_, run).vanishes();
         }
         if (!run.complete || !balanced) explain(run, balanced);
-        for (std::size_t b = 0; b < bonds_.size(); ++b) collect(bonds_[b], run.reactions[b], run.complete && balanced);
+        for (std::size_t b = 0; b < bonds_.size(); ++b) collect(bonds_[b], run.reactions[b], balanced);
         if (!run.complete || !balanced) return;
         std::vector<int> order;
         for (const Resolved& resolved : run.order) order.push_back(resolved.member);
@@ -1121,21 +1161,54 @@ private:
         }
         for (const int member : order) free_body(member, run);
         join_polygons();
+        remark_lift_off(run);
+    }
+
+    /// A one-sided contact can push only.
+    void remark_lift_off(const Run& run) {
+        for (std::size_t b = 0; b < bonds_.size(); ++b) {
+            const Bond& bond = bonds_[b];
+            if (bond.joint < 0 || !run.reactions[b].force) continue;
+            const Joint& joint = mechanism_.joints[at(bond.joint)];
+            if (!joint.pushes || dot(board_.value(*run.reactions[b].force), *joint.pushes).sign() >= 0) continue;
+            results_.remarks.push_back("the contact at " + joint.name + " would have to pull: there the bodies lift off");
+        }
+    }
+
+    std::string reason() const {
+        const int efforts = static_cast<int>(mechanism_.efforts.size());
+        const auto freedoms = [](int count) { return std::to_string(count) + (count == 1 ? " freedom" : " freedoms"); };
+        int repeated = 0;
+        std::string joints;
+        for (const Mobility::Redundant& redundant : mobility_.redundant) {
+            repeated += redundant.rows;
+            joints += (joints.empty() ? "" : ", ") + mechanism_.joints[at(redundant.joint)].name;
+        }
+        if (efforts < mobility_.effective) {
+            return "the loads are not balanced: the mechanism has " + freedoms(mobility_.effective) + " and " +
+                   std::to_string(efforts) + (efforts == 1 ? " effort" : " efforts") + " to hold it; give \"effort\"";
+        }
+        if (efforts > mobility_.effective) {
+            return std::to_string(efforts) + " efforts stand against " + freedoms(mobility_.effective) +
+                   "; give one for each freedom";
+        }
+        if (repeated > 0) {
+            return "statically indeterminate, " + std::to_string(repeated) + (repeated == 1 ? " time" : " times") + ": joint " +
+                   joints + " repeats what others hold already";
+        }
+        return "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit";
     }
 
     void explain(const Run& run, bool balanced) {
         if (!balanced) {
-            results_.unsolved.push_back(
-                {"forces", "the loads are not balanced: some motion is free and no effort holds it; give \"effort\""});
+            results_.unsolved.push_back({"forces", reason()});
             return;
         }
         std::string open;
         for (std::size_t b = 0; b < bonds_.size(); ++b) {
             if (!run.reactions[b].known) open += (open.empty() ? "" : ", ") + name_of(bonds_[b].symbol);
         }
-        results_.unsolved.push_back(
-            {"forces", "equilibrium alone does not determine " + open +
-                           " (statically indeterminate, or a position in which a force grows without limit)"});
+        results_.unsolved.push_back({"forces", reason() + "; not determined: " + open});
     }
 
     Vector value(const std::optional<Force>& force) const { return force ? board_.value(*force) : Vector{}; }
@@ -1351,6 +1424,7 @@ private:
     Board& board_;
     const Mechanism& mechanism_;
     const Motion& motion_;
+    const Mobility& mobility_;
     int members_ = 0;
     std::vector<PointIndex> pins_;
     std::vector<Bond> bonds_;
@@ -1361,13 +1435,14 @@ private:
     std::vector<std::pair<Place, std::string>> named_meets_;
     std::map<int, std::vector<std::pair<std::string, Place>>> meets_of_;
     std::vector<std::pair<int, std::vector<Side>>> sides_;  ///< by member, in the order resolved
+    std::set<JointIndex> mirrored_gears_;
     ForceResults results_;
 };
 
 }  // namespace
 
-ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion) {
-    return Statics(structure, board, motion).draw();
+ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
+    return Statics(structure, board, motion, mobility).draw();
 }
 
 }  // namespace kinegraph

@@ -26,6 +26,6 @@ struct ForceResults {
 };
 
 /// Draws the forces of a loaded mechanism. `motion` gives the accelerations where the file includes inertia.
-ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion);
+ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility);
 
 }  // namespace kinegraph

@@ -185,7 +185,7 @@ private:
     }
 
     void collect_forces() {
-        ForceResults forces = draw_forces(structure_, board_, motion_);
+        ForceResults forces = draw_forces(structure_, board_, motion_, solution_.mobility);
         solution_.forces = std::move(forces.joints);
         solution_.efforts = std::move(forces.efforts);
         solution_.free_bodies = std::move(forces.bodies);

@@ -327,6 +327,7 @@ public:
 
     // Values, for results and drawing; recipes and planner do not compute with them.
     const Protocol& protocol() const { return protocol_; }
+    const Pose& pose() const { return pose_; }
     template <Plane plane>
     const ProjectivePoint& value(PointOn<plane> p) const {
         return protocol_.point(p.element);
