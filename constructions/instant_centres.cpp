@@ -264,6 +264,7 @@ std::vector<std::pair<PointOn<Plane::drawing>, std::string>> InstantCentres::pla
     }
     for (const Node& other : structure_.nodes()) {
         if (places.empty() || board_.coincide(places.front().first, other.place)) continue;
+        places.emplace_back(other.place, other.label);
         const auto aside = board_.turn(board_.vector(places.front().first, other.place));
         places.emplace_back(board_.carry(places.front().first, aside), places.front().second);
         break;

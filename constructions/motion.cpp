@@ -135,7 +135,7 @@ private:
         label.point = tip.element;
         label.body = colour_of(index);
         board_.label(std::move(label));
-        if (draw_absolute && node(index).point >= 0) {
+        if (draw_absolute) {
             draw_vector(track, absolute<plane>(index), board_.pole<plane>(), tip, colour_of(index), DrawnVector::Role::absolute);
         }
     }
@@ -369,7 +369,7 @@ private:
         for (int i = 0; i < 2; ++i) draw_line(track, lines[i], reasons[i], {ends[i].element, met->element});
         board_.statement(statement).message.arguments = {Symbol{Symbol::Letter::point, node(step.node).label, {}},
                                                          body(step.body), reasons[0], reasons[1]};
-        set_tip(track, step.node, *met, false);
+        set_tip(track, step.node, *met, true);
     }
 
     /// Two parallel loci (S at infinity): the velocities' difference along the loci's normal n is ω (z ∧ XY)·n.
@@ -405,7 +405,7 @@ private:
             }
             if (locus.kind == Locus::Kind::sleeve || locus.kind == Locus::Kind::slot) {
                 if (!before.turns(mechanism_.joints[at(locus.joint)].bodies[1])) return false;
-                if (!before.has(locus.node) || !before.has(locus.base)) return false;
+                if (!has_velocity(locus.node) || !has_velocity(locus.base)) return false;
             }
         }
         return true;
@@ -558,10 +558,38 @@ private:
         return board_.scale<Plane::acceleration>(entry->second, board_.vector(node(to).place, node(from).place));
     }
 
-    /// v_rel of the slider seen from the guide, as drawn.
+    /// The tip of a node that was not drawn for its own sake, from the image of a body that carries it.
+    PointOn<Plane::velocity> velocity_tip(NodeIndex index) {
+        Track<Plane::velocity>& track = motion_.velocity;
+        if (track.has(index)) return track.tip(index);
+        for (const BodyIndex carrier : node(index).bodies) {
+            if (!track.turns(carrier)) continue;
+            for (const NodeIndex base : structure_.nodes_of(carrier)) {
+                if (!track.has(base)) continue;
+                const auto join = board_.vector(node(base).place, node(index).place);
+                const auto tip =
+                    board_.carry(track.tip(base), board_.scale<Plane::velocity>(track.spin(carrier), board_.turn(join)));
+                track.tips[at(index)] = tip;
+                return tip;
+            }
+        }
+        KG_ASSERT(false, "asked for the velocity of a body that is not known");
+    }
+
+    bool has_velocity(NodeIndex index) const {
+        const Track<Plane::velocity>& track = motion_.velocity;
+        if (track.has(index)) return true;
+        return std::any_of(node(index).bodies.begin(), node(index).bodies.end(), [&](BodyIndex carrier) {
+            const auto& nodes = structure_.nodes_of(carrier);
+            return track.turns(carrier) &&
+                   std::any_of(nodes.begin(), nodes.end(), [&](NodeIndex base) { return track.has(base); });
+        });
+    }
+
+    /// v_rel of the slider seen from the guide.
     VectorOn<Plane::velocity> sliding_velocity(NodeIndex slider, NodeIndex guide) {
-        const auto& tips = motion_.velocity;
-        return board_.vector(tips.tip(guide), tips.tip(slider));
+        const auto from = velocity_tip(guide);
+        return board_.vector(from, velocity_tip(slider));
     }
 
     /// 2 ω_j ∧ v_rel, nothing where it vanishes.

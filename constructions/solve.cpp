@@ -1,5 +1,6 @@
 #include "constructions/solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -120,25 +121,59 @@ private:
 
     /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point or a lock.
     void hold_against_motion(int driver) {
-        const auto* spin = std::get_if<SpinDriver>(&mechanism_.drivers[at(driver)]);
-        const auto& track = motion_.velocity;
-        if (spin != nullptr) {
-            if (track.turns(spin->body) && track.turns(spin->relative_to)) {
-                const ScalarHandle asked = board_.given(spin->omega);
-                if (board_.is_zero(
-                        board_.difference(board_.difference(track.spin(spin->body), track.spin(spin->relative_to)), asked)))
-                    return;
-            }
-            unsolved("driver of body " + body_name(spin->body), idle_reason());
-            return;
-        }
-        if (const auto* slide = std::get_if<SlideDriver>(&mechanism_.drivers[at(driver)])) {
-            if (slide->speed.is_zero() && slide->acceleration.is_zero()) return;
-            unsolved("driver of joint " + mechanism_.joints[at(slide->joint)].name, idle_reason());
-        } else if (const auto* point = std::get_if<PointDriver>(&mechanism_.drivers[at(driver)])) {
-            if (point->speed.is_zero() && point->acceleration.is_zero()) return;
-            unsolved("driver of body " + body_name(point->body), idle_reason());
-        }
+        const std::string what = std::visit(
+            [&](const auto& given) {
+                if constexpr (requires { given.joint; }) {
+                    return "driver of joint " + mechanism_.joints[at(given.joint)].name;
+                } else {
+                    return "driver of body " + body_name(given.body);
+                }
+            },
+            mechanism_.drivers[at(driver)]);
+        const bool agrees =
+            std::visit([&](const auto& given) { return asks_the_same(given, driver); }, mechanism_.drivers[at(driver)]);
+        if (!agrees) unsolved(what, idle_reason());
+    }
+
+    bool asks_the_same(const SpinDriver& spin, int) {
+        const auto same = [&](const auto& track, const Exact& asked) {
+            if (!track.turns(spin.body) || !track.turns(spin.relative_to)) return asked.is_zero();
+            const ScalarHandle found = board_.difference(track.spin(spin.body), track.spin(spin.relative_to));
+            return board_.is_zero(board_.difference(found, board_.given(asked)));
+        };
+        return same(motion_.velocity, spin.omega) && (!wanted_.accelerations || same(motion_.acceleration, spin.alpha));
+    }
+
+    bool asks_the_same(const SlideDriver& slide, int) {
+        const Joint& joint = mechanism_.joints[at(slide.joint)];
+        const NodeIndex slider = structure_.find(joint.point, joint.bodies[0]),
+                        guide = structure_.find(joint.point, joint.bodies[1]);
+        const auto& v = motion_.velocity;
+        const auto& a = motion_.acceleration;
+        if (slider < 0 || guide < 0 || !v.has(slider) || !v.has(guide))
+            return slide.speed.is_zero() && slide.acceleration.is_zero();
+        const DirectionHandle along = board_.guide_unit(slide.joint);
+        const auto velocity = board_.vector(v.tip(guide), v.tip(slider));
+        if (!board_.is_zero(board_.subtract(velocity, board_.scale<Plane::velocity>(board_.given(slide.speed), along))))
+            return false;
+        if (!wanted_.accelerations || !a.has(slider) || !a.has(guide) || !v.turns(joint.bodies[1])) return true;
+        const auto coriolis =
+            board_.scale<Plane::acceleration>(board_.product(board_.given(2), v.spin(joint.bodies[1])), board_.turn(velocity));
+        const auto relative = board_.subtract(board_.vector(a.tip(guide), a.tip(slider)), coriolis);
+        return board_.is_zero(
+            board_.subtract(relative, board_.scale<Plane::acceleration>(board_.given(slide.acceleration), along)));
+    }
+
+    bool asks_the_same(const PointDriver& point, int driver) {
+        const NodeIndex node = structure_.find(point.at, point.body);
+        const auto same = [&]<Plane plane>(const Track<plane>& track, const Exact& asked) {
+            if (node < 0 || !track.has(node)) return asked.is_zero();
+            const DirectionHandle along = board_.driver_unit(driver);
+            const auto rest = board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)),
+                                              board_.scale<plane>(board_.given(asked), along));
+            return board_.is_zero(rest) || board_.parallel(board_.direction(rest), board_.perpendicular(along));
+        };
+        return same(motion_.velocity, point.speed) && (!wanted_.accelerations || same(motion_.acceleration, point.acceleration));
     }
 
     std::string idle_reason() const {
@@ -201,6 +236,13 @@ private:
         return false;
     }
 
+    bool wholly_accelerated(BodyIndex body) const {
+        const auto& nodes = structure_.nodes_of(body);
+        return motion_.acceleration.turns(body) && std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) {
+                   return !structure_.node(node).carried || motion_.acceleration.has(node);
+               });
+    }
+
     void explain_missing_motion() {
         for (const Contradiction& contradiction : motion_.contradictions) {
             const auto label = [&](NodeIndex node) { return structure_.node(node).label; };
@@ -211,7 +253,7 @@ private:
         for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
             if (!reached(body)) {
                 unsolved("motion of body " + body_name(body), reason_for(body));
-            } else if (wanted_.accelerations && !motion_.acceleration.turns(body)) {
+            } else if (wanted_.accelerations && !wholly_accelerated(body)) {
                 unsolved("acceleration of body " + body_name(body), "it depends on bodies whose motion is not determined");
             }
         }
@@ -224,16 +266,16 @@ private:
         }
         if (at(body) < mobility.determined.size() && !mobility.determined[at(body)]) {
             if (!mobility.idle_drivers.empty()) return "it stays free: the driver moves nothing at this position (dead point)";
+            for (const DeadPoint& dead : plan_.dead_points) {
+                if (carries(dead.node, body)) {
+                    return "dead point at " + structure_.node(dead.node).label +
+                           ": the two lines on which its velocity must lie are parallel";
+                }
+            }
             return "the mechanism has " + freedoms(mobility.effective) + " and " + std::to_string(mobility.driven) +
                    " of them driven; give one driver more";
         }
         if (!mobility.idle_drivers.empty()) return "dead point: it can only stand still here, and no driver moves it";
-        for (const DeadPoint& dead : plan_.dead_points) {
-            if (carries(dead.node, body)) {
-                return "dead point at " + structure_.node(dead.node).label +
-                       ": the two lines on which its velocity must lie are parallel";
-            }
-        }
         return "it is determined, but no driven body, dyad or triad leads to it, and this version draws no further groups yet";
     }
 

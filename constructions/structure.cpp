@@ -140,8 +140,10 @@ NodeIndex Structure::add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body
     node.bodies = {body};
     node.carried = node.of_interest = false;
     node.place = place;
-    node.label = auxiliaries_ == 0 ? "S" : "S" + std::to_string(auxiliaries_ + 1);
-    ++auxiliaries_;
+    do {
+        node.label = auxiliaries_ == 0 ? "S" : "S" + std::to_string(auxiliaries_ + 1);
+        ++auxiliaries_;
+    } while (mechanism_.point_named(node.label));
     return add(std::move(node));
 }
 

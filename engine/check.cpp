@@ -66,7 +66,9 @@ public:
             square_.compute(matrix_);
             // Doubles leave about 1e-16 where an exact matrix is singular; well above that it is regular.
             constexpr double regular = 1e-12;
-            if (square_.rcond() > regular) {
+            // (The estimate of the condition means nothing beside a pivot that vanishes.)
+            const auto pivots = square_.matrixLU().diagonal().cwiseAbs();
+            if (pivots.minCoeff() > regular * pivots.maxCoeff() && square_.rcond() > regular) {
                 is_regular_ = true;
                 return;
             }

@@ -84,6 +84,15 @@ private:
         }
         return found->second;
     }
+    /// The nearest double to a vector's exact length, in the file's unit; found once, because exact differences are dear.
+    double value_of(int vector) const {
+        const auto [found, fresh] = values_.try_emplace(vector);
+        if (fresh) {
+            const Vector exact = protocol_.value_of(protocol_.vectors[static_cast<std::size_t>(vector)]);
+            found->second = kinegraph::length(si_is_one_ ? exact : Vector{exact.x / si_, exact.y / si_});
+        }
+        return found->second;
+    }
     double in_unit(const Exact& si_value) const { return (si_is_one_ ? si_value : si_value / si_).to_double(); }
     Spot spot(const Figure& figure, Place p) const { return {p.x / figure.scale, -p.y / figure.scale}; }
     Spot spot(const Figure& figure, int element) const { return spot(figure, place(element)); }
@@ -179,8 +188,7 @@ private:
         std::vector<Labelled> labelled;
         for (const int index : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
-            const Vector exact = protocol_.value_of(vector);
-            const double value = kinegraph::length(si_is_one_ ? exact : Vector{exact.x / si_, exact.y / si_});
+            const double value = value_of(index);
             if (!(value > extent_ * 1e-12)) continue;  // nothing to draw: the tables say that it is zero
             const std::string base = name_of(vector.symbol);
             if (!seen.emplace(vector.tail, vector.tip, base).second) continue;
@@ -325,6 +333,7 @@ private:
     Exact si_ = 1;
     bool si_is_one_ = true;
     mutable std::map<int, Place> places_;
+    mutable std::map<int, double> values_;
     Place min_, max_;  // the pole, at the origin, belongs to it
     double extent_ = 0;
 };

@@ -550,7 +550,7 @@ TEST(Drivers, OfASlideRepeatedInAgreementAreNoFault) {
     Sketch s;
     s.point("P", "0", "0").prismatic("P", {"2", "1"}, {at("3", "4")});
     s.slide(0, "5", "2");
-    s.mechanism.drivers.push_back(PointDriver{1, s["P"], {at("3", "4")}, 5, 2, "/drivers/1"});
+    s.mechanism.drivers.emplace_back(PointDriver{1, s["P"], {at("3", "4")}, 5, 2, "/drivers/1"});
     const Solution solution = solved(s.mechanism);
     EXPECT_TRUE(solution.unsolved.empty()) << reasons(solution);
 }
@@ -559,7 +559,7 @@ TEST(Drivers, OfASlideThatContradictAreNamed) {
     Sketch s;
     s.point("P", "0", "0").prismatic("P", {"2", "1"}, {at("3", "4")});
     s.slide(0, "5", "2");
-    s.mechanism.drivers.push_back(PointDriver{1, s["P"], {at("3", "4")}, 4, 2, "/drivers/1"});
+    s.mechanism.drivers.emplace_back(PointDriver{1, s["P"], {at("3", "4")}, 4, 2, "/drivers/1"});
     const Solution solution = solved(s.mechanism);
     EXPECT_TRUE(says(solution, "driver of body 2")) << reasons(solution);
     expect_no_nonsense(solution);

@@ -1,5 +1,6 @@
 #include "tests/random_mechanism.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -162,15 +163,22 @@ public:
     std::string body_pair(int i, int j) const { return pair(quoted(body_name(i)), quoted(body_name(j))); }
 
     // --- joints ------------------------------------------------------------------------------------------------------------
+    /// j hinged to i; now and then on the pin that holds i there already, as one hinge of several bodies.
     void revolute(int point, int i, int j) {
-        joints_.push_back("{\"revolute\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) + "}");
+        for (Hinge& hinge : hinges_) {
+            const bool holds =
+                hinge.point == point && std::find(hinge.bodies.begin(), hinge.bodies.end(), i) != hinge.bodies.end();
+            if (holds && random_.chance(50)) return hinge.bodies.push_back(j);
+        }
+        hinges_.push_back({point, {i, j}, joints_.size()});
+        joints_.emplace_back();
     }
     void weld(int point, int i, int j) {
         joints_.push_back("{\"weld\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) + "}");
     }
     /// i slides on j; returns the joint's name.
     std::string slide(const char* kind, int point, int i, int j, const std::string& along) {
-        const std::string title = "s" + std::to_string(++slides_);
+        std::string title = "s" + std::to_string(++slides_);
         joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) + ", " +
                           along + ", \"name\": " + quoted(title) + "}");
         return title;
@@ -232,13 +240,28 @@ public:
             out += i + 1 < bodies_.size() ? "],\n" : "]\n";
         }
         out += "  },\n  \"joints\": [\n";
-        for (std::size_t i = 0; i < joints_.size(); ++i) out += "    " + joints_[i] + (i + 1 < joints_.size() ? ",\n" : "\n");
+        for (std::size_t i = 0; i < joints_.size(); ++i) out += "    " + joint_text(i) + (i + 1 < joints_.size() ? ",\n" : "\n");
         out += "  ],\n  \"drivers\": [";
         for (std::size_t i = 0; i < drivers_.size(); ++i) out += (i > 0 ? ", " : "") + drivers_[i];
         return out + "]\n}\n";
     }
 
 private:
+    std::string joint_text(std::size_t index) const {
+        for (const Hinge& hinge : hinges_) {
+            if (hinge.joint != index) continue;
+            std::string names;
+            for (const int body : hinge.bodies) names += (names.empty() ? "" : ", ") + quoted(body_name(body));
+            return "{\"revolute\": " + quoted(name(hinge.point)) + ", \"bodies\": [" + names + "]}";
+        }
+        return joints_[index];
+    }
+
+    struct Hinge {
+        int point = -1;
+        std::vector<int> bodies;
+        std::size_t joint = 0;  ///< its place among the joints
+    };
     struct Point {
         std::string name;
         Spot spot;
@@ -253,6 +276,7 @@ private:
     std::vector<Point> points_;
     std::vector<Body> bodies_;
     std::vector<std::string> joints_, drivers_;
+    std::vector<Hinge> hinges_;
     int slides_ = 0;
 };
 
@@ -340,7 +364,8 @@ private:
     bool dyad() {
         const int x = any_body(1);
         int y = any_body();
-        if (y == x) y = 0;
+        // A dyad on two points of one body is at rest on it: rare, and allowed.
+        if (y == x && !random_.chance(15)) y = 0;
         switch (random_.whole(0, 7)) {
             case 0:
             case 1:
