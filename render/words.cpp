@@ -195,6 +195,8 @@ constexpr std::array fixed_words{
     FixedWords{"conventions", "Conventions", "Convenzioni"},
     FixedWords{"axes", "z points towards the reader; ω and α are positive counter-clockwise.",
                "Asse z verso chi legge; ω e α positive in senso antiorario."},
+    FixedWords{"axes forces", "z points towards the reader; couples are positive counter-clockwise.",
+               "Asse z verso chi legge; momenti positivi in senso antiorario."},
     FixedWords{"measured", "lengths measured to 0.1 mm, drawing = mm × scale",
                "lunghezze misurate a 0,1 mm, disegno = mm × scala"},
     // the table of knowns
@@ -252,6 +254,38 @@ constexpr std::array fixed_words{
     FixedWords{"block file", "File", "File"},
     FixedWords{"block bodies", "Bodies", "Corpi"},
     FixedWords{"untitled", "Mechanism", "Meccanismo"},
+    // forces
+    FixedWords{"mechanism and lines of action", "Mechanism and lines of action", "Meccanismo e rette d’azione"},
+    FixedWords{"force triangle", "Force triangle", "Triangolo delle forze"},
+    FixedWords{"force triangles", "Force triangles", "Triangoli delle forze"},
+    FixedWords{"force polygon", "Force polygon", "Poligono delle forze"},
+    FixedWords{"force polygons", "Force polygons", "Poligoni delle forze"},
+    FixedWords{"closed force polygon", "Closed polygon of the external forces", "Poligono chiuso delle forze esterne"},
+    FixedWords{"free body", "Free body", "Corpo libero"},
+    FixedWords{"free pin", "Free pin", "Perno isolato"},
+    FixedWords{"pin", "pin", "perno"},
+    FixedWords{"forces", "Active forces and reactions", "Forze attive e reazioni"},
+    FixedWords{"active forces", "active", "attive"},
+    FixedWords{"reactions", "reactions", "reazioni"},
+    FixedWords{"reactions heading", "Reactions", "Reazioni"},
+    FixedWords{"efforts", "Efforts", "Azioni equilibranti"},
+    FixedWords{"force", "force", "forza"},
+    FixedWords{"joint", "joint", "coppia"},
+    FixedWords{"couple", "couple", "momento"},
+    FixedWords{"effort", "effort", "azione"},
+    FixedWords{"steps forces", "Steps: forces", "Procedimento: forze"},
+    FixedWords{"vertical", "vertical", "verticale"},
+    FixedWords{"given", "given", "data"},
+    FixedWords{"normal", "normal", "normale"},
+    FixedWords{"any line", "–", "–"},
+    FixedWords{"action and reaction", "acts from body {0} on body {1}; dashed sides are internal: equal and opposite, they cancel.",
+               "è l’azione del corpo {0} sul corpo {1}; i lati tratteggiati sono interni: uguali e opposti, si elidono."},
+    FixedWords{"passes outside", "passes outside: tips", "passa all’esterno: si impunta"},
+    FixedWords{"passes beside", "from", "da"},
+    FixedWords{"subtitle forces", "Static forces by triangles and closed polygon",
+               "Forze statiche con i triangoli e il poligono chiuso"},
+    FixedWords{"subtitle mixed", "Motion by polygons, forces by triangles and closed polygon",
+               "Moto con i poligoni, forze con i triangoli e il poligono chiuso"},
     FixedWords{"subtitle pose", "Pose and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
@@ -459,7 +493,15 @@ RichText typeset(const Symbol& symbol, Language language) {
             KG_ASSERT(false, "a symbol has a letter");
     }
     result.sub = symbol.about;
-    result.sub_face = digits_only(symbol.about) ? Face::regular : Face::italic;
+    // A force that the file calls F_gas or M is written so, not F with a script F_gas.
+    if (symbol.letter == Letter::F || symbol.letter == Letter::M) {
+        if (result.sub == result.text) result.sub.clear();
+        if (result.sub.starts_with(result.text + "_")) result.sub.erase(0, 2);
+    }
+    // g of the weight and i of inertia are words, not quantities.
+    const bool of_body = symbol.letter == Letter::F && !result.sub.empty() && (result.sub[0] == 'g' || result.sub[0] == 'i') &&
+                         (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
+    result.sub_face = of_body || digits_only(result.sub) ? Face::regular : Face::italic;
     result.sup = symbol.term;
     return {result};
 }
