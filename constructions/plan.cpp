@@ -266,7 +266,7 @@ private:
 
     void add_slide(Locus::Kind kind, const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body,
                    std::vector<Locus>& loci) {
-        if (point < 0) return;
+        if (point < 0 || (thrifty_ && slide.other != frame && structure_.find(point, slide.other) < 0)) return;
         const NodeIndex base = known_on(point, slide.other);
         if (base < 0 || base == node) return;
         Locus locus;
@@ -311,13 +311,15 @@ private:
         for (BodyIndex body = 0; body < bodies; ++body) {
             if (body_known(body)) continue;
             for (const Slide& slide : structure_.sleeves_of(body)) {
-                if (body_known(slide.other)) {
+                if (slide.other == frame) {
                     if (structure_.nodes_of(body).empty()) structure_.on(mechanism_.joints[at(slide.joint)].point, body);
                     continue;
                 }
                 const std::vector<NodeIndex> others = structure_.nodes_of(slide.other);
                 for (const NodeIndex other : others) {
-                    if (known(other) && structure_.node(other).point >= 0) structure_.on(structure_.node(other).point, body);
+                    const bool wanted = structure_.node(other).carried || !body_known(slide.other);
+                    if (wanted && known(other) && structure_.node(other).point >= 0)
+                        structure_.on(structure_.node(other).point, body);
                 }
             }
             for (const Slide& slide : structure_.slots_of(body)) {
@@ -333,8 +335,17 @@ private:
         return order;
     }
 
+    /// Where two loci meet; first with the places that the file's bodies carry, then with any place a sleeve may be seen at.
     bool meet_some_node() {
-        for (const NodeIndex node : candidates()) {
+        for (const bool thrifty : {true, false}) {
+            thrifty_ = thrifty;
+            if (meet_among(candidates())) return true;
+        }
+        return false;
+    }
+
+    bool meet_among(const std::vector<NodeIndex>& nodes) {
+        for (const NodeIndex node : nodes) {
             const std::vector<Locus> loci = loci_of(node);
             if (loci.size() < 2 || loci.size() == parallel_at_[at(node)]) continue;
             for (std::size_t i = 0; i < loci.size(); ++i) {
@@ -418,6 +429,7 @@ private:
     const Mechanism& mechanism_;
     std::vector<bool> use_driver_;
     Plan plan_;
+    bool thrifty_ = false;                  ///< no places beyond those that bodies carry
     std::vector<std::size_t> parallel_at_;  ///< by NodeIndex: how many loci it had when all were found parallel
     std::map<std::pair<NodeIndex, NodeIndex>, bool> apart_;
     std::map<std::pair<NodeIndex, NodeIndex>, DirectionHandle> joins_;
