@@ -158,6 +158,12 @@ private:
             one.second = second;
             one.symbol = force_symbol(second, first);
             one.reverse = force_symbol(first, second);
+            // Two bodies that touch at several joints: F_12 at A is not F_12 at B.
+            int common = 0;
+            for (const Joint& other : mechanism_.joints)
+                common += other.bodies.size() == 2 && joint.bodies.size() == 2 &&
+                          std::minmax(other.bodies[0], other.bodies[1]) == std::minmax(joint.bodies[0], joint.bodies[1]);
+            if (common > 1) one.symbol.term = one.reverse.term = joint.name;
             bonds_.push_back(one);
         };
         if (joint.bodies.size() == 2) return add(joint.bodies[0], joint.bodies[1]);

@@ -226,6 +226,32 @@ private:
         solution_.free_bodies = std::move(forces.bodies);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (std::string& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
+        if (wanted_.velocities) collect_virtual_work();
+    }
+
+    /// A second way to the efforts: the powers of what acts from outside cancel, since ideal pairs do no work.
+    void collect_virtual_work() {
+        if (solution_.free_bodies.empty() || !is_moving(mechanism_)) return;
+        VirtualWork work;
+        for (const FreeBody& free : solution_.free_bodies) {
+            if (free.body < 0) continue;
+            for (const AppliedForce& applied : free.forces) {
+                if (applied.kind == AppliedForce::Kind::reaction) continue;
+                const auto base =
+                    std::find_if(structure_.nodes_of(free.body).begin(), structure_.nodes_of(free.body).end(),
+                                 [&](NodeIndex node) { return motion_.velocity.polygon >= 0 && motion_.velocity.has(node); });
+                if (base == structure_.nodes_of(free.body).end() || !motion_.velocity.turns(free.body)) return;
+                const Exact omega = board_.value(motion_.velocity.spin(free.body));
+                const Vector from = board_.value(structure_.node(*base).place).place();
+                const Vector velocity =
+                    board_.value(motion_.velocity.tip(*base)).place() + omega * quarter_turn(applied.at - from);
+                const Exact power = dot(applied.force, velocity) + applied.couple * omega;
+                work.entries.push_back(
+                    {applied.symbol, free.body, applied.at, velocity, applied.force, applied.couple, omega, power});
+                work.total += power;
+            }
+        }
+        if (!work.entries.empty()) solution_.virtual_work = std::move(work);
     }
 
     bool reached(BodyIndex body) const {
@@ -336,6 +362,17 @@ private:
         if (wanted_.forces) check_against_equilibrium(numeric, row, vector_row);
     }
 
+    /// The same sum with the velocities of the check.
+    double numeric_power(const NumericMotion& motion) const {
+        double power = 0;
+        for (const VirtualWork::Entry& entry : solution_.virtual_work->entries) {
+            const auto velocity = motion.velocity(entry.body, entry.at);
+            power += entry.force.x.to_double() * velocity[0] + entry.force.y.to_double() * velocity[1] +
+                     entry.couple.to_double() * motion.bodies[at(entry.body)].omega;
+        }
+        return power;
+    }
+
     template <class Row, class VectorRow>
     void check_against_equilibrium(const NumericMotion& motion, const Row& row, const VectorRow& vector_row) const {
         const NumericForces numeric = check_forces(mechanism_, solution_.pose, motion);
@@ -350,6 +387,7 @@ private:
                     row(name + " couple", found.couple->to_double(), action.couple);
             }
         }
+        if (solution_.virtual_work) row("virtual power", solution_.virtual_work->total.to_double(), numeric_power(motion));
         for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
             if (solution_.efforts[e].value && numeric.effort_known[e]) {
                 row("effort " + solution_.efforts[e].name, solution_.efforts[e].value->to_double(), numeric.efforts[e]);

@@ -86,6 +86,22 @@ struct FreeBody {
     std::vector<std::pair<std::string, Vector>> meets;  ///< points of concurrency used: name and place
     int polygon = -1;                                   ///< index in Protocol::polygons; −1 where all forces vanish
 };
+/// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
+/// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
+struct VirtualWork {
+    struct Entry {
+        Symbol symbol;
+        BodyIndex body = -1;
+        Vector at;        ///< place of application, m
+        Vector velocity;  ///< of that place, m/s
+        Vector force;     ///< N; zero for a couple
+        Exact couple;     ///< N m
+        Exact omega;      ///< of the body, rad/s
+        Exact power;      ///< W
+    };
+    std::vector<Entry> entries;
+    Exact total;  ///< exactly zero on an exact pose
+};
 /// One scalar held against the check.
 struct CheckRow {
     std::string quantity;  ///< "omega 3", "velocity B x"
@@ -110,6 +126,7 @@ struct Solution {
     std::vector<JointForce> forces;
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
+    std::optional<VirtualWork> virtual_work;  ///< where forces and velocities are known
     std::vector<CheckRow> checks;
     std::vector<Unsolved> unsolved;    ///< not empty: exit 3
     std::vector<std::string> remarks;  ///< redundant constraints, points moved onto curves …
