@@ -87,6 +87,8 @@ std::vector<int> closed_polygons(const Solution& solution);
 int force_polygon_count(const Solution& solution);
 /// What a force polygon spans, in the file's unit; −1: those of the bodies, one beside the other.
 Box extent_of_forces(const Solution& solution, int polygon);
+/// What a free body spans with its places of attack and near points of concurrency, m.
+Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y);
 /// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>".

@@ -22,7 +22,15 @@ void Sketch::draw_alone(BodyIndex body) {
     bodies.emplace_back(GroupBegin{"link", id("link", m_.bodies[at_index(body)].name), m_.bodies[at_index(body)].name, {}});
     if (const auto& wheel = m_.bodies[at_index(body)].circle)
         bodies.emplace_back(disc(spot(wheel->centre), wheel->radius.to_double() / scale_, tint));
-    draw_profiles(body, bodies);
+    std::vector<Mark> profiles;
+    draw_profiles(body, profiles);
+    construction.clear();
+    const auto is_heavy = [&](const Mark& mark) {
+        const auto* path = std::get_if<Path>(&mark);
+        return path && path->stroked && path->pen.width == theme_.link;
+    };
+    for (const Mark& mark : profiles)
+        if (!is_heavy(mark)) bodies.push_back(mark);
     // Once wide in the colour, once narrower in the tint: the outline of all together.
     for (const bool outside : {true, false}) {
         const Pen pen{outside ? width + 2 * edge : width, outside ? colour : tint, {}, true};
@@ -30,6 +38,12 @@ void Sketch::draw_alone(BodyIndex body) {
         if (!shape.plate.empty()) bodies.emplace_back(polyline(shape.plate, pen, true));
         for (const Bar& bar : shape.bars)
             if (length(bar.to - bar.from) > 1e-6) bodies.emplace_back(line(bar.from, bar.to, pen));
+        for (const Mark& mark : profiles)
+            if (is_heavy(mark)) {
+                Path path = std::get<Path>(mark);
+                path.pen = pen;
+                bodies.emplace_back(std::move(path));
+            }
     }
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
@@ -83,6 +97,63 @@ BodyColour colour_of(const Theme& theme, BodyIndex body) {
 
 void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to.end(), more.begin(), more.end()); }
 
+/// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
+int lines_through(const FreeBody& body, Spot place, double near) {
+    int count = 0;
+    for (const AppliedForce& applied : body.forces)
+        if (!applied.force.is_zero() &&
+            std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near)
+            ++count;
+    return count;
+}
+
+/// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
+std::vector<std::pair<std::string, Vector>> shown_meets(const Solution& solution, const FreeBody& body) {
+    std::vector<std::pair<std::string, Vector>> shown;
+    const double near = 1e-7 * solution.pose.size.to_double();
+    for (const auto& meet : body.meets)
+        if (lines_through(body, paper_spot(meet.second), near) >= 2) shown.push_back(meet);
+    return shown;
+}
+
+/// What a free body wants to show: its points, where its forces act, points of concurrency not too far away (m, y downwards).
+struct FreeExtent {
+    Box own, all;
+};
+FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
+    const Mechanism& mechanism = subject.mechanism;
+    Box box;
+    bool any = false;
+    const auto include = [&](Spot spot, double radius) {
+        const Box around{{spot.x - radius, spot.y - radius}, {spot.x + radius, spot.y + radius}};
+        if (!any) box = around;
+        any = true;
+        box.min = {std::min(box.min.x, around.min.x), std::min(box.min.y, around.min.y)};
+        box.max = {std::max(box.max.x, around.max.x), std::max(box.max.y, around.max.y)};
+    };
+    if (body.body >= 0) {
+        const Body& data = mechanism.bodies[at_index(body.body)];
+        for (const PointIndex p : data.points) include(subject.points[at_index(p)], 0);
+        for (const Joint& joint : mechanism.joints)
+            if (std::find(joint.bodies.begin(), joint.bodies.end(), body.body) != joint.bodies.end())
+                include(subject.points[at_index(joint.point)], 0);
+        if (data.circle) include(subject.points[at_index(data.circle->centre)], data.circle->radius.to_double());
+    } else {
+        include(subject.points[at_index(body.pin)], 0);
+    }
+    const Box own = box;
+    const double size = std::max(own.width(), own.height());
+    for (const AppliedForce& applied : body.forces)
+        if (const Spot at = paper_spot(applied.at);
+            length(at - 0.5 * (own.min + own.max)) < 2 * std::max(size, 0.1 * subject.size()))
+            include(at, 0);
+    // A point of concurrency is shown where it does not make the body tiny.
+    const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
+    for (const auto& [letter, place] : shown_meets(subject.solution, body))
+        if (const Spot at = paper_spot(place); contains(near, at)) include(at, 0);
+    return {own, box};
+}
+
 // --- force polygons ------------------------------------------------------------------------------------------------------------
 
 class ForcePolygon {
@@ -105,10 +176,22 @@ public:
                 first = false;
             }
             const Vector value = protocol_.value_of(vector);
-            if (value.is_zero()) continue;
-            flat_ = flat_ && (along_.is_zero() || cross(along_, value).is_zero());
-            if (along_.is_zero()) along_ = value;
+            if (along_.is_zero() || dot(along_, along_) < dot(value, value)) along_ = value;
         }
+        // So thin that its sides would lie on each other.
+        constexpr double thin = 0.035;
+        double below = 0, above = 0, back = 0, ahead = 0;
+        const Spot main = paper_direction(along_);
+        const double longest = std::max(kinegraph::length(along_), 1e-300);
+        for (const int v : polygon_.vectors)
+            for (const int corner : {protocol_.vectors[at_index(v)].tail, protocol_.vectors[at_index(v)].tip}) {
+                const Spot at = paper_spot(protocol_.point(corner).place() -
+                                           protocol_.point(protocol_.vectors[at_index(polygon_.vectors.front())].tail).place());
+                const double across = cross(main, at) / longest, along = dot(main, at) / longest;
+                below = std::min(below, across), above = std::max(above, across);
+                back = std::min(back, along), ahead = std::max(ahead, along);
+            }
+        flat_ = above - below < thin * (ahead - back);
         width_ = ((high_x - low_x) / unit_.si).to_double();
         height_ = ((high_y - low_y) / unit_.si).to_double();
     }
@@ -271,7 +354,8 @@ public:
             for (const FreeBody& body : context.solution.free_bodies)
                 if (body.polygon == polygon) {
                     item.body = &body;
-                    if (with_tables) item.table = force_equation_block(context, body, false);
+                    if (with_tables && !ForcePolygon(context, polygon).flat())
+                        item.table = force_equation_block(context, body, false);
                 }
             items_.push_back(std::move(item));
         }
@@ -320,17 +404,17 @@ public:
         all.scale = scale;
         all.unit = context_.solution.mechanism.units.force.symbol;
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
-            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3;
+            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 &&
+                   !ForcePolygon(context_, item.polygon).flat();
         });
         const std::string key = items_.size() == 1 ? (triangles ? "force triangle" : "force polygon")
                                                    : (triangles ? "force triangles" : "force polygons");
         all.caption = one_piece(word(key, context_.language));
         double y = 0;
         for (const std::vector<std::size_t>& row : rows) {
-            double tallest = 0, deepest = 0, used = 0;
+            double tallest = 0, used = 0;
             for (const std::size_t i : row) {
                 tallest = std::max(tallest, figures[i].box.height());
-                deepest = std::max(deepest, sizes[i].y);
                 used += sizes[i].x;
             }
             double x = indent;
@@ -383,7 +467,7 @@ private:
     }
     static Spot size_of(const Item& item, const Figure& figure, double reach, double head) {
         return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}),
-                head + figure.box.height() + 2 * reach + (item.table.height > 0 ? item.table.height + 2.5 : 0)};
+                head + figure.box.height() + 2 * reach};
     }
     static std::vector<std::vector<std::size_t>> arranged(const std::vector<Spot>& sizes, double room, double between) {
         std::vector<std::vector<std::size_t>> rows;
@@ -398,12 +482,15 @@ private:
         }
         return rows;
     }
-    static double height_of(const std::vector<std::vector<std::size_t>>& rows, const std::vector<Spot>& sizes, double between) {
+    double height_of(const std::vector<std::vector<std::size_t>>& rows, const std::vector<Spot>& sizes, double between) const {
         double sum = -between;
         for (const auto& row : rows) {
-            double tallest = 0;
-            for (const std::size_t i : row) tallest = std::max(tallest, sizes[i].y);
-            sum += tallest + between;
+            double tallest = 0, table = 0;
+            for (const std::size_t i : row) {
+                tallest = std::max(tallest, sizes[i].y);
+                if (items_[i].table.height > 0) table = std::max(table, items_[i].table.height + 2.5);
+            }
+            sum += tallest + table + between;
         }
         return sum;
     }
@@ -581,6 +668,10 @@ std::vector<int> closed_polygons(const Solution& solution) {
     return found;
 }
 
+Box extent_of_free_body(const Solution& solution, std::size_t index) {
+    return extent_of(Subject(solution), solution.free_bodies[index]).all;
+}
+
 Box extent_of_forces(const Solution& solution, int polygon) {
     const auto of = [&](int p) {
         const Polygon& each = solution.protocol.polygons[at_index(p)];
@@ -624,8 +715,12 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
         auto figure = plain_rows.at(scale, room_x, room_y, tries == most_tries);
         if (!figure) continue;
         if (!with_tables.has_tables()) return std::move(*figure);
-        for (const double tried : {scale, next_scale(scale), next_scale(next_scale(scale))})
-            if (auto better = with_tables.at(tried, room_x, room_y, false)) return std::move(*better);
+        if (auto better = with_tables.at(scale, room_x, room_y, false)) return std::move(*better);
+        // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
+        const Box extent = extent_of_forces(context.solution, -1);
+        const double smaller = next_scale(scale);
+        if (!least && extent.height() / smaller > 35)
+            if (auto better = with_tables.at(smaller, room_x, room_y, false)) return std::move(*better);
         return std::move(*figure);
     }
 }
@@ -670,11 +765,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     // The body's own points and places only.
     Subject subject(solution);
     std::fill(subject.shown.begin(), subject.shown.end(), false);
-    std::vector<Spot> reached;
     const auto show = [&](PointIndex point) {
-        if (point < 0) return;
-        subject.shown[at_index(point)] = true;
-        reached.push_back(subject.points[at_index(point)]);
+        if (point >= 0) subject.shown[at_index(point)] = true;
     };
     if (body.body >= 0) {
         for (const PointIndex p : mechanism.bodies[at_index(body.body)].points) show(p);
@@ -684,27 +776,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
         show(body.pin);
     }
     double longest = 0;
-    for (const AppliedForce& applied : body.forces) {
-        longest = std::max(longest, kinegraph::length(applied.force));
-    }
-    const auto include = [](Box box, Spot spot, double radius) {
-        return Box{{std::min(box.min.x, spot.x - radius), std::min(box.min.y, spot.y - radius)},
-                   {std::max(box.max.x, spot.x + radius), std::max(box.max.y, spot.y + radius)}};
-    };
-    Box box{reached.empty() ? Spot{} : reached.front(), reached.empty() ? Spot{} : reached.front()};
-    for (const Spot spot : reached) box = include(box, spot, 0);
-    if (body.body >= 0)
-        if (const auto& wheel = mechanism.bodies[at_index(body.body)].circle)
-            box = include(box, subject.points[at_index(wheel->centre)], wheel->radius.to_double());
-    const double own = std::max(box.width(), box.height());
-    for (const AppliedForce& applied : body.forces) {
-        const Spot at = paper_spot(applied.at);
-        if (length(at - 0.5 * (box.min + box.max)) < 2 * std::max(own, 0.1 * subject.size())) box = include(box, at, 0);
-    }
-    // A point of concurrency is shown where it does not make the body tiny.
-    const Box near = grown(box, 0.9 * std::max(own, 0.05 * subject.size()));
-    for (const auto& [letter, place] : body.meets)
-        if (const Spot at = paper_spot(place); contains(near, at)) box = include(box, at, 0);
+    for (const AppliedForce& applied : body.forces) longest = std::max(longest, kinegraph::length(applied.force));
+    const auto [own_box, box] = extent_of(subject, body);
+    const double own = std::max(own_box.width(), own_box.height());
+    const auto meets = shown_meets(solution, body);
     subject.box = box;
 
     const Unit& unit = mechanism.units.force;
@@ -803,7 +878,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             sketch.labels.push_back(std::move(label));
 
             std::vector<Spot> marks{at};
-            for (const auto& [letter, place] : body.meets)
+            for (const auto& [letter, place] : meets)
                 if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
             if (marks.size() > 1 || two_forces || (applied.joint >= 0 && applied.line_by_construction))
                 add_line(lines, at, along, marks);
@@ -821,7 +896,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             }
         }
         for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
-        for (const auto& [letter, place] : body.meets)
+        for (const auto& [letter, place] : meets)
             if (const Spot meet = sketch.spot(place); contains(view, meet)) draw_meet(sketch, context, letter, meet);
 
         Figure figure = sketch.finish("body", id, unit.symbol);
@@ -843,12 +918,23 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const auto asked = asked_scale(mechanism, "mechanism");
     const Box near = grown(subject.box, 0.45 * subject.size());
     Box extent = subject.box;
+    // A meet of bodies taken together has lines on several of them.
+    std::vector<std::pair<std::string, Vector>> shown;
     for (const FreeBody& body : solution.free_bodies)
-        for (const auto& [letter, place] : body.meets)
+        for (const auto& meet : body.meets) {
+            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.first == meet.first; });
+            int count = 0;
+            for (const FreeBody& other : solution.free_bodies)
+                count = std::max(count, lines_through(other, paper_spot(meet.second), 1e-7 * solution.pose.size.to_double()));
+            if (!listed && count >= 2) shown.push_back(meet);
+        }
+    {
+        for (const auto& [letter, place] : shown)
             if (const Spot at = paper_spot(place); contains(near, at)) {
                 extent.min = {std::min(extent.min.x, at.x), std::min(extent.min.y, at.y)};
                 extent.max = {std::max(extent.max.x, at.x), std::max(extent.max.y, at.y)};
             }
+    }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
     return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last) {
@@ -862,24 +948,19 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         const Box drawn{(1 / scale) * extent.min, (1 / scale) * extent.max};
         const Box view = grown(drawn, line_overshoot + 4);
         std::vector<ActionLine> lines;
-        std::vector<std::pair<std::string, Spot>> meets;
         for (const FreeBody& body : solution.free_bodies) {
-            for (const auto& [letter, place] : body.meets) {
-                const bool listed = std::any_of(meets.begin(), meets.end(), [&](const auto& m) { return m.first == letter; });
-                if (!listed) meets.emplace_back(letter, sketch.spot(place));
-            }
             for (const AppliedForce& applied : body.forces) {
                 if (applied.force.is_zero()) continue;
                 const Spot at = sketch.spot(applied.at), along = paper_direction(applied.force);
                 std::vector<Spot> marks{at};
-                for (const auto& [letter, place] : body.meets)
+                for (const auto& [letter, place] : shown_meets(solution, body))
                     if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
                 if (marks.size() > 1 || applied.line_by_construction) add_line(lines, at, along, marks);
             }
         }
         for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
-        for (const auto& [letter, at] : meets)
-            if (contains(view, at)) draw_meet(sketch, context, letter, at);
+        for (const auto& [letter, place] : shown)
+            if (const Spot at = sketch.spot(place); contains(view, at)) draw_meet(sketch, context, letter, at);
 
         // Loads, efforts and what the frame gives: their sense only.
         for (const FreeBody& body : solution.free_bodies) {

@@ -134,9 +134,13 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     if (body.polygon < 0) return block;
     for (const Statement& statement : solution.protocol.statements)
         if (statement.message.sentence == Sentence::superposition || statement.message.sentence == Sentence::trial) return block;
+    // Forces of one direction are found by moments: no triangle to be closed.
+    if (std::all_of(body.forces.begin(), body.forces.end(),
+                    [&](const AppliedForce& each) { return cross(each.force, body.forces.front().force).is_zero(); }))
+        return block;
     struct Column {
         ShapedLine symbol, line;
-        bool magnitude = false;
+        bool magnitude = false, direction = true;
         double width = 0, middle = 0;
     };
     std::vector<Column> columns;
@@ -151,7 +155,10 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
         column.magnitude = is_load(applied->kind);
         if (applied->kind == Kind::reaction)
             if (const FreeBody* other = opposite(solution, body, *applied)) column.magnitude = other < &body;
-        sought += column.magnitude ? 0 : 1;
+        // A hinge whose line nothing gave: both are sought, the polygon has them at once.
+        column.direction = column.magnitude || applied->kind != Kind::reaction ||
+                           plain(line_of(context, body, *applied)) != word("any line", language);
+        sought += (column.magnitude ? 0 : 1) + (column.direction ? 0 : 1);
         column.symbol = context.fonts.shape(typeset(vector.symbol, language), theme.equation);
         column.line = context.fonts.shape(line_of(context, body, *applied), theme.small);
         column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
@@ -197,7 +204,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
             if (row == 2)
                 centred(column.line, column.middle, baseline, theme.secondary);
             else
-                centred(row == 0 && !column.magnitude ? question : tick, column.middle, baseline, theme.text);
+                centred((row == 0 ? column.magnitude : column.direction) ? tick : question, column.middle, baseline, theme.text);
     }
     block.height = baseline + 1.8;
     block.marks.emplace_back(line({0, block.height}, {block.width, block.height}, {theme.thin, theme.text, {}, false}));
@@ -436,7 +443,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
                 const std::string& own = body_name(mechanism, body.body);
                 const std::string& frame = body_name(mechanism, 0);
                 Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
-                            own.size() == 1 && frame.size() == 1 ? own + frame : own + "," + frame, ""};
+                            own.size() == 1 && frame.size() == 1 ? own + frame : own + "," + frame, applied.symbol.term};
                 RichText action = typeset(back, language);
                 append(action, " = −");
                 append(action, symbol_of(applied));

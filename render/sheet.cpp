@@ -232,11 +232,19 @@ public:
         const double share = estimated_text() / (content_.width() * content_.height());
         bool done = false;
         if (on_first_page() <= at_most() && !is_mixed() && share < one_page_share)
-            for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0}) {
-                attempt(spare);
-                if ((done = sheets_.size() == figure_pages_)) break;
+            for (const bool equations : {true, false}) {
+                force_equations_ = equations;
+                for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0, 0.0}) {
+                    if (spare == 0 && !has_forces()) continue;
+                    attempt(spare);
+                    if ((done = sheets_.size() == figure_pages_)) break;
+                }
+                if (done || !has_forces()) break;
             }
-        if (!done) attempt(0);
+        if (!done) {
+            force_equations_ = true;
+            attempt(0);
+        }
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i) pages.push_back(finish(sheets_[i], i + 1, sheets_.size()));
         return pages;
@@ -330,18 +338,7 @@ private:
         });
         for (const std::size_t i : order) {
             Wanted body;
-            Box box;
-            bool any = false;
-            const auto include = [&](const Vector& at) {
-                const Spot spot{at.x.to_double(), at.y.to_double()};
-                if (!any) box = {spot, spot};
-                any = true;
-                box.min = {std::min(box.min.x, spot.x), std::min(box.min.y, spot.y)};
-                box.max = {std::max(box.max.x, spot.x), std::max(box.max.y, spot.y)};
-            };
-            if (s.free_bodies[i].body >= 0)
-                for (const PointIndex p : s.mechanism.bodies[static_cast<std::size_t>(s.free_bodies[i].body)].points)
-                    include(s.pose.at(p));
+            const Box box = extent_of_free_body(s, i);
             body.extent_x = std::max(box.width(), 0.3 * box.height());
             body.extent_y = std::max(box.height(), 0.3 * box.width());
             if (!(body.extent_x > 0)) body.extent_x = body.extent_y = 1;
@@ -1048,6 +1045,7 @@ private:
                 order.push_back(section_of(statement));
         for (const std::string& name : order) {
             Section section;
+            std::set<BodyIndex> told;
             if (name == "centres") section.home = 0;
             if (name == "forces") section.home = static_cast<int>(first_of_forces_);
             for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
@@ -1068,6 +1066,7 @@ private:
                                  : "steps",
                              language())));
                 section.rows.push_back(paragraph(say(statement.message, language()), 6, std::to_string(++step)));
+                if (name == "forces") add_force_equation(section, statement.message, told);
                 const auto placed = equation_polygon_.find(i);
                 if (statement.equation && (placed == equation_polygon_.end() || unplaced_.contains(placed->second))) {
                     Block block = equation_block(context_, *statement.equation, measure_ - 6);
@@ -1122,6 +1121,30 @@ private:
             for (const RichText& each : refused) section.rows.push_back(paragraph(each));
             for (const std::string& each : s.remarks) section.rows.push_back(paragraph(with_powers(each)));
             add(std::move(section));
+        }
+    }
+
+    /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.
+    void add_force_equation(Section& section, const Message& message, std::set<BodyIndex>& told) const {
+        if (!force_equations_) return;
+        if (message.sentence != Sentence::triangle && message.sentence != Sentence::triangle_at &&
+            message.sentence != Sentence::single_reaction && message.sentence != Sentence::culmann)
+            return;
+        const auto* name = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
+        const auto index = name ? solution().mechanism.body_named(name->name) : std::nullopt;
+        if (!index || !told.insert(*index).second) return;
+        const std::string heading_word = word("magnitude", language());
+        for (const Figure& figure : drawn_)
+            if (figure.kind == "forces")
+                for (const Mark& mark : figure.marks)
+                    if (const auto* text = std::get_if<TextMark>(&mark); text && text->words == heading_word) return;
+        for (const FreeBody& body : solution().free_bodies) {
+            if (body.body != *index) continue;
+            Block block = force_equation_block(context_, body, true);
+            if (block.width == 0 || block.width > measure_ - 6) continue;
+            render::move(block.marks, 6, 0.5);
+            block.height += 2.5;
+            section.rows.push_back(std::move(block));
         }
     }
 
@@ -1500,6 +1523,7 @@ private:
     double measure_ = 80;
 
     std::optional<double> force_scale_;     // common to triangles and closed polygon, once one could not be drawn larger
+    bool force_equations_ = true;           // with the steps, where the figure has no room for them
     std::size_t first_of_forces_ = 0;       // index into wanted_
     std::size_t figure_pages_ = 0;
     std::optional<DrawingContext> unscaled_context_;
