@@ -101,8 +101,7 @@ void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to
 int lines_through(const FreeBody& body, Spot place, double near) {
     int count = 0;
     for (const AppliedForce& applied : body.forces)
-        if (!applied.force.is_zero() &&
-            std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near)
+        if (!applied.force.is_zero() && std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near)
             ++count;
     return count;
 }
@@ -206,8 +205,7 @@ public:
         Figure figure;
         figure.kind = polygon_.id.starts_with("closure") ? "closure" : "forces";
         figure.id = legal_id(polygon_.id);
-        figure.caption =
-            one_piece(word(figure.kind == "closure" ? "closed force polygon" : "force polygon", context_.language));
+        figure.caption = one_piece(word(figure.kind == "closure" ? "closed force polygon" : "force polygon", context_.language));
         figure.scale = scale;
         figure.unit = unit_.symbol;
         figure.marks.emplace_back(
@@ -418,9 +416,9 @@ public:
                 used += sizes[i].x;
             }
             double x = indent;
-            const double spread =
-                row.size() < 2 ? between
-                               : std::clamp((room_x - used) / static_cast<double>(row.size() - 1), between, 3 * between);
+            const double spread = row.size() < 2
+                                      ? between
+                                      : std::clamp((room_x - used) / static_cast<double>(row.size() - 1), between, 3 * between);
             if (std::any_of(row.begin(), row.end(), [&](std::size_t i) { return items_[i].table.width > 0; })) {
                 std::vector<Mark> words = names.marks;
                 render::move(words, 0, y + head + tallest + 2.5);
@@ -466,8 +464,7 @@ private:
         return body.body >= 0 ? m.bodies[at_index(body.body)].name : m.points[at_index(body.pin)].name;
     }
     static Spot size_of(const Item& item, const Figure& figure, double reach, double head) {
-        return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}),
-                head + figure.box.height() + 2 * reach};
+        return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}), head + figure.box.height() + 2 * reach};
     }
     static std::vector<std::vector<std::size_t>> arranged(const std::vector<Spot>& sizes, double room, double between) {
         std::vector<std::vector<std::size_t>> rows;
@@ -499,7 +496,8 @@ private:
     std::vector<Item> items_;
 };
 
-// --- arrows on a body ------------------------------------------------------------------------------------------------------------
+// --- arrows on a body
+// ------------------------------------------------------------------------------------------------------------
 
 /// Strokes of a drawing, to see where an arrow would stand in the way.
 class Clutter {
@@ -573,8 +571,8 @@ void draw_action_line(std::vector<Mark>& marks, const Theme& theme, const Action
     const Interval seen = within(view, action.at, action.along);
     from = std::max(from, seen.from), to = std::min(to, seen.to);
     if (to - from < 1) return;
-    marks.emplace_back(line(action.at + from * action.along, action.at + to * action.along,
-                            {theme.thin, theme.secondary, dash_dot(), false}));
+    marks.emplace_back(
+        line(action.at + from * action.along, action.at + to * action.along, {theme.thin, theme.secondary, dash_dot(), false}));
 }
 
 void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string& name, Spot at) {
@@ -678,8 +676,7 @@ Box extent_of_forces(const Solution& solution, int polygon) {
         Box box;
         bool first = true;
         for (const int v : each.vectors)
-            for (const int corner :
-                 {solution.protocol.vectors[at_index(v)].tail, solution.protocol.vectors[at_index(v)].tip}) {
+            for (const int corner : {solution.protocol.vectors[at_index(v)].tail, solution.protocol.vectors[at_index(v)].tip}) {
                 const double si = solution.mechanism.units.force.si.to_double();
                 const Vector at = solution.protocol.point(corner).place();
                 const Spot spot{at.x.to_double() / si, at.y.to_double() / si};
@@ -745,9 +742,7 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
     constexpr int most_tries = 14;
     for (int tries = 0;; ++tries, scale = next_scale(scale)) {
         const double reach = 0.5 * label_reach;
-        if (tries < most_tries &&
-            (drawing.width() / scale + reach > room_x || drawing.height() / scale + 8 > room_y))
-            continue;
+        if (tries < most_tries && (drawing.width() / scale + reach > room_x || drawing.height() / scale + 8 > room_y)) continue;
         Figure figure = finish(scale);
         if (tries == most_tries || (figure.box.width() <= room_x && figure.box.height() <= room_y)) return figure;
     }
@@ -758,8 +753,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const Mechanism& mechanism = solution.mechanism;
     const Theme& theme = context.theme;
     const FreeBody& body = solution.free_bodies[index];
-    const std::string name = body.body >= 0 ? mechanism.bodies[at_index(body.body)].name
-                                            : mechanism.points[at_index(body.pin)].name;
+    const std::string name =
+        body.body >= 0 ? mechanism.bodies[at_index(body.body)].name : mechanism.points[at_index(body.pin)].name;
     const std::string id = legal_id(body.body >= 0 ? "body-" + name : "pin-" + name);
 
     // The body's own points and places only.
@@ -814,7 +809,9 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
         std::vector<Standing> standing;
         std::set<std::string> names;
         std::set<JointIndex> joints_remarked;
-        const bool two_forces = body.forces.size() == 2;
+        // Two forces: one line, or with a couple two, and their distance is its arm.
+        const bool two_forces =
+            std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
         for (const AppliedForce& applied : body.forces) {
             const Spot at = sketch.spot(applied.at);
             if (!applied.couple.is_zero())

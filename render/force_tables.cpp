@@ -68,7 +68,11 @@ RichText line_of(const DrawingContext& context, const FreeBody& body, const Appl
             append(text, point(mechanism, other.point, language));
             return text;
         }
-    for (const auto& [letter, place] : body.meets)
+    // Its own concurrency, or that of the body it comes from.
+    std::vector<std::pair<std::string, Vector>> meets = body.meets;
+    for (const FreeBody& other : solution.free_bodies)
+        if (other.body == applied.from && applied.from > 0) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
+    for (const auto& [letter, place] : meets)
         if (on_line(applied, place, solution.pose.size) && !(place - own).is_zero()) {
             append(text, typeset(Symbol{Symbol::Letter::point, letter, ""}, language));
             return text;
@@ -370,19 +374,19 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
             }
         active_width = std::max(active_width, context.fonts.shape(joined(active), theme.body_text).width);
     }
-    name_width = std::max(
-        name_width,
-        context.fonts.shape(one_piece(body_name(mechanism, 0) + " " + word("frame", language)), theme.body_text).width);
+    name_width =
+        std::max(name_width,
+                 context.fonts.shape(one_piece(body_name(mechanism, 0) + " " + word("frame", language)), theme.body_text).width);
     const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
     const double reactions_left = active_left + active_room + 4;
-    const auto add = [&](const std::string& name, Colour colour, const RichText& active, const RichText& reactions, bool rule_above) {
+    const auto add = [&](const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
+                         bool rule_above) {
         Block block;
-        if (rule_above)
-            block.marks.emplace_back(line({0, 0}, {width, 0}, {theme.thin, theme.secondary, {}, false}));
+        if (rule_above) block.marks.emplace_back(line({0, 0}, {width, 0}, {theme.thin, theme.secondary, {}, false}));
         set_text(block.marks, context.fonts.shape(one_piece(name), theme.body_text), {0, 3.6}, colour, "text");
         double deepest = 0;
-        for (const auto& [text, left, room] : {std::tuple(active, active_left, active_room),
-                                               std::tuple(reactions, reactions_left, width - reactions_left)}) {
+        for (const auto& [text, left, room] :
+             {std::tuple(active, active_left, active_room), std::tuple(reactions, reactions_left, width - reactions_left)}) {
             double baseline = 3.6;
             for (const ShapedLine& each : context.fonts.wrap(text, theme.body_text, room)) {
                 set_text(block.marks, each, {left, baseline}, theme.text, "text");

@@ -262,8 +262,8 @@ void Sketch::draw_profiles(BodyIndex body, std::vector<Mark>& marks) {
             else if (dot(shape(joint.bodies[0] == 0 ? joint.bodies[1] : joint.bodies[0]).middle - at, away) > 0)
                 away = -1.0 * away;
             const double radius = 1.6 * shrink_;
-            ground.emplace_back(ring(at + (radius + theme_.link / 2) * away, radius, theme_.paper,
-                                     {theme_.outline, theme_.text, {}, false}));
+            ground.emplace_back(
+                ring(at + (radius + theme_.link / 2) * away, radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
             const Spot foot = at + (2 * radius + theme_.link / 2) * away;
             draw_wall(foot + base_half_ * tangent, foot - base_half_ * tangent, away);
         } else if (!data.circle && profile == joint.profiles.end() && length(tangent) > 0 && first) {

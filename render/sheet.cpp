@@ -1059,12 +1059,11 @@ private:
                 const Statement& statement = s.protocol.statements[i];
                 if (section_of(statement) != name || told_by_list(statement)) continue;
                 if (section.rows.empty())
-                    section.rows.push_back(heading(
-                        word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ||
-                                     (name == "forces" && is_mixed())
-                                 ? "steps " + name
-                                 : "steps",
-                             language())));
+                    section.rows.push_back(heading(word(
+                        std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 || (name == "forces" && is_mixed())
+                            ? "steps " + name
+                            : "steps",
+                        language())));
                 section.rows.push_back(paragraph(say(statement.message, language()), 6, std::to_string(++step)));
                 if (name == "forces") add_force_equation(section, statement.message, told);
                 const auto placed = equation_polygon_.find(i);
@@ -1500,11 +1499,11 @@ private:
         }
         const bool acceleration = std::any_of(solution().protocol.polygons.begin(), solution().protocol.polygons.end(),
                                               [](const Polygon& p) { return p.plane == Plane::acceleration; });
-        const std::string subtitle = word(is_mixed()                               ? "subtitle mixed"
-                                          : has_forces()                           ? "subtitle forces"
+        const std::string subtitle = word(is_mixed()                             ? "subtitle mixed"
+                                          : has_forces()                         ? "subtitle forces"
                                           : solution().protocol.polygons.empty() ? "subtitle pose"
-                                          : acceleration                       ? "subtitle acceleration"
-                                                                               : "subtitle velocity",
+                                          : acceleration                         ? "subtitle acceleration"
+                                                                                 : "subtitle velocity",
                                           language());
         const auto small_print = [&](const std::string& words, double at) {
             double print = options_.paper == Paper::a3 ? theme.body_text : 7.5;
@@ -1522,9 +1521,9 @@ private:
     Box inner_, content_, block_;
     double measure_ = 80;
 
-    std::optional<double> force_scale_;     // common to triangles and closed polygon, once one could not be drawn larger
-    bool force_equations_ = true;           // with the steps, where the figure has no room for them
-    std::size_t first_of_forces_ = 0;       // index into wanted_
+    std::optional<double> force_scale_;  // common to triangles and closed polygon, once one could not be drawn larger
+    bool force_equations_ = true;        // with the steps, where the figure has no room for them
+    std::size_t first_of_forces_ = 0;    // index into wanted_
     std::size_t figure_pages_ = 0;
     std::optional<DrawingContext> unscaled_context_;
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
