@@ -63,7 +63,7 @@ private:
         return node;
     }
 
-    void add_step(Step step) { plan_.steps.push_back(std::move(step)); }
+    void add_step(const Step& step) { plan_.steps.push_back(step); }
 
     /// The best node to turn the image about: one at rest, else the first known.
     NodeIndex base_of(BodyIndex body, NodeIndex except) const {
