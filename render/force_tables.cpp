@@ -473,6 +473,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         fill("{1}", example_bodies.second);
         RichText text = *example;
         append(text, " " + words);
+        if (!closed_polygons(solution).empty()) append(text, " " + word("internal sides", language));
         Block note;
         double baseline = 4.2;
         for (const ShapedLine& each : context.fonts.wrap(text, theme.small, width)) {

@@ -203,6 +203,7 @@ struct Section {
     std::vector<Block> rows;
     int home = -1;           // the figure it explains; −1: none
     bool continued = false;  // its first rows stand already: the rest comes after them
+    bool of_forces = false;  // not before the pages of forces
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;
@@ -242,8 +243,18 @@ public:
                 if (done || !has_forces()) break;
             }
         if (!done) {
-            force_equations_ = true;
+            force_equations_ = false;
             attempt(0);
+            // Equations with the steps are not worth a page.
+            const std::size_t without = sheets_.size();
+            if (has_forces()) {
+                force_equations_ = true;
+                set_text_anew();
+                if (sheets_.size() > without) {
+                    force_equations_ = false;
+                    set_text_anew();
+                }
+            }
         }
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i) pages.push_back(finish(sheets_[i], i + 1, sheets_.size()));
@@ -599,6 +610,16 @@ private:
             for (Wanted& wanted : wanted_)
                 if (wanted.to_force_scale) wanted.drawn.clear();
         }
+        placed_ = sheets_;
+        numbered_ = figures_;
+        write_sections();
+        flow();
+    }
+    /// The same figures where they are, the text once more.
+    void set_text_anew() {
+        sheets_ = placed_;
+        figures_ = numbered_;
+        sections_.clear();
         write_sections();
         flow();
     }
@@ -609,8 +630,11 @@ private:
             while (first + together < wanted_.size() && !wanted_[first + together].starts_page) ++together;
             std::size_t most = first > 0 ? std::max<std::size_t>(at_most(), 4) : at_most();
             if (wanted_[first].fills) most = options_.paper == Paper::a3 ? 6 : 4;
-            // Evenly over the pages they take.
-            const std::size_t pages_taken = (together + most - 1) / most;
+            if (first == first_of_forces_) force_page_ = sheets_.size();
+            // Evenly over the pages they take; lone blocks and pins need but half the room.
+            double load = 0;
+            for (std::size_t i = 0; i < together; ++i) load += wanted_[first + i].weight < 1 ? 0.5 : 1;
+            const auto pages_taken = static_cast<std::size_t>(std::ceil(load / static_cast<double>(most)));
             const std::size_t count =
                 wanted_[first].fills ? (together + pages_taken - 1) / pages_taken : std::min(most, together);
             std::vector<Box> areas;
@@ -1047,7 +1071,10 @@ private:
             Section section;
             std::set<BodyIndex> told;
             if (name == "centres") section.home = 0;
-            if (name == "forces") section.home = static_cast<int>(first_of_forces_);
+            if (name == "forces") {
+                section.home = static_cast<int>(first_of_forces_);
+                section.of_forces = true;
+            }
             for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
                 const Polygon& polygon = s.protocol.polygons[p];
                 if (polygon.plane == Plane::force) continue;
@@ -1086,6 +1113,7 @@ private:
         }
         if (has_forces()) {
             Section section;
+            section.of_forces = true;
             section.rows = reaction_lines(context_, measure_);
             section.rows.insert(section.rows.begin(), heading(word("forces", language())));
             add(std::move(section));
@@ -1348,6 +1376,7 @@ private:
             if (at_home ? section.home < 0 : only_at_home) continue;
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
+                    if (section.of_forces && &sheet < sheets_.data() + force_page_) break;
                     if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
                     if (at_home ? run.home != section.home : !may_stand(section, run)) continue;
                     const double before = run.used > 0 ? section_gap : 0;
@@ -1523,6 +1552,7 @@ private:
 
     std::optional<double> force_scale_;  // common to triangles and closed polygon, once one could not be drawn larger
     bool force_equations_ = true;        // with the steps, where the figure has no room for them
+    std::size_t force_page_ = 0;         // where they begin
     std::size_t first_of_forces_ = 0;    // index into wanted_
     std::size_t figure_pages_ = 0;
     std::optional<DrawingContext> unscaled_context_;
@@ -1532,7 +1562,8 @@ private:
     std::set<std::size_t> unplaced_;                       // figures whose equations stand with the steps
     std::vector<Figure> drawn_;
     std::vector<Section> sections_;
-    std::vector<Sheet> sheets_;
+    std::vector<Sheet> sheets_, placed_;  // placed_: with figures only
+    int numbered_ = 0;
     int figures_ = 0;
 };
 
