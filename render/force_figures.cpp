@@ -416,14 +416,10 @@ public:
                 used += sizes[i].x;
             }
             double x = indent;
+            bool named = names.width <= 0;
             const double spread = row.size() < 2
                                       ? between
                                       : std::clamp((room_x - used) / static_cast<double>(row.size() - 1), between, 3 * between);
-            if (std::any_of(row.begin(), row.end(), [&](std::size_t i) { return items_[i].table.width > 0; })) {
-                std::vector<Mark> words = names.marks;
-                render::move(words, 0, y + head + tallest + 2.5);
-                append(all.marks, words);
-            }
             for (const std::size_t i : row) {
                 Figure& figure = figures[i];
                 const std::string& name = body_name(*items_[i].body);
@@ -435,8 +431,16 @@ public:
                             y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
                 append(all.marks, figure.marks);
                 std::vector<Mark> table = items_[i].table.marks;
-                render::move(table, x + 0.5 * (sizes[i].x - items_[i].table.width), y + head + tallest + 2.5);
+                const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);
+                render::move(table, left, y + head + tallest + 2.5);
                 append(all.marks, table);
+                if (!table.empty() && !named) {
+                    // What the rows are stands before the first of them.
+                    std::vector<Mark> row_names = names.marks;
+                    render::move(row_names, left - indent, y + head + tallest + 2.5);
+                    append(all.marks, row_names);
+                    named = true;
+                }
                 x += sizes[i].x + spread;
             }
             double below = 0;
