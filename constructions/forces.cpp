@@ -618,6 +618,7 @@ private:
         Run total = a;
         for (Reaction& reaction : total.reactions) {
             if (reaction.force) reaction.force = board_.scale<Plane::force>(share_a, *reaction.force);
+            if (reaction.force && board_.is_zero(*reaction.force)) reaction.force.reset();
             if (reaction.couple) reaction.couple = board_.product(share_a, *reaction.couple);
         }
         add_to(total, b, share_b);
@@ -724,6 +725,7 @@ private:
             Reaction& part = run.reactions[b];
             if (!part.known) hinge.known = false;
             if (part.force) hinge.force = hinge.force ? board_.add(*hinge.force, *part.force) : *part.force;
+            if (hinge.force && board_.is_zero(*hinge.force)) hinge.force.reset();
             part.force.reset();
         }
         model_.drop_components();
