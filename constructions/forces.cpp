@@ -671,8 +671,10 @@ private:
     bool try_value(const std::vector<Load>& loads, Run& run, int b, int depth) {
         say(Sentence::trial, {model_.bonds()[at(b)].symbol}, "");
         Run first = run, second = run;
-        give(first, b, 1);
-        give(second, b, 2);
+        // Primes, others at each depth: trial values that cancelled each other would look like a body without forces.
+        static constexpr int sizes[][2] = {{2, 3}, {5, 7}, {11, 13}, {17, 19}, {23, 29}, {31, 37}, {41, 43}, {47, 53}, {59, 61}};
+        give(first, b, sizes[depth][0]);
+        give(second, b, sizes[depth][1]);
         for (Run* trial : {&first, &second}) {
             advance(loads, *trial);
             if (!trial->complete) close_by_trial(loads, *trial, depth + 1);
