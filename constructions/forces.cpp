@@ -104,12 +104,13 @@ private:
         return unknown;
     }
 
-    int say(Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
+    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
+        if (trials_ > 0) return;  // the strokes of a trial belong to the sentence that opens it
         Statement statement;
         statement.message = {sentence, std::move(arguments)};
         statement.section = "forces";
         statement.source = source;
-        return board_.state(std::move(statement));
+        board_.state(std::move(statement));
     }
     Argument name(const std::vector<int>& group) const {
         std::string names;
@@ -675,11 +676,13 @@ private:
         static constexpr int sizes[][2] = {{2, 3}, {5, 7}, {11, 13}, {17, 19}, {23, 29}, {31, 37}, {41, 43}, {47, 53}, {59, 61}};
         give(first, b, sizes[depth][0]);
         give(second, b, sizes[depth][1]);
+        ++trials_;
         for (Run* trial : {&first, &second}) {
             advance(loads, *trial);
             if (!trial->complete) close_by_trial(loads, *trial, depth + 1);
-            if (!trial->complete) return false;
         }
+        --trials_;
+        if (!first.complete || !second.complete) return false;
         for (int member = 1; member < model_.members(); ++member) {
             const auto gap_1 = gaps(member, loads, first), gap_2 = gaps(member, loads, second);
             for (std::size_t c = 0; c < gap_1.size(); ++c) {
@@ -738,6 +741,7 @@ private:
     Board& board_;
     const Mechanism& mechanism_;
     PlaceOnDrawing origin_;                                            ///< about which gaps are measured
+    int trials_ = 0;                                                   ///< trials under way, one in the other
     NamedMeets meets_;                                                 ///< by member
     std::vector<std::pair<PlaceOnDrawing, std::string>> named_meets_;  ///< all, each with its letter
 };
