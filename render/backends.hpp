@@ -16,7 +16,7 @@ std::string to_svg(const Page& page, const Fonts& fonts);
 /// PNG (RGB, or grey where the page has no colour) at `dpi` dots per inch.
 std::string to_png(const Page& page, const Fonts& fonts, double dpi);
 
-/// PDF with all pages in order; text as outlines, no creation date of the day.
+/// PDF with all pages in order; the glyphs used are embedded as parts of their font, no creation date of the day.
 std::string to_pdf(const std::vector<Page>& pages, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -1,5 +1,6 @@
-// A Page as PNG or PDF, drawn by cairo: the only file that knows cairo and libpng. Type is filled outlines; in the PDF they are
-// fonts of outlines (Type 3), so that a letter stands in the file once for each size. Decides nothing about the drawing.
+// A Page as PNG or PDF, drawn by cairo: the only file that knows cairo and libpng. Type is filled outlines in the PNG; the PDF
+// carries the glyphs it uses as parts of their font, once for all sizes. Decides nothing about the drawing.
+#include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo.h>
 #include <png.h>
@@ -27,6 +28,7 @@ constexpr double type_tolerance = 0.2;
 struct Release {
     void operator()(cairo_t* cr) const { cairo_destroy(cr); }
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
     void operator()(cairo_font_face_t* face) const { cairo_font_face_destroy(face); }
 };
 template <class T>
@@ -168,27 +170,27 @@ std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
     return out;
 }
 
-/// A face as a font of cairo's, whose glyphs are our outlines.
-struct OutlineFont {
-    const Fonts* fonts;
-    std::uint8_t face;
+/// What FreeType holds open for a font of cairo's. cairo keeps fonts it has used for a while, so this is theirs to free.
+struct OpenFace {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+    ~OpenFace() {
+        FT_Done_Face(face);
+        FT_Done_FreeType(library);
+    }
 };
-const cairo_user_data_key_t outline_font{};
+const cairo_user_data_key_t open_face{};
 
-cairo_status_t draw_glyph(cairo_scaled_font_t* font, unsigned long index, cairo_t* cr, cairo_text_extents_t*) {
-    const auto* own =
-        static_cast<const OutlineFont*>(cairo_font_face_get_user_data(cairo_scaled_font_get_font_face(font), &outline_font));
-    add_outline(cr, own->fonts->outline(own->face, static_cast<std::uint32_t>(index)), 1, {0, 0});
-    cairo_fill(cr);
-    return CAIRO_STATUS_SUCCESS;
-}
-
-Owned<cairo_font_face_t> outline_face(const Fonts& fonts, std::uint8_t face) {
-    Owned<cairo_font_face_t> font{cairo_user_font_face_create()};
-    // cairo keeps fonts it has used for a while, so what they point to is theirs to free.
-    cairo_font_face_set_user_data(font.get(), &outline_font, new OutlineFont{&fonts, face},
-                                  [](void* own) { delete static_cast<OutlineFont*>(own); });
-    cairo_user_font_face_set_render_glyph_func(font.get(), draw_glyph);
+/// A face as a font of cairo's that it can put into a file; unhinted, as the sheet was laid out.
+Owned<cairo_font_face_t> embedded_face(const Fonts& fonts, std::uint8_t face) {
+    auto own = std::make_unique<OpenFace>();
+    const std::string_view file = fonts.file(face);
+    KG_ASSERT(FT_Init_FreeType(&own->library) == 0, "FreeType starts");
+    KG_ASSERT(FT_New_Memory_Face(own->library, reinterpret_cast<const FT_Byte*>(file.data()), static_cast<FT_Long>(file.size()),
+                                 0, &own->face) == 0,
+              "a face that HarfBuzz reads is read by FreeType");
+    Owned<cairo_font_face_t> font{cairo_ft_font_face_create_for_ft_face(own->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)};
+    cairo_font_face_set_user_data(font.get(), &open_face, own.release(), [](void* p) { delete static_cast<OpenFace*>(p); });
     return font;
 }
 
@@ -222,10 +224,14 @@ std::string to_pdf(const std::vector<Page>& pages, const Fonts& fonts) {
                                                                        pages.front().height * points_of_mm)};
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, well_formed(pages.front().title).c_str());
-    const std::array faces = {outline_face(fonts, 0), outline_face(fonts, 1), outline_face(fonts, 2), outline_face(fonts, 3)};
+    const std::array faces = {embedded_face(fonts, 0), embedded_face(fonts, 1), embedded_face(fonts, 2), embedded_face(fonts, 3)};
     Owned<cairo_t> cr{cairo_create(surface.get())};
+    const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
+    cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(unhinted.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(cr.get(), unhinted.get());
     std::vector<cairo_glyph_t> run;
-    // Every size is a font of its own in the file: sizes that differ in the last bits are one.
+    // Every size is a font of its own to cairo: sizes that differ in the last bits are one.
     const auto snapped = [](double size) { return std::round(size * 1e6) * 1e-6; };
     const auto type = [&](const TextMark& text) {
         for (auto g = text.glyphs.begin(); g != text.glyphs.end();) {

@@ -313,11 +313,27 @@ private:
 /// A place a label may take.
 struct Candidate {
     InkBox box;
-    double price = 0;  // what does not depend on other labels
+    double price = 0;      // what does not depend on other labels; the least it can be until it is settled
+    bool settled = false;  // the ground and the neighbours have been looked at
     bool covered = false;
     bool leader = false;
     Spot leader_from, leader_to;
+    InkBox thread;  // the leader's
+    Box extent;     // of box and leader and what another label must keep off it
 };
+
+bool apart(const Box& a, const Box& b) {
+    return a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y;
+}
+void enlarge(Box& box, const Box& by) {
+    box.min = {std::min(box.min.x, by.min.x), std::min(box.min.y, by.min.y)};
+    box.max = {std::max(box.max.x, by.max.x), std::max(box.max.y, by.max.y)};
+}
+Box extent_of(const InkBox& box) {
+    const Spot reach = box.reach();
+    return {box.centre - reach, box.centre + reach};
+}
+constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
 class Placing {
 public:
@@ -329,6 +345,8 @@ public:
         candidates_.resize(requests_.size());
         stage_.assign(requests_.size(), 0);
         chosen_.assign(requests_.size(), -1);
+        taken_.assign(requests_.size(), nowhere);
+        span_.assign(requests_.size(), nowhere);
         for (std::size_t i = 0; i < requests_.size(); ++i) propose(i);
     }
 
@@ -337,16 +355,20 @@ public:
         std::vector<std::pair<int, std::size_t>> order;
         for (std::size_t i = 0; i < requests_.size(); ++i) {
             int free = 0;
-            for (const Candidate& candidate : candidates_[i]) free += !candidate.covered && !candidate.leader;
+            for (Candidate& candidate : candidates_[i]) {
+                if (candidate.leader) continue;
+                settle(i, candidate);
+                free += !candidate.covered;
+            }
             order.emplace_back(free, i);
         }
         std::sort(order.begin(), order.end());
-        for (const auto& [free, i] : order) chosen_[i] = best(i);
+        for (const auto& [free, i] : order) choose(i, best(i));
         for (int round = 0; round < 4; ++round) {
             bool changed = false;
             for (const auto& [free, i] : order) {
                 const int before = chosen_[i];
-                chosen_[i] = best(i);
+                choose(i, best(i));
                 changed = changed || chosen_[i] != before;
                 changed = evict(i) || changed;
             }
@@ -456,7 +478,6 @@ private:
                     candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
                     candidate.leader_to = foot - 0.5 * back;
                     candidate.price += leader_price;
-                    candidate.price += 2.5 * ground_.crossed(candidate.leader_from, candidate.leader_to);
                 }
                 finish(i, candidate);
             }
@@ -472,16 +493,35 @@ private:
         return b + std::sqrt(std::max(0.0, b * b - c));
     }
 
+    /// Adds a place with what is known of its price at once; the ground is looked at when the place has a chance.
     void finish(std::size_t i, Candidate& candidate) {
-        const Ground::Finding finding = ground_.at(candidate.box, requests_[i].anchor);
-        candidate.price += finding.price;
-        candidate.covered = finding.covered;
-        const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
-        const double wide = std::max({0.0, box_.min.x - centre.x + reach.x, centre.x + reach.x - box_.max.x});
-        const double high = std::max({0.0, box_.min.y - centre.y + reach.y, centre.y + reach.y - box_.max.y});
+        candidate.extent = extent_of(candidate.box);
+        const Box& e = candidate.extent;
+        const double wide = std::max({0.0, box_.min.x - e.min.x, e.max.x - box_.max.x});
+        const double high = std::max({0.0, box_.min.y - e.min.y, e.max.y - box_.max.y});
         candidate.price += 0.06 * (wide + high);
         // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
         if (wide > spare_.x || high > spare_.y) candidate.price += 30;
+        if (candidate.leader) {
+            const Spot thread = candidate.leader_to - candidate.leader_from;
+            candidate.thread = {0.5 * (candidate.leader_from + candidate.leader_to), {length(thread) / 2, 0.1}, unit(thread)};
+            enlarge(candidate.extent, extent_of(candidate.thread));
+        }
+        // Half of what two labels keep between them, and a little for turned ones.
+        candidate.extent.min = candidate.extent.min - Spot{1.2, 1.2};
+        candidate.extent.max = candidate.extent.max + Spot{1.2, 1.2};
+        enlarge(span_[i], candidate.extent);
+        candidates_[i].push_back(candidate);
+    }
+
+    void settle(std::size_t i, Candidate& candidate) const {
+        if (candidate.settled) return;
+        candidate.settled = true;
+        const Ground::Finding finding = ground_.at(candidate.box, requests_[i].anchor);
+        candidate.price += finding.price;
+        candidate.covered = finding.covered;
+        if (candidate.leader) candidate.price += 2.5 * ground_.crossed(candidate.leader_from, candidate.leader_to);
+        const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
         // A name must not seem to belong to a neighbour.
         const double own = distance_to_box(requests_[i].anchor, candidate.box);
         if (!requests_[i].toward)
@@ -501,7 +541,6 @@ private:
                 if (other < to_own + 0.8) candidate.price += 2.5 * std::min(2.0, to_own + 0.8 - other);
             }
         }
-        candidates_[i].push_back(candidate);
     }
 
     /// From the line that a request's label names (its anchor in the middle).
@@ -511,50 +550,57 @@ private:
         return length(d - t * half);
     }
 
-    double price_with_others(std::size_t i, const Candidate& candidate, int besides) const {
+    void choose(std::size_t i, int place) {
+        chosen_[i] = place;
+        taken_[i] = place < 0 ? nowhere : chosen(i).extent;
+    }
+
+    /// The labels that some place of label i may meet.
+    void look_around(std::size_t i, int besides) {
+        around_.clear();
+        for (std::size_t j = 0; j < requests_.size(); ++j)
+            if (j != i && static_cast<int>(j) != besides && !apart(taken_[j], span_[i])) around_.push_back(j);
+    }
+
+    double price_now(std::size_t i, int besides = -1) const {
+        const Candidate& candidate = chosen(i);
         double price = candidate.price;
-        for (std::size_t j = 0; j < requests_.size(); ++j) {
-            if (j == i || chosen_[j] < 0 || static_cast<int>(j) == besides) continue;
-            price += price_between(candidate, chosen(j));
-        }
+        for (std::size_t j = 0; j < requests_.size(); ++j)
+            if (j != i && static_cast<int>(j) != besides && !apart(taken_[j], candidate.extent))
+                price += price_between(candidate, chosen(j));
         return price;
     }
 
     static double price_between(const Candidate& a, const Candidate& b) {
         double price = 0;
-        // A quick look first: most labels are far apart.
-        const Spot d = a.box.centre - b.box.centre;
-        const double far = a.box.half.x + a.box.half.y + b.box.half.x + b.box.half.y + 2;
-        if (std::abs(d.x) < far && std::abs(d.y) < far) {
-            const double gap = gap_between(a.box, b.box);
-            if (gap < label_gap)
-                price += covers_label + 50 * (label_gap - gap);
-            else if (gap < 1.6)
-                price += 0.8;
-        }
-        const auto leader_box = [](const Candidate& c) {
-            return InkBox{0.5 * (c.leader_from + c.leader_to),
-                          {length(c.leader_to - c.leader_from) / 2, 0.1},
-                          unit(c.leader_to - c.leader_from)};
-        };
-        if (a.leader && gap_between(leader_box(a), b.box) < ink_margin) price += covers_stroke;
-        if (b.leader && gap_between(leader_box(b), a.box) < ink_margin) price += covers_stroke;
-        if (a.leader && b.leader && gap_between(leader_box(a), leader_box(b)) < 0.3) price += 20;
+        const double gap = gap_between(a.box, b.box);
+        if (gap < label_gap)
+            price += covers_label + 50 * (label_gap - gap);
+        else if (gap < 1.6)
+            price += 0.8;
+        if (a.leader && gap_between(a.thread, b.box) < ink_margin) price += covers_stroke;
+        if (b.leader && gap_between(b.thread, a.box) < ink_margin) price += covers_stroke;
+        if (a.leader && b.leader && gap_between(a.thread, b.thread) < 0.3) price += 20;
         return price;
     }
 
     /// The cheapest place, other labels standing where they do. Far ones, with a leader, are looked at only where they can win.
-    int best(std::size_t i, int besides = -1) {
+    int best(std::size_t i) {
         int found = 0;
         double least = std::numeric_limits<double>::infinity();
+        look_around(i, -1);
         for (std::size_t k = 0;; ++k) {
             if (k == candidates_[i].size()) {
                 if (!propose_more(i, least)) break;
                 if (k == candidates_[i].size()) break;
+                look_around(i, -1);
             }
-            const Candidate& candidate = candidates_[i][k];
+            Candidate& candidate = candidates_[i][k];
             if (candidate.price >= least) continue;
-            const double price = price_with_others(i, candidate, besides);
+            settle(i, candidate);
+            double price = candidate.price;
+            for (std::size_t n = 0; n < around_.size() && price < least; ++n)
+                if (!apart(taken_[around_[n]], candidate.extent)) price += price_between(candidate, chosen(around_[n]));
             if (price < least) {
                 least = price;
                 found = static_cast<int>(k);
@@ -563,23 +609,60 @@ private:
         return found;
     }
 
+    /// A place that would cost less if one other label were not there.
+    struct Wish {
+        std::size_t other;
+        int place;
+        double price;
+    };
+    /// For each label that keeps label i from a cheaper place than its own (which costs `now`), the cheapest of these.
+    void wishes_of(std::size_t i, double now) {
+        wishes_.clear();
+        look_around(i, -1);
+        for (std::size_t k = 0; k < candidates_[i].size(); ++k) {
+            Candidate& candidate = candidates_[i][k];
+            if (candidate.price >= now) continue;
+            settle(i, candidate);
+            met_.clear();
+            double sum = candidate.price, most = 0;
+            for (const std::size_t j : around_) {
+                if (sum - most >= now) break;
+                if (apart(taken_[j], candidate.extent)) continue;
+                const double price = price_between(candidate, chosen(j));
+                if (price <= 0) continue;
+                met_.emplace_back(j, price);
+                sum += price;
+                most = std::max(most, price);
+            }
+            if (sum - most >= now) continue;
+            for (const auto& [j, price] : met_) {
+                const double without = sum - price;
+                if (without >= now) continue;
+                const auto there = std::find_if(wishes_.begin(), wishes_.end(), [&](const Wish& w) { return w.other == j; });
+                if (there == wishes_.end())
+                    wishes_.push_back({j, static_cast<int>(k), without});
+                else if (without < there->price)
+                    *there = {j, static_cast<int>(k), without};
+            }
+        }
+        std::sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) { return a.other < b.other; });
+    }
+
     /// Takes a better place from another label where that one can move at less cost.
     bool evict(std::size_t i) {
-        const double now = price_with_others(i, chosen(i), -1);
+        const double now = price_now(i);
         if (now < 3) return false;
-        for (std::size_t j = 0; j < requests_.size(); ++j) {
-            if (j == i) continue;
-            const Spot d = chosen(i).box.centre - chosen(j).box.centre;
-            if (std::abs(d.x) > 40 || std::abs(d.y) > 40) continue;
+        wishes_of(i, now);
+        for (const Wish& wish : wishes_) {
+            const std::size_t j = wish.other;
             const int i_before = chosen_[i], j_before = chosen_[j];
-            const double before = now + price_with_others(j, chosen(j), static_cast<int>(i));
-            chosen_[i] = best(i, static_cast<int>(j));
-            if (chosen_[i] == i_before) continue;
-            chosen_[j] = best(j);
-            const double after = price_with_others(i, chosen(i), -1) + price_with_others(j, chosen(j), static_cast<int>(i));
+            const double before = now + price_now(j, static_cast<int>(i));
+            choose(i, wish.place);
+            choose(j, best(j));
+            const double after = price_now(i) + price_now(j, static_cast<int>(i));
             if (after < before - 1e-6) return true;
-            chosen_[i] = i_before;
-            chosen_[j] = j_before;
+            choose(i, i_before);
+            choose(j, j_before);
         }
         return false;
     }
@@ -592,6 +675,12 @@ private:
     std::vector<std::vector<Candidate>> candidates_;
     std::vector<int> stage_;  // how many kinds of place have been proposed
     std::vector<int> chosen_;
+    std::vector<Box> taken_;  // what the chosen places take, by label
+    std::vector<Box> span_;   // what all the places of a label take
+    // Of one look at one label, kept for their memory.
+    std::vector<std::size_t> around_;
+    std::vector<std::pair<std::size_t, double>> met_;
+    std::vector<Wish> wishes_;
 };
 
 }  // namespace

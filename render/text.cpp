@@ -580,6 +580,13 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& text, double size_points, do
 
 const Outline& Fonts::outline(std::uint8_t face, std::uint32_t index) const { return state_->drawing(face, index).outline; }
 
+std::string_view Fonts::file(std::uint8_t face) const {
+    KG_ASSERT(face < face_count, "the font has four faces");
+    unsigned length = 0;
+    const char* bytes = hb_blob_get_data(state_->faces[face].blob.get(), &length);
+    return {bytes, length};
+}
+
 std::vector<std::string> Fonts::missing() const { return state_->missing; }
 
 }  // namespace kinegraph::render
