@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "constructions/forces.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
 #include "constructions/plan.hpp"
@@ -12,6 +13,7 @@
 #include "constructions/structure.hpp"
 #include "engine/assert.hpp"
 #include "engine/check.hpp"
+#include "engine/check_forces.hpp"
 
 namespace kinegraph {
 namespace {
@@ -81,7 +83,7 @@ public:
         }
         collect_points();
         if (wanted_.centres) collect_centres(centres);
-        if (wanted_.forces) unsolved("forces", "this version solves motion only; forces are read and checked, but not drawn yet");
+        if (wanted_.forces) collect_forces();
         if (mechanism_.motion) unsolved("motion", "this version does not draw the act of motion of a single body yet");
         hold_against_check();
         solution_.protocol = std::move(board_).finish();
@@ -217,6 +219,41 @@ private:
         }
     }
 
+    void collect_forces() {
+        ForceResults forces = draw_forces(structure_, board_, motion_, solution_.mobility);
+        solution_.forces = std::move(forces.joints);
+        solution_.efforts = std::move(forces.efforts);
+        solution_.free_bodies = std::move(forces.bodies);
+        for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
+        for (std::string& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
+        if (wanted_.velocities) collect_virtual_work();
+    }
+
+    /// A second way to the efforts: the powers of what acts from outside cancel, since ideal pairs do no work.
+    void collect_virtual_work() {
+        if (solution_.free_bodies.empty() || !is_moving(mechanism_)) return;
+        VirtualWork work;
+        for (const FreeBody& free : solution_.free_bodies) {
+            if (free.body < 0) continue;
+            for (const AppliedForce& applied : free.forces) {
+                if (applied.kind == AppliedForce::Kind::reaction) continue;
+                const auto base =
+                    std::find_if(structure_.nodes_of(free.body).begin(), structure_.nodes_of(free.body).end(),
+                                 [&](NodeIndex node) { return motion_.velocity.polygon >= 0 && motion_.velocity.has(node); });
+                if (base == structure_.nodes_of(free.body).end() || !motion_.velocity.turns(free.body)) return;
+                const Exact omega = board_.value(motion_.velocity.spin(free.body));
+                const Vector from = board_.value(structure_.node(*base).place).place();
+                const Vector velocity =
+                    board_.value(motion_.velocity.tip(*base)).place() + omega * quarter_turn(applied.at - from);
+                const Exact power = dot(applied.force, velocity) + applied.couple * omega;
+                work.entries.push_back(
+                    {applied.symbol, free.body, applied.at, velocity, applied.force, applied.couple, omega, power});
+                work.total += power;
+            }
+        }
+        if (!work.entries.empty()) solution_.virtual_work = std::move(work);
+    }
+
     bool reached(BodyIndex body) const {
         if (!motion_.velocity.turns(body)) return false;
         for (const NodeIndex node : structure_.nodes_of(body)) {
@@ -291,7 +328,7 @@ private:
 
     // --- the check ---------------------------------------------------------------------------------------------------------
     void hold_against_check() {
-        if (!wanted_.velocities && !wanted_.accelerations) return;
+        if (!wanted_.velocities && !wanted_.accelerations && !wanted_.forces) return;
         const NumericMotion numeric = check_motion(mechanism_, solution_.pose);
         const auto row = [&](std::string quantity, double graphical, double independent) {
             solution_.checks.push_back({std::move(quantity), graphical, independent, graphical - independent});
@@ -322,6 +359,40 @@ private:
         }
         for (const Sliding& sliding : solution_.sliding) check_sliding(sliding, numeric, vector_row);
         for (const InstantCentre& centre : solution_.centres) check_centre(centre, numeric, vector_row);
+        if (wanted_.forces) check_against_equilibrium(numeric, row, vector_row);
+    }
+
+    /// The same sum with the velocities of the check.
+    double numeric_power(const NumericMotion& motion) const {
+        double power = 0;
+        for (const VirtualWork::Entry& entry : solution_.virtual_work->entries) {
+            const auto velocity = motion.velocity(entry.body, entry.at);
+            power += entry.force.x.to_double() * velocity[0] + entry.force.y.to_double() * velocity[1] +
+                     entry.couple.to_double() * motion.bodies[at(entry.body)].omega;
+        }
+        return power;
+    }
+
+    template <class Row, class VectorRow>
+    void check_against_equilibrium(const NumericMotion& motion, const Row& row, const VectorRow& vector_row) const {
+        const NumericForces numeric = check_forces(mechanism_, solution_.pose, motion);
+        for (const JointForce& found : solution_.forces) {
+            if (!found.force) continue;
+            for (const NumericForces::Action& action : numeric.actions) {
+                if (!action.known || action.joint != found.joint || action.on != found.on || action.from != found.from) continue;
+                const std::string name = "force " + mechanism_.joints[at(found.joint)].name + " " +
+                                         (found.from < 0 ? "pin" : body_name(found.from)) + " on " + body_name(found.on);
+                vector_row(name, *found.force, action.force);
+                if (!found.couple->is_zero() || action.couple != 0)
+                    row(name + " couple", found.couple->to_double(), action.couple);
+            }
+        }
+        if (solution_.virtual_work) row("virtual power", solution_.virtual_work->total.to_double(), numeric_power(motion));
+        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
+            if (solution_.efforts[e].value && numeric.effort_known[e]) {
+                row("effort " + solution_.efforts[e].name, solution_.efforts[e].value->to_double(), numeric.efforts[e]);
+            }
+        }
     }
 
     int nodes_at(PointIndex point) const {

@@ -178,6 +178,8 @@ Value Board::evaluate(const Stroke& stroke, const std::vector<Value>& values, co
             return pose.driver_directions[index()];
         case Verb::given_unit_driver_direction:
             return pose.driver_units[index()];
+        case Verb::given_by_pose:
+            return by_pose_[index()](pose);
         case Verb::given_direction:
         case Verb::given_scalar:
             return constants_[index()];
@@ -222,6 +224,12 @@ Value Board::evaluate(const Stroke& stroke, const std::vector<Value>& values, co
             return scalar(a) + scalar(b);
         case Verb::difference:
             return scalar(a) - scalar(b);
+        case Verb::quotient:
+            return scalar(a) / scalar(b);
+        case Verb::moment:
+            return cross(vector(a), vector(b));
+        case Verb::arm:
+            return (-scalar(a) / squared_length(vector(b))) * quarter_turn(vector(b));
     }
     KG_ASSERT(false, "every verb is evaluated");
 }
@@ -261,6 +269,15 @@ ScalarHandle Board::given(const Exact& value) {
     stroke.verb = Verb::given_scalar;
     stroke.index = static_cast<int>(constants_.size()) - 1;
     return {enter(stroke)};
+}
+
+int Board::given_by_pose(Plane plane, std::function<Vector(const Pose&)> vector) {
+    by_pose_.push_back(std::move(vector));
+    Stroke stroke;
+    stroke.verb = Verb::given_by_pose;
+    stroke.plane = plane;
+    stroke.index = static_cast<int>(by_pose_.size()) - 1;
+    return enter(stroke);
 }
 
 int Board::pole(Plane plane) {
@@ -346,6 +363,8 @@ void Board::label(Image image) {
     protocol_.polygons[position(image.polygon)].images.push_back(static_cast<int>(protocol_.images.size()));
     protocol_.images.push_back(std::move(image));
 }
+
+void Board::add_face(int polygon, Face face) { protocol_.polygons[position(polygon)].faces.push_back(std::move(face)); }
 
 void Board::draw(DrawnLine line) {
     line.statement = current_statement_;

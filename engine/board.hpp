@@ -19,8 +19,9 @@
 
 namespace kinegraph {
 
-/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²).
-enum class Plane : std::uint8_t { drawing, velocity, acceleration };
+/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²),
+/// the force plane (N).
+enum class Plane : std::uint8_t { drawing, velocity, acceleration, force };
 
 using Value = std::variant<ProjectivePoint, ProjectiveLine, Vector, Exact>;
 
@@ -52,6 +53,7 @@ enum class Verb : std::uint8_t {
     given_driver_direction,
     given_unit_driver_direction,
     given_direction,
+    given_by_pose,
     given_scalar,
     pole,
     vector_between,
@@ -72,6 +74,9 @@ enum class Verb : std::uint8_t {
     product,
     sum,
     difference,
+    quotient,
+    moment,
+    arm,
 };
 
 /// One stroke: element = verb(inputs). `index` is the point, joint or number of a given.
@@ -91,6 +96,11 @@ struct Guard {
     bool by_finer_pose = false;  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
 };
 
+/// The polygon of one body within a joined force polygon: its corners in order.
+struct Face {
+    BodyIndex body = -1;
+    std::vector<int> corners;  ///< elements: points of the force plane
+};
 /// A polygon: a figure of one plane, with its own pole.
 struct Polygon {
     Plane plane = Plane::velocity;
@@ -100,6 +110,7 @@ struct Polygon {
     bool translating = false;
     std::vector<int> vectors;  ///< indices into Protocol::vectors
     std::vector<int> images;   ///< indices into Protocol::images
+    std::vector<Face> faces;   ///< force polygons: one for each body
 };
 /// A named vector of a polygon, from tail to tip (elements that are points of its plane).
 struct DrawnVector {
@@ -107,7 +118,17 @@ struct DrawnVector {
     int polygon = 0;
     int tail = -1, tip = -1;
     BodyIndex body = -1;
-    enum class Role { absolute, relative, normal, tangential, transport, sliding, coriolis } role = Role::absolute;
+    enum class Role {
+        absolute,
+        relative,
+        normal,
+        tangential,
+        transport,
+        sliding,
+        coriolis,
+        external,
+        internal
+    } role = Role::absolute;
     int statement = -1;
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
@@ -178,6 +199,11 @@ public:
     DirectionHandle driver_unit(int driver);       ///< the same as a unit vector
     DirectionHandle given_direction(const Vector& direction);
     ScalarHandle given(const Exact& value);
+    /// A given vector that hangs on the pose (a load along a guide, say), so that a finer pose gives it finer.
+    template <Plane plane>
+    VectorOn<plane> given(std::function<Vector(const Pose&)> vector) {
+        return {given_by_pose(plane, std::move(vector))};
+    }
 
     // Constructions in any plane.
     template <Plane plane>
@@ -250,6 +276,22 @@ public:
         return {binary(Verb::ratio, p, v.element, w.element)};
     }
     ScalarHandle product(ScalarHandle a, ScalarHandle b) { return {binary(Verb::product, Plane::drawing, a.element, b.element)}; }
+    /// a / b, b ≠ 0 (ask first).
+    ScalarHandle quotient(ScalarHandle a, ScalarHandle b) {
+        return {binary(Verb::quotient, Plane::drawing, a.element, b.element)};
+    }
+    /// r ∧ F: the moment of a force about the tail of r (N m, counter-clockwise positive).
+    ScalarHandle moment(VectorOn<Plane::drawing> r, VectorOn<Plane::force> force) {
+        return {binary(Verb::moment, Plane::drawing, r.element, force.element)};
+    }
+    /// r ∧ d for a direction in the drawing: the lever of a force along d, times the length of d.
+    ScalarHandle moment(VectorOn<Plane::drawing> r, DirectionHandle d) {
+        return {binary(Verb::moment, Plane::drawing, r.element, d.element)};
+    }
+    /// By how much a force ≠ 0 must be moved aside to carry the couple too: the vector b ⟂ F with b ∧ F = M, |b| = M/F.
+    VectorOn<Plane::drawing> arm(ScalarHandle couple, VectorOn<Plane::force> force) {
+        return {binary(Verb::arm, Plane::drawing, couple.element, force.element)};
+    }
     ScalarHandle sum(ScalarHandle a, ScalarHandle b) { return {binary(Verb::sum, Plane::drawing, a.element, b.element)}; }
     ScalarHandle difference(ScalarHandle a, ScalarHandle b) {
         return {binary(Verb::difference, Plane::drawing, a.element, b.element)};
@@ -285,6 +327,7 @@ public:
 
     // Values, for results and drawing; recipes and planner do not compute with them.
     const Protocol& protocol() const { return protocol_; }
+    const Pose& pose() const { return pose_; }
     template <Plane plane>
     const ProjectivePoint& value(PointOn<plane> p) const {
         return protocol_.point(p.element);
@@ -299,6 +342,7 @@ public:
     int add_polygon(Polygon polygon);
     void draw(DrawnVector vector);
     void label(Image image);
+    void add_face(int polygon, Face face);
     void draw(DrawnLine line);
 
     Protocol finish() &&;
@@ -306,6 +350,7 @@ public:
 private:
     struct Replay;
     int pole(Plane plane);
+    int given_by_pose(Plane plane, std::function<Vector(const Pose&)> vector);
     int unary(Verb verb, Plane plane, int a);
     int binary(Verb verb, Plane plane, int a, int b);
     int join(Plane plane, int p, int q);
@@ -321,8 +366,9 @@ private:
     Protocol protocol_;
     std::unique_ptr<Replay> replay_;
     std::vector<Value> constants_;
+    std::vector<std::function<Vector(const Pose&)>> by_pose_;
     std::vector<int> places_, guides_, guide_units_, normals_, driver_directions_, driver_units_;
-    int poles_[3] = {-1, -1, -1};
+    int poles_[4] = {-1, -1, -1, -1};
     int current_statement_ = -1;
 };
 

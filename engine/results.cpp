@@ -1,5 +1,6 @@
 // The results file (docs/format.md, 3): a Solution written as JSON, SI units, keys in the file's order, numbers as the shortest
 // decimals that give the double back. Computes nothing and rounds nothing but to doubles.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -178,8 +179,8 @@ public:
         file.emplace_back("instant centres", centres());
         if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", relative_motion());
         if (forces_asked()) {
-            file.emplace_back("forces", "{}");
-            file.emplace_back("effort", "{}");
+            file.emplace_back("forces", forces());
+            file.emplace_back("effort", effort());
         }
         file.emplace_back("checks", checks());
         file.emplace_back("unsolved", unsolved());
@@ -290,6 +291,49 @@ private:
             all.push_back(seen.json());
         }
         return lines('[', all, ']');
+    }
+
+    /// One member for each joint's name, in the file's order; within it the actions, of each body on each.
+    std::string forces() const {
+        std::vector<std::pair<std::string, Members>> by_joint;
+        for (const JointForce& action : solution_.forces) {
+            if (!action.force) continue;
+            const Joint& joint = mechanism_.joints[static_cast<std::size_t>(action.joint)];
+            if (by_joint.empty() || by_joint.back().first != joint.name) {
+                const auto same =
+                    std::find_if(by_joint.begin(), by_joint.end(), [&](const auto& entry) { return entry.first == joint.name; });
+                if (same != by_joint.end()) {
+                    std::rotate(same, same + 1, by_joint.end());
+                } else {
+                    by_joint.emplace_back(joint.name, Members{});
+                }
+            }
+            const Vector& at = solution_.pose.at(joint.point);
+            const Vector& force = *action.force;
+            Entry here = entry();
+            here.add("force", action.force);
+            here.add_place(joint.point);
+            here.add("couple", action.couple);
+            if (force.is_zero()) {
+                here.add("through", std::string("null"));
+            } else {
+                // The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
+                here.add("through", std::optional(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
+            }
+            const std::string from = action.from < 0 ? "pin" : name_of_body(action.from);
+            by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), here.json());
+        }
+        Members all;
+        for (const auto& [name, actions] : by_joint) all.emplace_back(name, object(actions));
+        return object_of_lines(all);
+    }
+
+    std::string effort() const {
+        Members all;
+        for (const EffortValue& found : solution_.efforts) {
+            if (found.value) all.emplace_back(found.name, number(*found.value));
+        }
+        return object_of_lines(all);
     }
 
     std::string checks() const {

@@ -54,6 +54,54 @@ struct SecondWay {
     Exact omega;
     bool agrees = false;  ///< with the polygon, by exact predicate
 };
+/// The action of one body on another at a joint, reduced to the joint's point. At a hinge of three bodies or more the pin acts on
+/// each: `from` is −1 then.
+struct JointForce {
+    JointIndex joint = -1;
+    BodyIndex on = -1, from = -1;
+    std::optional<Vector> force;  ///< N
+    std::optional<Exact> couple;  ///< N m about the joint's point, counter-clockwise positive
+};
+/// The unknown that balances: a couple (N m) or a force (N) along its line.
+struct EffortValue {
+    std::string name;
+    std::optional<Exact> value;
+};
+/// One force or couple on a free body.
+struct AppliedForce {
+    Symbol symbol;
+    enum class Kind { load, weight, inertia, spring, reaction, effort } kind = Kind::load;
+    JointIndex joint = -1;              ///< reactions
+    BodyIndex from = -1;                ///< which body acts, −1: none or a pin
+    Vector force;                       ///< N; zero for a pure couple
+    Exact couple;                       ///< N m about `at`
+    Vector at;                          ///< a place on the line of action (m); for a couple the place it is drawn at
+    bool line_by_construction = false;  ///< its line of action was deduced, not given
+};
+/// A body cut free, with all that acts on it; the forces close its polygon.
+struct FreeBody {
+    BodyIndex body = -1;  ///< −1: the pin of a multiple hinge at `pin`
+    PointIndex pin = -1;
+    std::vector<AppliedForce> forces;                   ///< in the order of the polygon: what was known first
+    std::vector<std::pair<std::string, Vector>> meets;  ///< points of concurrency used: name and place
+    int polygon = -1;                                   ///< index in Protocol::polygons; −1 where all forces vanish
+};
+/// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
+/// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
+struct VirtualWork {
+    struct Entry {
+        Symbol symbol;
+        BodyIndex body = -1;
+        Vector at;        ///< place of application, m
+        Vector velocity;  ///< of that place, m/s
+        Vector force;     ///< N; zero for a couple
+        Exact couple;     ///< N m
+        Exact omega;      ///< of the body, rad/s
+        Exact power;      ///< W
+    };
+    std::vector<Entry> entries;
+    Exact total;  ///< exactly zero on an exact pose
+};
 /// One scalar held against the check.
 struct CheckRow {
     std::string quantity;  ///< "omega 3", "velocity B x"
@@ -75,6 +123,10 @@ struct Solution {
     std::vector<InstantCentre> centres;  ///< all n(n−1)/2, in the order of their keys
     std::vector<RelativeMotion> relative_motion;
     std::vector<SecondWay> second_way;
+    std::vector<JointForce> forces;
+    std::vector<EffortValue> efforts;
+    std::vector<FreeBody> free_bodies;
+    std::optional<VirtualWork> virtual_work;  ///< where forces and velocities are known
     std::vector<CheckRow> checks;
     std::vector<Unsolved> unsolved;    ///< not empty: exit 3
     std::vector<std::string> remarks;  ///< redundant constraints, points moved onto curves …

@@ -48,6 +48,10 @@ std::string_view stem(Symbol::Letter letter) {
 std::string name_of(const Symbol& symbol) {
     if (symbol.letter == Symbol::Letter::image) return lower_case(symbol.about) + symbol.term;
     std::string name(stem(symbol.letter));
+    // What the file calls F_gas, or M, keeps its name.
+    const bool own_name = (symbol.letter == Symbol::Letter::F || symbol.letter == Symbol::Letter::M) &&
+                          (symbol.about == name || symbol.about.starts_with(name + "_"));
+    if (own_name) name.clear();
     if (!symbol.about.empty()) name += (name.empty() ? "" : "_") + symbol.about;
     // That a centre lies at infinity is a property of where it is, not of its name.
     if (!symbol.term.empty() && symbol.term != "∞") name += (name.empty() ? "" : "_") + symbol.term;

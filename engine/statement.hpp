@@ -66,7 +66,23 @@ enum class Sentence {
     relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel
     relative_translating_velocity,    ///< {0} point, {1} origin, {2} v_tr, {3} v_rel
     relative_translating_acceleration,
-    count_  ///< not a sentence
+    two_force_body,         ///< {0} body, {1} {2} points: two forces only, so both act along their join
+    two_force_guide,        ///< {0} body, {1} point, {2} guide's joint: two forces, so both act through {1} normal to the guide
+    two_force_group,        ///< {0} bodies, {1} {2} points: taken together they carry two forces only
+    zero_forces,            ///< {0} body: two forces whose lines cannot coincide, so both vanish
+    two_forces_and_couple,  ///< {0} body, {1} point: two forces and a couple, so the force at {1} is parallel to the other
+    three_force_line,       ///< {0} body, {1} name of the meet, {2} symbol of the force whose line is found, {3} its point
+    triangle,               ///< {0} body, {1} {2} symbols found by closing the triangle
+    triangle_at,            ///< {0} body, {1} name of the meet, {2} {3} symbols found
+    parallel_forces,        ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)
+    culmann,                ///< {0} body, {1} {2} names of the meets that give Culmann's line, {3} {4} {5} symbols
+    force_and_couple,   ///< {0} body, {1} symbol of the force, equal and opposite to the rest, {2} symbol of the couple M = F·b
+    single_reaction,    ///< {0} body, {1} symbol: what is left balances the rest
+    superposition,      ///< {0} body whose loads act alone now
+    superposition_sum,  ///< the partial reactions are added
+    trial,              ///< {0} symbol: one trial value, then in proportion
+    resultant,          ///< {0} body: its loads are taken as one resultant
+    count_              ///< not a sentence
 };
 
 /// One argument of a sentence.

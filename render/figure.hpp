@@ -78,4 +78,26 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
 /// One polygon of the protocol (by index): pole, vectors, images, construction lines.
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y);
 
+// Forces. Triangles and closed polygon share one scale: `least` is the smallest that the other could be drawn at (units per mm),
+// and with `fixed` the one the file asks for, kept as long as it fits.
+
+/// Whether there is a force polygon to draw, and the joined ones (indices of polygons).
+bool has_force_polygons(const Solution& solution);
+std::vector<int> closed_polygons(const Solution& solution);
+int force_polygon_count(const Solution& solution);
+/// What a force polygon spans, in the file's unit; −1: those of the bodies, one beside the other.
+Box extent_of_forces(const Solution& solution, int polygon);
+/// What a free body spans with its places of attack and near points of concurrency, m.
+Box extent_of_free_body(const Solution& solution, std::size_t index);
+/// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y);
+/// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>".
+Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
+                             std::optional<double> least = std::nullopt, bool fixed = false);
+/// The polygons joined: external forces full, internal sides dashed.
+Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
+                             std::optional<double> least = std::nullopt, bool fixed = false);
+/// A body cut free (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
+Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+
 }  // namespace kinegraph::render

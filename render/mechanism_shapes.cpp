@@ -143,7 +143,8 @@ bool Subject::touches_there(BodyIndex body, PointIndex point) const {
                 if (in == joint.bodies.begin()) return false;
                 break;
             default:
-                touches = !is_tip(joint, body);
+                // Without a profile it is a point of the body that touches.
+                touches = joint.profiles.count(body) != 0 && !is_tip(joint, body);
         }
     }
     return touches;

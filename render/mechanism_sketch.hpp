@@ -98,6 +98,8 @@ public:
 
     void draw_in_colour();
     void draw_in_grey();
+    /// One body cut free, outlined; `Subject::shown` says which of its points.
+    void draw_alone(BodyIndex body);
     void draw_points(bool names);
     void draw_drivers();
     void draw_compass();

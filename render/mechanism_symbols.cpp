@@ -251,6 +251,21 @@ void Sketch::draw_profiles(BodyIndex body, std::vector<Mark>& marks) {
                         line(from, at + std::clamp(t, -half, half) * tangent, {theme_.link, line_colour(body), {}, true}));
                 }
             }
+        } else if (!data.circle && profile == joint.profiles.end() && length(tangent) > 0 && joint.profiles.empty() &&
+                   joint.kind == JointKind::contact && joint.bodies.size() == 2 &&
+                   (joint.bodies[0] == 0 || joint.bodies[1] == 0)) {
+            // A point that the frame bears, whatever its form: a roller on a wall.
+            if (body != 0) continue;
+            Spot away = s_.normals[j];
+            if (joint.pushes)
+                away = (joint.bodies[0] == 0 ? 1.0 : -1.0) * paper_direction(*joint.pushes);
+            else if (dot(shape(joint.bodies[0] == 0 ? joint.bodies[1] : joint.bodies[0]).middle - at, away) > 0)
+                away = -1.0 * away;
+            const double radius = 1.6 * shrink_;
+            ground.emplace_back(
+                ring(at + (radius + theme_.link / 2) * away, radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+            const Spot foot = at + (2 * radius + theme_.link / 2) * away;
+            draw_wall(foot + base_half_ * tangent, foot - base_half_ * tangent, away);
         } else if (!data.circle && profile == joint.profiles.end() && length(tangent) > 0 && first) {
             construction.emplace_back(
                 line(at - 10.0 * tangent, at + 10.0 * tangent, {theme_.thin, theme_.secondary, dash_dot(), false}));

@@ -44,7 +44,7 @@ public:
         const std::string& title = in(solution_.mechanism.title, language_);
         std::string text = title.empty() ? "" : title + "\n";
         text += mobility();
-        text += bodies() + points(true) + points(false) + sliding() + relative() + centres();
+        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts();
         const auto list = [&](const std::string& key, const std::vector<std::string>& lines) {
             if (lines.empty()) return;
             text += "\n" + word(key, language_) + "\n";
@@ -149,6 +149,36 @@ private:
                             each.relative_acceleration ? length_of(*each.relative_acceleration, units.acceleration) : "–"});
         }
         return table(word("relative motion", language_), rows);
+    }
+
+    std::string reactions() const {
+        const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
+        const std::string in_force = " [" + force.symbol + "]";
+        const bool couples = std::any_of(solution_.forces.begin(), solution_.forces.end(),
+                                         [](const JointForce& f) { return f.couple && !f.couple->is_zero(); });
+        std::vector<Cells> rows{{word("joint", language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
+        if (couples) rows[0].push_back("M [" + moment.symbol + "]");
+        for (const JointForce& each : solution_.forces) {
+            const std::string from = each.from < 0 ? word("pin", language_) : body(each.from);
+            const std::string on = each.on < 0 ? word("pin", language_) : body(each.on);
+            rows.push_back({solution_.mechanism.joints[static_cast<std::size_t>(each.joint)].name + ": " + from + " " +
+                                word("on", language_) + " " + on,
+                            each.force ? value(each.force->x, force) : "–", each.force ? value(each.force->y, force) : "–",
+                            each.force ? length_of(*each.force, force) : "–"});
+            if (couples) rows.back().push_back(each.couple ? value(*each.couple, moment) : "–");
+        }
+        return table(word("reactions heading", language_), rows);
+    }
+
+    std::string efforts() const {
+        std::vector<Cells> rows{{word("effort", language_), "", ""}};
+        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
+            const bool couple = std::holds_alternative<CoupleEffort>(solution_.mechanism.efforts[e]);
+            const Unit& unit = couple ? solution_.mechanism.units.moment : solution_.mechanism.units.force;
+            const EffortValue& effort = solution_.efforts[e];
+            rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
+        }
+        return table(word("efforts", language_), rows);
     }
 
     std::string centres() const {

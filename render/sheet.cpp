@@ -14,6 +14,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/force_tables.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
 
@@ -165,6 +166,10 @@ struct Wanted {
     std::vector<Block> equations;
     bool empty = false;  // all its vectors are zero: a pole and names
     double weight = 1;   // against the other figures of the page
+    bool starts_page = false;
+    bool to_force_scale = false;  // one scale for all of these
+    bool fills = false;           // drawn to fill its room; its scale is that of its vectors
+    int items = 1;                // several drawings side by side or in rows
     double caption_width = 60;
     struct Drawn {
         double room_x, room_y;
@@ -198,6 +203,7 @@ struct Section {
     std::vector<Block> rows;
     int home = -1;           // the figure it explains; −1: none
     bool continued = false;  // its first rows stand already: the rest comes after them
+    bool of_forces = false;  // not before the pages of forces
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;
@@ -226,12 +232,30 @@ public:
         // All on one page where it can be: the figures leave as little room as the text needs.
         const double share = estimated_text() / (content_.width() * content_.height());
         bool done = false;
-        if (wanted_.size() <= at_most() && share < one_page_share)
-            for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0}) {
-                attempt(spare);
-                if ((done = sheets_.size() == 1)) break;
+        if (on_first_page() <= at_most() && !is_mixed() && share < one_page_share)
+            for (const bool equations : {true, false}) {
+                force_equations_ = equations;
+                for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0, 0.0}) {
+                    if (spare == 0 && !has_forces()) continue;
+                    attempt(spare);
+                    if ((done = sheets_.size() == figure_pages_)) break;
+                }
+                if (done || !has_forces()) break;
             }
-        if (!done) attempt(0);
+        if (!done) {
+            force_equations_ = false;
+            attempt(0);
+            // Equations with the steps are not worth a page.
+            const std::size_t without = sheets_.size();
+            if (has_forces()) {
+                force_equations_ = true;
+                set_text_anew();
+                if (sheets_.size() > without) {
+                    force_equations_ = false;
+                    set_text_anew();
+                }
+            }
+        }
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i) pages.push_back(finish(sheets_[i], i + 1, sheets_.size()));
         return pages;
@@ -244,7 +268,111 @@ private:
 
     // --- what there is to draw -----------------------------------------------------------------------------------------------
 
+    bool has_forces() const { return !solution().free_bodies.empty(); }
+    bool has_motion() const {
+        return !solution().centres.empty() ||
+               std::any_of(solution().protocol.polygons.begin(), solution().protocol.polygons.end(),
+                           [](const Polygon& p) { return p.plane == Plane::velocity || p.plane == Plane::acceleration; });
+    }
+    /// Motion and forces: each on pages of its own.
+    bool is_mixed() const { return has_forces() && has_motion(); }
+    std::size_t on_first_page() const {
+        for (std::size_t i = 1; i < wanted_.size(); ++i)
+            if (wanted_[i].starts_page) return i;
+        return wanted_.size();
+    }
+
     void collect_figures() {
+        if (has_motion() || !has_forces()) collect_motion();
+        if (has_forces()) collect_forces();
+    }
+
+    void collect_forces() {
+        const Solution& s = solution();
+        const double si = s.mechanism.units.force.si.to_double();
+        first_of_forces_ = wanted_.size();
+        Wanted mechanism;
+        double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+        const auto reach = [&](const Vector& at) {
+            const double x = at.x.to_double(), y = at.y.to_double();
+            left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
+        };
+        for (const Vector& at : s.pose.points) reach(at);
+        mechanism.extent_x = std::max(right - left, 1e-30);
+        mechanism.extent_y = std::max(high - low, 1e-30);
+        mechanism.asked = asked("mechanism", 1);
+        mechanism.rim_x = 34;
+        mechanism.rim_y = 40;
+        mechanism.caption_width = 95;
+        mechanism.weight = 1.7;
+        mechanism.starts_page = true;
+        mechanism.draw = [this](double x, double y) {
+            Figure figure = mechanism_with_forces(context_, x, y);
+            if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+            return mechanism_with_forces(unscaled(), x, y);
+        };
+        wanted_.push_back(std::move(mechanism));
+        const auto add = [&](int polygon, const std::string& name, auto draw) {
+            Wanted wanted;
+            const Box extent = extent_of_forces(s, polygon);
+            wanted.extent_x = std::max(extent.width(), 1e-30);
+            wanted.extent_y = std::max(extent.height(), 1e-30);
+            wanted.asked = asked(name, si);
+            for (const char* other : {"forces", "closure"})
+                if (!wanted.asked) wanted.asked = asked(other, si);
+            wanted.to_force_scale = true;
+            const std::optional<double> scale = wanted.asked;
+            wanted.draw = [this, draw, scale](double x, double y) {
+                const bool fixed = scale && !force_scale_;
+                return draw(x, y, fixed ? scale : force_scale_, fixed);
+            };
+            wanted_.push_back(std::move(wanted));
+        };
+        if (has_force_polygons(s)) {
+            add(-1, "forces", [this](double x, double y, std::optional<double> scale, bool fixed) {
+                return force_polygons_figure(context_, x, y, scale, fixed);
+            });
+            wanted_.back().items = force_polygon_count(s);
+            wanted_.back().rim_x = 14;
+            wanted_.back().rim_y = 16;
+        }
+        for (const int p : closed_polygons(s))
+            add(p, "closure", [this, p](double x, double y, std::optional<double> scale, bool fixed) {
+                return closed_polygon_figure(context_, p, x, y, scale, fixed);
+            });
+        bool first = true;
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            const auto rank = [&](std::size_t i) { return s.free_bodies[i].body < 0 ? 1 << 20 : s.free_bodies[i].body; };
+            return rank(a) < rank(b);
+        });
+        for (const std::size_t i : order) {
+            Wanted body;
+            const Box box = extent_of_free_body(s, i);
+            body.extent_x = std::max(box.width(), 0.3 * box.height());
+            body.extent_y = std::max(box.height(), 0.3 * box.width());
+            if (!(body.extent_x > 0)) body.extent_x = body.extent_y = 1;
+            body.rim_x = body.rim_y = 38;
+            body.fills = true;
+            body.weight = box.width() + box.height() > 0 ? 1 : 0.4;
+            body.starts_page = first;
+            body.draw = [this, i](double x, double y) { return free_body_figure(context_, i, x, y); };
+            first = false;
+            wanted_.push_back(std::move(body));
+        }
+    }
+
+    const DrawingContext& unscaled() {
+        if (!unscaled_) {
+            unscaled_ = solution();
+            unscaled_->mechanism.scales.clear();
+            unscaled_context_.emplace(DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language});
+        }
+        return *unscaled_context_;
+    }
+
+    void collect_motion() {
         const Solution& s = solution();
         Wanted mechanism;
         double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
@@ -273,12 +401,7 @@ private:
             Figure figure = mechanism_figure(context_, x, y, !solution().centres.empty());
             if (!wanted_.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
             // The scale that the file asks for is too large for the paper: ours, then.
-            if (!unscaled_) {
-                unscaled_ = solution();
-                unscaled_->mechanism.scales.clear();
-            }
-            const DrawingContext context{*unscaled_, context_.theme, context_.fonts, context_.language};
-            return mechanism_figure(context, x, y, !solution().centres.empty());
+            return mechanism_figure(unscaled(), x, y, !solution().centres.empty());
         };
         wanted_.push_back(std::move(mechanism));
 
@@ -290,6 +413,7 @@ private:
         for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
             const Polygon& polygon = protocol.polygons[p];
             const bool acceleration = polygon.plane == Plane::acceleration;
+            if (polygon.plane == Plane::force) continue;
             const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
             Wanted wanted;
             const double si = unit.si.to_double();
@@ -363,6 +487,28 @@ private:
     double worth(const Wanted& wanted, const Box& cell) const {
         if (wanted.empty) return cell.width() > 60 && cell.height() > 30 ? 0 : -6;
         const double width = cell.width(), height = cell.height() - 8;
+        if (wanted.fills) {
+            const double room_x = width - wanted.rim_x, room_y = height - wanted.rim_y;
+            if (room_x < 5 || room_y < 5) return -6;
+            const double enlarged = std::min(room_x / wanted.extent_x, room_y / wanted.extent_y);
+            return wanted.weight * use_of(std::max(12.0, std::max(wanted.extent_x, wanted.extent_y) * enlarged));
+        }
+        if (wanted.items > 1) {
+            // In rows, each with names above and tables below.
+            double best = -6;
+            for (int rows = 1; rows <= wanted.items; ++rows) {
+                const int across = (wanted.items + rows - 1) / rows;
+                const double room_x = width - wanted.rim_x - 12 * (across - 1), room_y = height - wanted.rim_y - 14 * rows;
+                if (room_x < 12 || room_y < 12) continue;
+                const double extent_x = wanted.extent_x / rows, extent_y = wanted.extent_y * rows;
+                double scale = choose_scale(extent_x, extent_y, room_x, room_y, std::nullopt);
+                if (wanted.asked && !force_scale_) scale = std::max(scale, *wanted.asked);
+                scale = std::max(scale, force_scale_.value_or(0));
+                const double air = std::log(std::max(extent_x / room_x, extent_y / room_y) / scale);
+                best = std::max(best, wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air);
+            }
+            return best;
+        }
         const auto drawn = [&](double w, double h) -> double {
             const double room_x = w - wanted.rim_x, room_y = h - wanted.rim_y;
             if (room_x < 12 || room_y < 12) return -6;
@@ -372,6 +518,7 @@ private:
                 if (*wanted.asked < std::max(wanted.extent_x / room_x, wanted.extent_y / room_y)) penalty = 3;
                 scale = *wanted.asked;
             }
+            if (wanted.to_force_scale && force_scale_) scale = std::max(scale, *force_scale_);
             // The step of the scale first, then the air that it leaves.
             const double air = std::log(std::max(wanted.extent_x / room_x, wanted.extent_y / room_y) / scale);
             return wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
@@ -443,22 +590,55 @@ private:
 
     /// Everything placed, a strip of `spare` times the estimate of the text kept from the figures of the first page.
     void attempt(double spare) {
-        sheets_.clear();
-        drawn_.clear();
+        force_scale_.reset();
+        for (int round = 0;; ++round) {
+            sheets_.clear();
+            drawn_.clear();
+            sections_.clear();
+            unplaced_.clear();
+            figures_ = 0;
+            place_figures(spare);
+            // Triangles and closed polygon have one scale: the smaller drawing's.
+            double least = 1e300, most = 0;
+            for (std::size_t i = 0; i < wanted_.size(); ++i)
+                if (wanted_[i].to_force_scale) {
+                    least = std::min(least, drawn_[i].scale);
+                    most = std::max(most, drawn_[i].scale);
+                }
+            if (most <= least * (1 + 1e-9) || round == 5) break;
+            force_scale_ = most;
+            for (Wanted& wanted : wanted_)
+                if (wanted.to_force_scale) wanted.drawn.clear();
+        }
+        placed_ = sheets_;
+        numbered_ = figures_;
+        write_sections();
+        flow();
+    }
+    /// The same figures where they are, the text once more.
+    void set_text_anew() {
+        sheets_ = placed_;
+        figures_ = numbered_;
         sections_.clear();
-        unplaced_.clear();
-        figures_ = 0;
-        place_figures(spare);
         write_sections();
         flow();
     }
 
     void place_figures(double spare) {
         for (std::size_t first = 0; first < wanted_.size();) {
+            std::size_t together = 1;  // up to where a new page is wanted
+            while (first + together < wanted_.size() && !wanted_[first + together].starts_page) ++together;
+            std::size_t most = first > 0 ? std::max<std::size_t>(at_most(), 4) : at_most();
+            if (wanted_[first].fills) most = options_.paper == Paper::a3 ? 6 : 4;
+            if (first == first_of_forces_) force_page_ = sheets_.size();
+            // Evenly over the pages they take; lone blocks and pins need but half the room.
+            double load = 0;
+            for (std::size_t i = 0; i < together; ++i) load += wanted_[first + i].weight < 1 ? 0.5 : 1;
+            const auto pages_taken = static_cast<std::size_t>(std::ceil(load / static_cast<double>(most)));
             const std::size_t count =
-                std::min(first > 0 ? std::max<std::size_t>(at_most(), 4) : at_most(), wanted_.size() - first);
+                wanted_[first].fills ? (together + pages_taken - 1) / pages_taken : std::min(most, together);
             std::vector<Box> areas;
-            if (spare > 0) {
+            if (spare > 0 && first == 0) {
                 const double need = spare * estimated_text();
                 const double strip = need / content_.width() + 4;
                 if (strip < 0.6 * content_.height())
@@ -484,6 +664,7 @@ private:
             sheets_.push_back(std::move(chosen.sheet));
             first += chosen.cells.size();
         }
+        figure_pages_ = sheets_.size();
     }
 
     /// A page with `count` figures from `first` on, and all that was drawn up to it.
@@ -497,7 +678,7 @@ private:
     };
 
     bool misses(const Wanted& wanted, const Figure& figure) const {
-        return wanted.asked && !wanted.empty && std::abs(figure.scale - *wanted.asked) > 1e-9 * figure.scale;
+        return wanted.asked && !wanted.empty && !wanted.fills && std::abs(figure.scale - *wanted.asked) > 1e-9 * figure.scale;
     }
 
     /// What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is chosen anew
@@ -522,7 +703,9 @@ private:
                 const bool missed = misses(wanted, drawn_.back());
                 outcome.missed = outcome.missed || missed;
                 double size = 0;
-                if (!wanted.empty)
+                if (wanted.fills)
+                    size = worth(wanted, best.cells[i]);
+                else if (!wanted.empty)
                     size = wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / drawn_.back().scale) -
                            (missed ? 3 : 0);
                 outcome.value += size;
@@ -579,7 +762,9 @@ private:
     std::string shortest_scale(double value) const {
         const double power = std::pow(10.0, 6 - std::floor(std::log10(value)));
         const double round = std::round(value * power) / power;
-        return shortest(std::abs(round - value) < 1e-12 * value ? round : value, language());
+        const std::string text = shortest(std::abs(round - value) < 1e-12 * value ? round : value, language());
+        // A scale of the file's own, 14 mm = 16.28 MN, may have no end.
+        return text.size() > 9 ? number(value, 5, language()) : text;
     }
 
     double caption_height(const Wanted& wanted, double width) const { return wanted.caption_width > width ? 11 : 7; }
@@ -843,7 +1028,8 @@ private:
             if (!section.rows.empty()) sections_.push_back(std::move(section));
         };
 
-        const std::vector<ResultRow> rows = result_rows(context_, drawn_);
+        std::vector<ResultRow> rows = result_rows(context_, drawn_);
+        for (ResultRow& row : force_rows(context_, drawn_)) rows.push_back(std::move(row));
         if (!rows.empty()) {
             const double longest = content_.height() - format_.block_height - 8;
             const auto fit = static_cast<std::size_t>(std::max(8.0, (longest - 14) / 4.5));
@@ -883,9 +1069,15 @@ private:
                 order.push_back(section_of(statement));
         for (const std::string& name : order) {
             Section section;
+            std::set<BodyIndex> told;
             if (name == "centres") section.home = 0;
+            if (name == "forces") {
+                section.home = static_cast<int>(first_of_forces_);
+                section.of_forces = true;
+            }
             for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
                 const Polygon& polygon = s.protocol.polygons[p];
+                if (polygon.plane == Plane::force) continue;
                 if (polygon.point.empty() ? name == (polygon.plane == Plane::acceleration ? "acceleration" : "velocity")
                                           : name == "relative motion")
                     section.home = static_cast<int>(p) + 1;
@@ -894,10 +1086,13 @@ private:
                 const Statement& statement = s.protocol.statements[i];
                 if (section_of(statement) != name || told_by_list(statement)) continue;
                 if (section.rows.empty())
-                    section.rows.push_back(heading(
-                        word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ? "steps " + name : "steps",
-                             language())));
+                    section.rows.push_back(heading(word(
+                        std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 || (name == "forces" && is_mixed())
+                            ? "steps " + name
+                            : "steps",
+                        language())));
                 section.rows.push_back(paragraph(say(statement.message, language()), 6, std::to_string(++step)));
+                if (name == "forces") add_force_equation(section, statement.message, told);
                 const auto placed = equation_polygon_.find(i);
                 if (statement.equation && (placed == equation_polygon_.end() || unplaced_.contains(placed->second))) {
                     Block block = equation_block(context_, *statement.equation, measure_ - 6);
@@ -914,6 +1109,13 @@ private:
             section.home = 0;
             section.rows = body_lines(context_, measure_);
             if (!section.rows.empty()) section.rows.insert(section.rows.begin(), heading(word("bodies", language())));
+            add(std::move(section));
+        }
+        if (has_forces()) {
+            Section section;
+            section.of_forces = true;
+            section.rows = reaction_lines(context_, measure_);
+            section.rows.insert(section.rows.begin(), heading(word("forces", language())));
             add(std::move(section));
         }
         if (!s.centres.empty()) {
@@ -949,6 +1151,30 @@ private:
         }
     }
 
+    /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.
+    void add_force_equation(Section& section, const Message& message, std::set<BodyIndex>& told) const {
+        if (!force_equations_) return;
+        if (message.sentence != Sentence::triangle && message.sentence != Sentence::triangle_at &&
+            message.sentence != Sentence::single_reaction && message.sentence != Sentence::culmann)
+            return;
+        const auto* name = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
+        const auto index = name ? solution().mechanism.body_named(name->name) : std::nullopt;
+        if (!index || !told.insert(*index).second) return;
+        const std::string heading_word = word("magnitude", language());
+        for (const Figure& figure : drawn_)
+            if (figure.kind == "forces")
+                for (const Mark& mark : figure.marks)
+                    if (const auto* text = std::get_if<TextMark>(&mark); text && text->words == heading_word) return;
+        for (const FreeBody& body : solution().free_bodies) {
+            if (body.body != *index) continue;
+            Block block = force_equation_block(context_, body, true);
+            if (block.width == 0 || block.width > measure_ - 6) continue;
+            render::move(block.marks, 6, 0.5);
+            block.height += 2.5;
+            section.rows.push_back(std::move(block));
+        }
+    }
+
     RichText mobility_words() const {
         const Mobility& m = solution().mobility;
         const auto n = [](int value) { return std::to_string(value); };
@@ -980,7 +1206,7 @@ private:
     }
     RichText axes_words() const {
         RichText text;
-        const std::string words = word("axes", language());
+        const std::string words = word(has_forces() && !has_motion() ? "axes forces" : "axes", language());
         std::string plain_part;
         for (std::size_t i = 0; i < words.size();) {
             const std::string_view rest = std::string_view(words).substr(i);
@@ -1150,6 +1376,7 @@ private:
             if (at_home ? section.home < 0 : only_at_home) continue;
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
+                    if (section.of_forces && &sheet < sheets_.data() + force_page_) break;
                     if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
                     if (at_home ? run.home != section.home : !may_stand(section, run)) continue;
                     const double before = run.used > 0 ? section_gap : 0;
@@ -1256,7 +1483,8 @@ private:
         marks.emplace_back(line({cells_left, half}, {block_.max.x, half}, inner_pen));
 
         const Units& units = solution().mechanism.units;
-        std::string units_text = units.length.symbol + ", s";
+        std::string units_text = units.length.symbol + (has_motion() || !has_forces() ? ", s" : "");
+        if (has_forces()) units_text += ", " + units.force.symbol;
         std::string scale = "–";
         for (const Figure& figure : drawn_)
             if (figure.kind == "mechanism") {
@@ -1300,9 +1528,11 @@ private:
         }
         const bool acceleration = std::any_of(solution().protocol.polygons.begin(), solution().protocol.polygons.end(),
                                               [](const Polygon& p) { return p.plane == Plane::acceleration; });
-        const std::string subtitle = word(solution().protocol.polygons.empty() ? "subtitle pose"
-                                          : acceleration                       ? "subtitle acceleration"
-                                                                               : "subtitle velocity",
+        const std::string subtitle = word(is_mixed()                             ? "subtitle mixed"
+                                          : has_forces()                         ? "subtitle forces"
+                                          : solution().protocol.polygons.empty() ? "subtitle pose"
+                                          : acceleration                         ? "subtitle acceleration"
+                                                                                 : "subtitle velocity",
                                           language());
         const auto small_print = [&](const std::string& words, double at) {
             double print = options_.paper == Paper::a3 ? theme.body_text : 7.5;
@@ -1320,13 +1550,20 @@ private:
     Box inner_, content_, block_;
     double measure_ = 80;
 
+    std::optional<double> force_scale_;  // common to triangles and closed polygon, once one could not be drawn larger
+    bool force_equations_ = true;        // with the steps, where the figure has no room for them
+    std::size_t force_page_ = 0;         // where they begin
+    std::size_t first_of_forces_ = 0;    // index into wanted_
+    std::size_t figure_pages_ = 0;
+    std::optional<DrawingContext> unscaled_context_;
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::vector<Wanted> wanted_;
     std::map<std::size_t, std::size_t> equation_polygon_;  // statement → index into wanted_
     std::set<std::size_t> unplaced_;                       // figures whose equations stand with the steps
     std::vector<Figure> drawn_;
     std::vector<Section> sections_;
-    std::vector<Sheet> sheets_;
+    std::vector<Sheet> sheets_, placed_;  // placed_: with figures only
+    int numbered_ = 0;
     int figures_ = 0;
 };
 

@@ -19,6 +19,7 @@ struct SheetOptions {
     Paper paper = Paper::a4;  ///< landscape
     Language language = Language::en;
     Theme theme;
+    bool joukowsky = false;  ///< with the lever figure, where forces and velocities are known
 };
 
 /// The worked solution on one or more pages. All figures come first (page 1 as long as they can be read), then text and tables.

@@ -111,6 +111,40 @@ constexpr std::array sentences{
     Row{Sentence::relative_translating_acceleration,
         "Seen from axes that translate with {1}, {0} has {3}: its acceleration less {2}; there is no Coriolis term.",
         "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua accelerazione meno {2}, senza Coriolis."},
+    Row{Sentence::two_force_body, "Body {0} carries two forces only, so both act along {1}{2}.",
+        "Sul corpo {0} agiscono due sole forze: entrambe sono dirette secondo {1}{2}."},
+    Row{Sentence::two_force_guide, "Body {0} carries two forces only: both pass through {1}, normal to the guide at {2}.",
+        "Sul corpo {0} agiscono due sole forze: entrambe passano per {1}, normali alla guida in {2}."},
+    Row{Sentence::two_force_group, "Bodies {0}, taken together, carry two forces only, so both act along {1}{2}.",
+        "I corpi {0}, presi insieme, sono soggetti a due sole forze: entrambe sono dirette secondo {1}{2}."},
+    Row{Sentence::zero_forces, "On body {0} the two forces could not have one line of action: both vanish.",
+        "Sul corpo {0} le due forze non possono avere la stessa retta d’azione: sono entrambe nulle."},
+    Row{Sentence::two_forces_and_couple,
+        "Body {0} carries two forces and a couple: the forces are equal and opposite, so that at {1} is parallel to the other.",
+        "Sul corpo {0} agiscono due forze e una coppia: le forze sono uguali e opposte, quindi quella in {1} è parallela all’altra."},
+    Row{Sentence::three_force_line, "On body {0} two lines of action meet in {1}, so {2} acts along {3}{1}.",
+        "Sul corpo {0} due rette d’azione si incontrano in {1}: {2} è diretta secondo {3}{1}."},
+    Row{Sentence::triangle, "The triangle of body {0} closes with {1} and {2}.",
+        "Il triangolo delle forze del corpo {0} si chiude con {1} e {2}."},
+    Row{Sentence::triangle_at,
+        "On body {0} the lines of the known force and of {2} meet in {1}; {3} passes there too, and the triangle gives both.",
+        "Sul corpo {0} le rette della forza nota e di {2} si incontrano in {1}; anche {3} vi passa, e il triangolo dà entrambe."},
+    Row{Sentence::parallel_forces, "The forces on body {0} are parallel: moments give {1}, the sum gives {2}.",
+        "Le forze sul corpo {0} sono parallele: i momenti danno {1}, la somma {2}."},
+    Row{Sentence::culmann,
+        "Body {0} carries four forces: the lines of {3} and {4} meet in {1}, moments about it give {2}, and the polygon the rest (Culmann).",
+        "Sul corpo {0} agiscono quattro forze: le rette di {3} e {4} si incontrano in {1}, i momenti rispetto ad esso danno {2} e il poligono le altre (Culmann)."},
+    Row{Sentence::force_and_couple, "On body {0} {1} is equal and opposite to the rest; {2} is that force times its arm.",
+        "Sul corpo {0} {1} è uguale e opposta al resto; {2} è quella forza per il suo braccio."},
+    Row{Sentence::single_reaction, "On body {0} only {1} is left: it balances the rest.",
+        "Sul corpo {0} resta solo {1}: equilibra tutto il resto."},
+    Row{Sentence::superposition, "No order of bodies resolves all loads at once: now those of body {0} act alone.",
+        "Nessun ordine dei corpi risolve tutti i carichi insieme: agiscano ora i soli carichi del corpo {0}."},
+    Row{Sentence::superposition_sum, "The partial reactions are added.", "Si sommano le reazioni parziali."},
+    Row{Sentence::trial, "{0} is given a trial value; what does not close tells in which proportion it must be taken.",
+        "A {0} si dà un valore di prova; lo scarto di chiusura dice in quale proporzione va preso."},
+    Row{Sentence::resultant, "The loads of body {0} are taken as one resultant.",
+        "I carichi del corpo {0} si riducono alla risultante."},
 };
 
 struct FixedWords {
@@ -161,6 +195,8 @@ constexpr std::array fixed_words{
     FixedWords{"conventions", "Conventions", "Convenzioni"},
     FixedWords{"axes", "z points towards the reader; ω and α are positive counter-clockwise.",
                "Asse z verso chi legge; ω e α positive in senso antiorario."},
+    FixedWords{"axes forces", "z points towards the reader; couples are positive counter-clockwise.",
+               "Asse z verso chi legge; momenti positivi in senso antiorario."},
     FixedWords{"measured", "lengths measured to 0.1 mm, drawing = mm × scale",
                "lunghezze misurate a 0,1 mm, disegno = mm × scala"},
     // the table of knowns
@@ -218,6 +254,39 @@ constexpr std::array fixed_words{
     FixedWords{"block file", "File", "File"},
     FixedWords{"block bodies", "Bodies", "Corpi"},
     FixedWords{"untitled", "Mechanism", "Meccanismo"},
+    // forces
+    FixedWords{"mechanism and lines of action", "Mechanism and lines of action", "Meccanismo e rette d’azione"},
+    FixedWords{"force triangle", "Force triangle", "Triangolo delle forze"},
+    FixedWords{"force triangles", "Force triangles", "Triangoli delle forze"},
+    FixedWords{"force polygon", "Force polygon", "Poligono delle forze"},
+    FixedWords{"force polygons", "Force polygons", "Poligoni delle forze"},
+    FixedWords{"closed force polygon", "Closed polygon of the external forces", "Poligono chiuso delle forze esterne"},
+    FixedWords{"free body", "Free body", "Corpo libero"},
+    FixedWords{"free pin", "Free pin", "Perno isolato"},
+    FixedWords{"pin", "pin", "perno"},
+    FixedWords{"forces", "Active forces and reactions", "Forze attive e reazioni"},
+    FixedWords{"active forces", "active", "attive"},
+    FixedWords{"reactions", "reactions", "reazioni"},
+    FixedWords{"reactions heading", "Reactions", "Reazioni"},
+    FixedWords{"efforts", "Efforts", "Azioni equilibranti"},
+    FixedWords{"force", "force", "forza"},
+    FixedWords{"joint", "joint", "coppia"},
+    FixedWords{"couple", "couple", "momento"},
+    FixedWords{"effort", "effort", "azione"},
+    FixedWords{"steps forces", "Steps: forces", "Procedimento: forze"},
+    FixedWords{"vertical", "vertical", "verticale"},
+    FixedWords{"given", "given", "data"},
+    FixedWords{"normal", "normal", "normale"},
+    FixedWords{"any line", "–", "–"},
+    FixedWords{"action and reaction", "acts from body {0} on body {1}.", "è l’azione del corpo {0} sul corpo {1}."},
+    FixedWords{"internal sides", "Dashed sides are internal: equal and opposite on two bodies, they cancel.",
+               "I lati tratteggiati sono interni: uguali e opposti su due corpi, si elidono."},
+    FixedWords{"passes outside", "passes outside: tips", "passa all’esterno: si impunta"},
+    FixedWords{"passes beside", "from", "da"},
+    FixedWords{"subtitle forces", "Static forces by triangles and closed polygon",
+               "Forze statiche con i triangoli e il poligono chiuso"},
+    FixedWords{"subtitle mixed", "Motion by polygons, forces by triangles and closed polygon",
+               "Moto con i poligoni, forze con i triangoli e il poligono chiuso"},
     FixedWords{"subtitle pose", "Pose and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
@@ -425,7 +494,15 @@ RichText typeset(const Symbol& symbol, Language language) {
             KG_ASSERT(false, "a symbol has a letter");
     }
     result.sub = symbol.about;
-    result.sub_face = digits_only(symbol.about) ? Face::regular : Face::italic;
+    // A force that the file calls F_gas or M is written so, not F with a script F_gas.
+    if (symbol.letter == Letter::F || symbol.letter == Letter::M) {
+        if (result.sub == result.text) result.sub.clear();
+        if (result.sub.starts_with(result.text + "_")) result.sub.erase(0, 2);
+    }
+    // g of the weight and i of inertia are words, not quantities.
+    const bool of_body = symbol.letter == Letter::F && !result.sub.empty() && (result.sub[0] == 'g' || result.sub[0] == 'i') &&
+                         (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
+    result.sub_face = of_body || digits_only(result.sub) ? Face::regular : Face::italic;
     result.sup = symbol.term;
     return {result};
 }

@@ -23,6 +23,7 @@ TEST_P(EverySentence, IsSaidInBothLanguages) {
         EXPECT_GT(text.size(), 10u);
         EXPECT_EQ(text.find_first_of("{}[]"), std::string::npos) << text;
         EXPECT_EQ(text.back(), '.') << text;
+        if (message.sentence == Sentence::superposition_sum) continue;  // of all bodies
         EXPECT_NE(text.find('A'), std::string::npos) << "the subject is named: " << text;
     }
     EXPECT_NE(english, italian);

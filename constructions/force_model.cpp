@@ -1,0 +1,358 @@
+#include "constructions/force_model.hpp"
+
+#include <algorithm>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::statics {
+
+bool in(const std::vector<int>& group, int member) { return std::find(group.begin(), group.end(), member) != group.end(); }
+
+ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
+    : structure_(structure),
+      board_(board),
+      mechanism_(structure.mechanism()),
+      motion_(motion),
+      members_(static_cast<int>(structure.mechanism().bodies.size())) {
+    for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) add_joint(static_cast<JointIndex>(j));
+    for (std::size_t e = 0; e < mechanism_.efforts.size(); ++e) add_effort(static_cast<int>(e));
+    bonds_of_.resize(at(members_));
+    for (std::size_t b = 0; b < bonds_.size(); ++b) {
+        bonds_of_[at(bonds_[b].first)].push_back(static_cast<int>(b));
+        bonds_of_[at(bonds_[b].second)].push_back(static_cast<int>(b));
+    }
+    joint_bonds_ = bonds_.size();
+    read_loads();
+}
+
+void ForceModel::add_components(int hinge) {
+    for (const Vector& along : {Vector{1, 0}, Vector{0, 1}}) {
+        Bond part = bonds_[at(hinge)];
+        part.kind = Bond::Kind::line;
+        part.direction = board_.given_direction(along);
+        part.part_of = hinge;
+        const int index = static_cast<int>(bonds_.size());
+        bonds_of_[at(part.first)].push_back(index);
+        bonds_of_[at(part.second)].push_back(index);
+        bonds_.push_back(std::move(part));
+    }
+}
+
+void ForceModel::drop_components() {
+    for (auto& bonds : bonds_of_) std::erase_if(bonds, [&](int b) { return bonds_[at(b)].part_of >= 0; });
+    bonds_.resize(joint_bonds_);
+}
+
+std::string ForceModel::member_name(int member) const {
+    if (member < static_cast<int>(mechanism_.bodies.size())) return mechanism_.bodies[at(member)].name;
+    return mechanism_.points[at(pins_[at(member - static_cast<int>(mechanism_.bodies.size()))])].name;
+}
+
+bool ForceModel::is_pin(int member) const { return member >= static_cast<int>(mechanism_.bodies.size()); }
+
+Symbol ForceModel::force_symbol(int of, int on) const {
+    return {Symbol::Letter::F, relative_name_of_bodies(member_name(of), member_name(on)), {}};
+}
+
+std::string ForceModel::relative_name_of_bodies(const std::string& of, const std::string& on) {
+    return of.size() == 1 && on.size() == 1 ? of + on : of + "," + on;
+}
+
+void ForceModel::add_joint(JointIndex index) {
+    const Joint& joint = mechanism_.joints[at(index)];
+    Bond bond;
+    bond.joint = index;
+    bond.place = board_.place(joint.point);
+    switch (joint.kind) {
+        case JointKind::revolute:
+        case JointKind::rolling:
+            bond.kind = Bond::Kind::pin;
+            break;
+        case JointKind::prismatic:
+            bond.kind = Bond::Kind::guide;
+            bond.direction = board_.perpendicular(board_.guide(index));
+            break;
+        case JointKind::pin_slot:
+        case JointKind::contact:
+        case JointKind::gear:
+            bond.kind = Bond::Kind::line;
+            bond.direction = board_.normal(index);
+            break;
+        case JointKind::weld:
+            bond.kind = Bond::Kind::clamp;
+            break;
+    }
+    const auto add = [&](int first, int second) {
+        Bond one = bond;
+        one.first = first;
+        one.second = second;
+        one.symbol = force_symbol(second, first);
+        one.reverse = force_symbol(first, second);
+        // Two bodies that touch at several joints: F_12 at A is not F_12 at B.
+        int common = 0;
+        for (const Joint& other : mechanism_.joints)
+            common += other.bodies.size() == 2 && joint.bodies.size() == 2 &&
+                      std::minmax(other.bodies[0], other.bodies[1]) == std::minmax(joint.bodies[0], joint.bodies[1]);
+        if (common > 1) one.symbol.term = one.reverse.term = joint.name;
+        bonds_.push_back(one);
+    };
+    if (joint.bodies.size() == 2) return add(joint.bodies[0], joint.bodies[1]);
+    if (joint.kind == JointKind::revolute) {  // a multiple hinge: a pin of its own, without weight
+        pins_.push_back(joint.point);
+        const int pin = members_++;
+        for (const BodyIndex body : joint.bodies) add(body, pin);
+    } else {
+        for (std::size_t b = 1; b < joint.bodies.size(); ++b) add(joint.bodies[b], joint.bodies[0]);
+    }
+}
+
+void ForceModel::add_effort(int index) {
+    Bond bond;
+    bond.effort = index;
+    const Effort& effort = mechanism_.efforts[at(index)];
+    if (const auto* couple = std::get_if<CoupleEffort>(&effort)) {
+        bond.kind = Bond::Kind::couple;
+        bond.first = couple->body;
+        bond.second = couple->from;
+        bond.symbol = {Symbol::Letter::M, couple->name, {}};
+        const auto& points = mechanism_.bodies[at(couple->body)].points;
+        bond.place = board_.place(points.empty() ? 0 : points.front());
+    } else if (const auto* force = std::get_if<ForceEffort>(&effort)) {
+        bond.kind = Bond::Kind::line;
+        bond.first = force->body;
+        bond.second = frame;
+        bond.symbol = {Symbol::Letter::F, force->name, {}};
+        bond.place = board_.place(force->at);
+        const Bearing along = force->along;
+        bond.direction = board_.direction(
+            board_.given<drawing>([along](const Pose& pose) { return unit_along(direction_of(along, pose), pose.bits); }));
+    } else {
+        const auto& actuator = std::get<ActuatorEffort>(effort);
+        const Joint& joint = mechanism_.joints[at(actuator.joint)];
+        bond.kind = Bond::Kind::line;
+        bond.first = joint.bodies[0];
+        bond.second = joint.bodies[1];
+        bond.symbol = {Symbol::Letter::F, actuator.name, {}};
+        bond.place = board_.place(joint.point);
+        bond.direction = board_.guide_unit(actuator.joint);
+    }
+    bond.reverse = bond.symbol;
+    bonds_.push_back(bond);
+}
+
+bool ForceModel::turn_gears(const Run& run) {
+    bool changed = false;
+    for (std::size_t b = 0; b < joint_bonds_; ++b) {
+        Bond& bond = bonds_[b];
+        if (bond.joint < 0 || mechanism_.joints[at(bond.joint)].kind != JointKind::gear || !run.reactions[b].force) continue;
+        const JointIndex joint = bond.joint;
+        const Vector normal = quarter_turn(board_.pose().tangents[at(joint)]);
+        const int radial = dot(board_.value(*run.reactions[b].force), normal).sign();
+        if (material_side(joint) * radial >= 0) continue;
+        const bool mirror = mirrored_gears_.insert(joint).second;
+        if (!mirror) mirrored_gears_.erase(joint);
+        const auto mirrored = [joint](const Pose& pose) {
+            const Vector &d = pose.normals[at(joint)], &t = pose.tangents[at(joint)];
+            return (2 * dot(d, t) / squared_length(t)) * t - d;
+        };
+        bond.direction = mirror ? board_.direction(board_.given<drawing>(mirrored)) : board_.normal(joint);
+        changed = true;
+    }
+    return changed;
+}
+
+int ForceModel::material_side(JointIndex index) const {
+    const Joint& joint = mechanism_.joints[at(index)];
+    const Vector normal = quarter_turn(board_.pose().tangents[at(index)]);
+    const auto curvature = [&](BodyIndex body) {
+        const auto profile = joint.profiles.find(body);
+        const auto* circle = profile == joint.profiles.end() ? nullptr : std::get_if<CircleProfile>(&profile->second);
+        if (circle == nullptr) return Exact();
+        return 1 / dot(board_.pose().at(circle->centre) - board_.pose().at(joint.point), normal);
+    };
+    return (curvature(joint.bodies[0]) - curvature(joint.bodies[1])).sign();
+}
+
+void ForceModel::add_load(Load load) {
+    if (load.member == frame) return;
+    if (load.force && board_.is_zero(*load.force)) load.force.reset();
+    if (load.couple && board_.is_zero(*load.couple)) load.couple.reset();
+    if (load.force || load.couple) loads_.push_back(std::move(load));
+}
+
+void ForceModel::read_loads() {
+    for (const auto& given : mechanism_.loads) {
+        if (const auto* force = std::get_if<ForceLoad>(&given)) {
+            const ForceLoad& load = *force;
+            const auto vector = [load](const Pose& pose) {
+                if (load.value) return *load.value;
+                return load.magnitude->first * unit_along(direction_of(load.magnitude->second, pose), pose.bits);
+            };
+            add_load({load.body,
+                      {Symbol::Letter::F, load.name, {}},
+                      AppliedForce::Kind::load,
+                      board_.given<Plane::force>(vector),
+                      board_.place(load.at),
+                      {}});
+        } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
+            const auto& points = mechanism_.bodies[at(couple->body)].points;
+            add_load({couple->body,
+                      {Symbol::Letter::M, couple->name, {}},
+                      AppliedForce::Kind::load,
+                      {},
+                      board_.place(points.empty() ? 0 : points.front()),
+                      board_.given(couple->value)});
+        } else {
+            add_spring(std::get<SpringLoad>(given));
+        }
+    }
+    for (const Mass& mass : mechanism_.masses) {
+        add_weight(mass);
+        if (mechanism_.inertia_forces) add_inertia(mass);
+    }
+}
+
+void ForceModel::add_spring(const SpringLoad& spring) {
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        const PointIndex from = spring.between[end], to = spring.between[1 - end];
+        const Exact magnitude = spring.magnitude;
+        if (board_.coincide(board_.place(from), board_.place(to))) {
+            missing_.push_back(
+                {"forces", "the ends of " + spring.name + " coincide at this position: its pull has no direction"});
+            return;
+        }
+        const auto pull = [=](const Pose& pose) { return magnitude * unit_along(pose.at(to) - pose.at(from), pose.bits); };
+        add_load({spring.bodies[end],
+                  {Symbol::Letter::F, spring.name, {}},
+                  AppliedForce::Kind::spring,
+                  board_.given<Plane::force>(pull),
+                  board_.place(from),
+                  {}});
+    }
+}
+
+std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
+    return mechanism_.masses.size() == 1 ? std::string(letter) : std::string(letter) + mechanism_.bodies[at(mass.body)].name;
+}
+
+void ForceModel::add_weight(const Mass& mass) {
+    if (!mechanism_.gravity) return;
+    const Vector weight = mass.mass * *mechanism_.gravity;
+    add_load({mass.body,
+              {Symbol::Letter::F, mass_name(mass, "g"), {}},
+              AppliedForce::Kind::weight,
+              board_.given<Plane::force>([weight](const Pose&) { return weight; }),
+              board_.place(mass.centre),
+              {}});
+}
+
+void ForceModel::add_inertia(const Mass& mass) {
+    const auto& track = motion_.acceleration;
+    const NodeIndex centre = structure_.find(mass.centre, mass.body);
+    if (track.polygon < 0 || centre < 0 || !track.has(centre) || !track.turns(mass.body)) {
+        missing_.push_back({"forces", "the inertia forces of body " + mechanism_.bodies[at(mass.body)].name +
+                                          " need its acceleration, which is not known; give \"drivers\""});
+        return;
+    }
+    const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));
+    Load load{mass.body,
+              {Symbol::Letter::F, mass_name(mass, "i"), {}},
+              AppliedForce::Kind::inertia,
+              board_.scale<Plane::force>(board_.given(-mass.mass), acceleration),
+              board_.place(mass.centre),
+              {}};
+    add_load(load);
+    load.force.reset();
+    load.symbol.letter = Symbol::Letter::M;
+    load.couple = board_.product(board_.given(-mass.inertia), track.spin(mass.body));
+    add_load(load);
+}
+
+Action ForceModel::action(PlaceOnDrawing place, DirectionHandle direction) {
+    return {place, direction, board_.through(place, direction)};
+}
+
+LineOn<drawing> ForceModel::line_of(const Wrench& wrench) {
+    return board_.through(wrench.place, board_.direction(*wrench.force));
+}
+
+ScalarHandle ForceModel::moment(const Wrench& wrench, PlaceOnDrawing about) {
+    if (!wrench.force) return wrench.couple ? *wrench.couple : board_.given(0);
+    return board_.moment(board_.vector(about, wrench.place), *wrench.force);
+}
+
+Wrench ForceModel::with_couple(Wrench wrench, ScalarHandle couple) {
+    if (board_.is_zero(couple)) return wrench;
+    if (!wrench.force) {
+        wrench.couple = wrench.couple ? board_.sum(*wrench.couple, couple) : couple;
+        if (board_.is_zero(*wrench.couple)) wrench.couple.reset();
+        return wrench;
+    }
+    wrench.place = board_.carry(wrench.place, board_.arm(couple, *wrench.force));
+    return wrench;
+}
+
+Wrench ForceModel::sum(const Wrench& a, const Wrench& b) {
+    if (a.vanishes()) return b;
+    if (b.vanishes()) return a;
+    if (!a.force && !b.force) return with_couple(a, *b.couple);
+    if (!a.force) return with_couple(b, *a.couple);
+    if (!b.force) return with_couple(a, *b.couple);
+    Wrench total;
+    total.force = board_.add(*a.force, *b.force);
+    const auto first = line_of(a), second = line_of(b);
+    if (!board_.parallel(first, second)) {
+        total.place = *board_.meet(first, second);
+        return total;
+    }
+    total.place = a.place;
+    const ScalarHandle couple = moment(b, a.place);
+    if (board_.is_zero(*total.force)) total.force.reset();
+    return with_couple(total, couple);
+}
+
+Wrench ForceModel::wrench_of(const Load& load) {
+    Wrench wrench;
+    wrench.place = load.place;
+    wrench.force = load.force;
+    wrench.couple = load.couple;
+    return wrench;
+}
+
+Wrench ForceModel::wrench_of(const Bond& bond, const Reaction& reaction, int member) {
+    Wrench wrench;
+    wrench.place = bond.place;
+    const bool reversed = bond.second == member;
+    if (reaction.force) wrench.force = reversed ? board_.negate(*reaction.force) : *reaction.force;
+    if (reaction.couple) {
+        const ScalarHandle couple = reversed ? board_.difference(board_.given(0), *reaction.couple) : *reaction.couple;
+        wrench = with_couple(wrench, couple);
+    }
+    return wrench;
+}
+
+Wrench ForceModel::known_on(const std::vector<int>& group, const std::vector<Load>& loads, const Run& run) {
+    Wrench total;
+    for (const Load& load : loads) {
+        if (in(group, load.member)) total = sum(total, wrench_of(load));
+    }
+    for (const int b : outer_bonds(group)) {
+        const Reaction& reaction = run.reactions[at(b)];
+        if (reaction.known)
+            total = sum(total, wrench_of(bonds_[at(b)], reaction,
+                                         in(group, bonds_[at(b)].first) ? bonds_[at(b)].first : bonds_[at(b)].second));
+    }
+    return total;
+}
+
+std::vector<int> ForceModel::outer_bonds(const std::vector<int>& group) const {
+    std::vector<int> outer;
+    for (const int member : group) {
+        for (const int b : bonds_of_[at(member)]) {
+            if (in(group, bonds_[at(b)].first) != in(group, bonds_[at(b)].second)) outer.push_back(b);
+        }
+    }
+    return outer;
+}
+
+}  // namespace kinegraph::statics

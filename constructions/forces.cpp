@@ -1,0 +1,761 @@
+#include "constructions/forces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "constructions/force_model.hpp"
+#include "constructions/free_bodies.hpp"
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+namespace statics {
+namespace {
+
+/// The rules, and the runs in which they are applied.
+class Rules {
+public:
+    Rules(ForceModel& model, Board& board, const Mechanism& mechanism)
+        : model_(model), board_(board), mechanism_(mechanism), origin_(board.place(0)) {}
+
+    Run run() {
+        Run result = solve(model_.loads());
+        for (std::size_t round = 0; round < mechanism_.joints.size() && model_.turn_gears(result); ++round)
+            result = solve(model_.loads());
+        gather_components(result);
+        return result;
+    }
+    const NamedMeets& meets() const { return meets_; }
+
+private:
+    // --- one run ------------------------------------------------------------------------------------------------------------
+    enum class Shape { pin, guide, line, couple, clamp };
+
+    Shape shape(int b, const Run& run) const {
+        const Bond& bond = model_.bonds()[at(b)];
+        const Reaction& reaction = run.reactions[at(b)];
+        if (bond.kind == Bond::Kind::couple || reaction.only_couple) return Shape::couple;
+        if (reaction.action) return Shape::line;
+        if (bond.kind == Bond::Kind::pin) return Shape::pin;
+        if (bond.kind == Bond::Kind::guide) return Shape::guide;
+        return Shape::clamp;
+    }
+
+    Run fresh() {
+        Run run;
+        run.reactions.resize(model_.joint_bonds());
+        for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
+            if (model_.bonds()[b].kind == Bond::Kind::line)
+                run.reactions[b].action = model_.action(model_.bonds()[b].place, model_.bonds()[b].direction);
+        }
+        fit(run);
+        return run;
+    }
+
+    /// Components added since the run began: open where their hinge is, else nothing more.
+    void fit(Run& run) {
+        for (std::size_t b = run.reactions.size(); b < model_.bonds().size(); b += 2) {
+            Reaction& hinge = run.reactions[at(model_.bonds()[b].part_of)];
+            Reaction parts[2];
+            for (std::size_t i = 0; i < 2; ++i) {
+                parts[i].known = hinge.known;
+                if (!hinge.known) parts[i].action = model_.action(model_.bonds()[b + i].place, model_.bonds()[b + i].direction);
+            }
+            hinge.known = true;
+            for (Reaction& part : parts) run.reactions.push_back(part);
+        }
+    }
+
+    std::vector<std::vector<int>> groups() const {
+        std::vector<std::vector<int>> result;
+        for (int member = 1; member < model_.members(); ++member) result.push_back({member});
+        // Bodies that slide in one another, taken together; then any two that touch.
+        for (const bool only_guides : {true, false}) {
+            for (const Bond& bond : model_.bonds()) {
+                if (bond.first == frame || bond.second == frame || bond.effort >= 0) continue;
+                if (only_guides != (bond.kind == Bond::Kind::guide)) continue;
+                result.push_back({std::min(bond.first, bond.second), std::max(bond.first, bond.second)});
+            }
+        }
+        return result;
+    }
+
+    bool all_known(const Run& run) const {
+        return std::all_of(run.reactions.begin(), run.reactions.end(), [](const Reaction& r) { return r.known; });
+    }
+
+    /// The rules, until no more follows.
+    void advance(const std::vector<Load>& loads, Run& run) {
+        fit(run);
+        const auto all = groups();
+        const auto any = [&](auto rule) { return std::any_of(all.begin(), all.end(), rule); };
+        const auto direct = [&](const auto& group) { return magnitudes(group, loads, run) || lines(group, loads, run, false); };
+        const auto beside_couples = [&](const auto& group) { return lines(group, loads, run, true); };
+        while (!all_known(run) && (any(direct) || any(beside_couples))) {
+        }
+        run.complete = all_known(run);
+    }
+
+    std::vector<int> unknown_of(const std::vector<int>& group, const Run& run) const {
+        std::vector<int> unknown;
+        for (const int b : model_.outer_bonds(group)) {
+            if (!run.reactions[at(b)].known) unknown.push_back(b);
+        }
+        return unknown;
+    }
+
+    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
+        if (trials_ > 0) return;  // the strokes of a trial belong to the sentence that opens it
+        Statement statement;
+        statement.message = {sentence, std::move(arguments)};
+        statement.section = "forces";
+        statement.source = source;
+        board_.state(std::move(statement));
+    }
+    Argument name(const std::vector<int>& group) const {
+        std::string names;
+        for (const int member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
+        return BodyName{names};
+    }
+    PointName place_name(int b) const {
+        const Bond& bond = model_.bonds()[at(b)];
+        if (bond.joint >= 0) return {mechanism_.points[at(mechanism_.joints[at(bond.joint)].point)].name};
+        return {bond.symbol.about};
+    }
+    /// The force of a bond as it acts on a group.
+    Symbol symbol_on(int b, const std::vector<int>& group) const {
+        const Bond& bond = model_.bonds()[at(b)];
+        return in(group, bond.first) ? bond.symbol : bond.reverse;
+    }
+
+    // --- lines of action ------------------------------------------------------------------------------------------------------
+    /// `beside_couples`: bodies that carry a couple too; tried when nothing else is left.
+    bool lines(const std::vector<int>& group, const std::vector<Load>& loads, Run& run, bool beside_couples) {
+        const std::vector<int> unknown = unknown_of(group, run);
+        std::vector<int> pins, guides, fixed, couples;
+        for (const int b : unknown) {
+            switch (shape(b, run)) {
+                case Shape::pin:
+                    pins.push_back(b);
+                    break;
+                case Shape::guide:
+                    guides.push_back(b);
+                    break;
+                case Shape::line:
+                    fixed.push_back(b);
+                    break;
+                case Shape::couple:
+                    couples.push_back(b);
+                    break;
+                case Shape::clamp:
+                    return false;
+            }
+        }
+        const std::size_t forces = pins.size() + guides.size() + fixed.size();
+        if ((pins.empty() && guides.empty()) || couples.empty() == beside_couples) return false;
+        if (forces < 2 || forces > 3 || couples.size() > 1) return false;
+        if (forces == 3 && (fixed.size() != 2 || !couples.empty())) return false;
+        if (forces == 2 && fixed.size() == 2) return false;
+        if (!model_.known_on(group, loads, run).vanishes()) return false;
+        if (forces == 3) return concurrent(group, fixed, pins, guides, run);
+        if (!couples.empty()) return parallel_to_other(group, pins, guides, fixed, run);
+        return two_forces(group, pins, guides, fixed, run);
+    }
+
+    void settle_line(int b, const Action& found, Run& run) {
+        Reaction& reaction = run.reactions[at(b)];
+        reaction.action = found;
+        reaction.deduced = true;
+    }
+
+    void vanish(int b, Run& run) {
+        Reaction& reaction = run.reactions[at(b)];
+        if (model_.bonds()[at(b)].kind == Bond::Kind::guide) {
+            reaction.only_couple = true;
+        } else {
+            reaction.known = true;
+        }
+    }
+
+    /// Two forces only: equal, opposite, on one line.
+    bool two_forces(const std::vector<int>& group, const std::vector<int>& pins, const std::vector<int>& guides,
+                    const std::vector<int>& fixed, Run& run) {
+        const auto join_direction = [&](PlaceOnDrawing p, PlaceOnDrawing q) { return board_.direction(board_.vector(p, q)); };
+        if (pins.size() == 2) {
+            const Bond &one = model_.bonds()[at(pins[0])], &two = model_.bonds()[at(pins[1])];
+            if (board_.coincide(one.place, two.place)) return false;
+            say(group.size() > 1 ? Sentence::two_force_group : Sentence::two_force_body,
+                {name(group), place_name(pins[0]), place_name(pins[1])});
+            const Action found = model_.action(one.place, join_direction(one.place, two.place));
+            settle_line(pins[0], found, run);
+            settle_line(pins[1], found, run);
+            return true;
+        }
+        if (pins.size() == 1 && guides.size() == 1) {
+            say(Sentence::two_force_guide, {name(group), place_name(pins[0]), place_name(guides[0])});
+            const Action found = model_.action(model_.bonds()[at(pins[0])].place, model_.bonds()[at(guides[0])].direction);
+            settle_line(pins[0], found, run);
+            settle_line(guides[0], found, run);
+            return true;
+        }
+        if (pins.size() == 1 && fixed.size() == 1) {
+            const Action given = *run.reactions[at(fixed[0])].action;
+            if (board_.on_line(model_.bonds()[at(pins[0])].place, given.line)) {
+                say(Sentence::two_force_body, {name(group), place_name(pins[0]), place_name(fixed[0])});
+                settle_line(pins[0], given, run);
+            } else {
+                say(Sentence::zero_forces, {name(group)});
+                vanish(pins[0], run);
+                vanish(fixed[0], run);
+            }
+            return true;
+        }
+        if (guides.size() == 2) {
+            if (board_.parallel(model_.bonds()[at(guides[0])].direction, model_.bonds()[at(guides[1])].direction)) return false;
+            say(Sentence::zero_forces, {name(group)});
+            vanish(guides[0], run);
+            vanish(guides[1], run);
+            return true;
+        }
+        // A guide and a line: the guide's reaction can take any place.
+        const Action given = *run.reactions[at(fixed[0])].action;
+        if (board_.parallel(model_.bonds()[at(guides[0])].direction, given.direction)) {
+            say(Sentence::two_force_guide, {name(group), place_name(fixed[0]), place_name(guides[0])});
+            settle_line(guides[0], given, run);
+        } else {
+            say(Sentence::zero_forces, {name(group)});
+            vanish(guides[0], run);
+            vanish(fixed[0], run);
+        }
+        return true;
+    }
+
+    /// Two forces and a couple: the forces are equal and opposite, so parallel.
+    bool parallel_to_other(const std::vector<int>& group, const std::vector<int>& pins, const std::vector<int>& guides,
+                           const std::vector<int>& fixed, Run& run) {
+        if (pins.size() != 1) return false;
+        const DirectionHandle direction =
+            fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
+        say(Sentence::two_forces_and_couple, {name(group), place_name(pins[0])});
+        settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, direction), run);
+        return true;
+    }
+
+    /// Three forces, two lines known: the third passes through their meet.
+    bool concurrent(const std::vector<int>& group, const std::vector<int>& fixed, const std::vector<int>& pins,
+                    const std::vector<int>& guides, Run& run) {
+        const Action one = *run.reactions[at(fixed[0])].action, two = *run.reactions[at(fixed[1])].action;
+        const auto met = board_.meet(one.line, two.line);
+        if (!met) return false;
+        const int third = pins.empty() ? guides[0] : pins[0];
+        const Bond& bond = model_.bonds()[at(third)];
+        const bool parallel = board_.is_at_infinity(*met);
+        std::optional<Action> found;
+        if (!pins.empty()) {
+            if (parallel) {
+                found = model_.action(bond.place, one.direction);
+            } else {
+                if (board_.coincide(*met, bond.place)) return false;
+                found = model_.action(bond.place, board_.direction(board_.vector(*met, bond.place)));
+            }
+        } else {
+            if (parallel) return false;
+            found = model_.action(*met, bond.direction);
+        }
+        const std::string letter = parallel ? "∞" : meet_name(group, *met);
+        say(Sentence::three_force_line, {name(group), PointName{letter}, symbol_on(third, group), place_name(third)}, "Culmann");
+        settle_line(third, *found, run);
+        return true;
+    }
+
+    // --- magnitudes
+    // -------------------------------------------------------------------------------------------------------------
+    void settle(int b, Force force_on_group, PlaceOnDrawing place, const std::vector<int>& group, Run& run) {
+        const Bond& bond = model_.bonds()[at(b)];
+        Reaction& reaction = run.reactions[at(b)];
+        reaction.known = true;
+        if (board_.is_zero(force_on_group)) return;
+        reaction.force = in(group, bond.first) ? force_on_group : board_.negate(force_on_group);
+        if (!reaction.action) reaction.action = model_.action(place, board_.direction(*reaction.force));
+        if (bond.kind == Bond::Kind::guide || bond.kind == Bond::Kind::clamp) {
+            const ScalarHandle couple = board_.moment(board_.vector(bond.place, place), *reaction.force);
+            if (!board_.is_zero(couple)) reaction.couple = couple;
+        }
+    }
+
+    /// A guide or a clamp takes force and couple: its real line is moved aside by their arm.
+    void settle_with_couple(int b, Force force_on_group, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
+        const Bond& bond = model_.bonds()[at(b)];
+        settle_couple(b, couple_on_group, group, run);
+        if (board_.is_zero(force_on_group)) return;
+        Reaction& reaction = run.reactions[at(b)];
+        reaction.force = in(group, bond.first) ? force_on_group : board_.negate(force_on_group);
+        const PlaceOnDrawing place =
+            reaction.couple ? board_.carry(bond.place, board_.arm(*reaction.couple, *reaction.force)) : bond.place;
+        if (!reaction.action) reaction.action = model_.action(place, board_.direction(*reaction.force));
+    }
+
+    void settle_couple(int b, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
+        Reaction& reaction = run.reactions[at(b)];
+        reaction.known = true;
+        if (board_.is_zero(couple_on_group)) return;
+        reaction.couple =
+            in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.difference(board_.given(0), couple_on_group);
+    }
+
+    void note(const std::vector<int>& group, Run& run) {
+        for (const int member : group) {
+            const bool there =
+                std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });
+            if (!there) run.order.push_back({member, {}});
+        }
+    }
+
+    std::string meet_name(const std::vector<int>& group, PlaceOnDrawing place) {
+        for (const auto& [known, letter] : named_meets_) {
+            if (board_.coincide(known, place)) return remember(group, place, letter);
+        }
+        static const char* const letters[] = {"H", "K", "L", "Q", "R", "T", "U", "V", "W", "Y", "Z"};
+        for (int round = 0;; ++round) {
+            for (const char* letter : letters) {
+                const std::string candidate = letter + (round == 0 ? std::string() : std::to_string(round));
+                if (mechanism_.point_named(candidate)) continue;
+                if (std::any_of(named_meets_.begin(), named_meets_.end(), [&](const auto& m) { return m.second == candidate; }))
+                    continue;
+                named_meets_.emplace_back(place, candidate);
+                return remember(group, place, candidate);
+            }
+        }
+    }
+    std::string remember(const std::vector<int>& group, PlaceOnDrawing place, const std::string& letter) {
+        for (const int member : group) meets_[member].emplace_back(letter, place);
+        return letter;
+    }
+
+    bool magnitudes(const std::vector<int>& group, const std::vector<Load>& loads, Run& run) {
+        const std::vector<int> unknown = unknown_of(group, run);
+        if (unknown.empty()) return false;
+        std::vector<int> pins, guides, fixed, couples, clamps;
+        for (const int b : unknown) {
+            switch (shape(b, run)) {
+                case Shape::pin:
+                    pins.push_back(b);
+                    break;
+                case Shape::guide:
+                    guides.push_back(b);
+                    break;
+                case Shape::line:
+                    fixed.push_back(b);
+                    break;
+                case Shape::couple:
+                    couples.push_back(b);
+                    break;
+                case Shape::clamp:
+                    clamps.push_back(b);
+                    break;
+            }
+        }
+        const std::size_t count = 2 * (pins.size() + guides.size()) + fixed.size() + couples.size() + 3 * clamps.size();
+        if (count > 3 || couples.size() > 1) return false;
+        const Wrench known = model_.known_on(group, loads, run);
+        bool done = false;
+        if (unknown.size() == 1) {
+            done = single(group, unknown[0], known, run);
+        } else if (pins.size() == 1 && couples.size() == 1) {
+            done = force_and_couple(group, pins[0], couples[0], known, run);
+        } else if (pins.size() == 1 && fixed.size() == 1) {
+            done = line_and_pin(group, fixed[0], pins[0], known, run);
+        } else if (guides.size() == 1 && fixed.size() == 1) {
+            done = line_and_guide(group, fixed[0], guides[0], known, run);
+        } else if (fixed.size() == 2) {
+            done = two_lines(group, fixed[0], fixed[1], couples.empty() ? -1 : couples[0], known, run);
+        } else if (fixed.size() == 1 && couples.size() == 1) {
+            done = force_and_couple(group, fixed[0], couples[0], known, run);
+        } else if (fixed.size() == 3) {
+            done = three_lines(group, fixed, known, run);
+        }
+        if (done) note(group, run);
+        return done;
+    }
+
+    Force opposite(const Wrench& known) { return board_.negate(*known.force); }
+
+    /// The part of −F that a line or a guide can give: all of it where the loads allow equilibrium; what is missing shows as a
+    /// gap.
+    Force opposite_along(const Wrench& known, DirectionHandle direction) {
+        const Force unit = board_.scale<Plane::force>(board_.given(1), direction);
+        return board_.scale<Plane::force>(board_.ratio(opposite(known), unit), direction);
+    }
+
+    /// What is left balances the rest.
+    bool single(const std::vector<int>& group, int b, const Wrench& known, Run& run) {
+        const Shape of = shape(b, run);
+        say(Sentence::single_reaction, {name(group), symbol_on(b, group)});
+        if (of == Shape::couple) {
+            settle_couple(b, board_.difference(board_.given(0), model_.moment(known, model_.bonds()[at(b)].place)), group, run);
+            return true;
+        }
+        const bool takes_couple =
+            model_.bonds()[at(b)].kind == Bond::Kind::guide || model_.bonds()[at(b)].kind == Bond::Kind::clamp;
+        if (of == Shape::line) {
+            const Action line = *run.reactions[at(b)].action;
+            if (known.force) {
+                settle(b, opposite_along(known, line.direction), line.place, group, run);
+            } else {
+                run.reactions[at(b)].known = true;
+            }
+        } else if (takes_couple) {
+            const ScalarHandle couple = board_.difference(board_.given(0), model_.moment(known, model_.bonds()[at(b)].place));
+            if (known.force) {
+                const Force force = of == Shape::guide ? opposite_along(known, model_.bonds()[at(b)].direction) : opposite(known);
+                settle_with_couple(b, force, couple, group, run);
+            } else {
+                settle_couple(b, couple, group, run);
+            }
+        } else if (known.force) {
+            settle(b, opposite(known), model_.bonds()[at(b)].place, group, run);
+        } else {
+            run.reactions[at(b)].known = true;
+        }
+        return true;
+    }
+
+    /// A place on a bond's line, or its own.
+    PlaceOnDrawing place_of(int b, const Run& run) const {
+        const Reaction& reaction = run.reactions[at(b)];
+        return reaction.action ? reaction.action->place : model_.bonds()[at(b)].place;
+    }
+
+    /// A force through a point and a couple: the force is the rest turned round, the couple their arm times it.
+    bool force_and_couple(const std::vector<int>& group, int force, int couple, const Wrench& known, Run& run) {
+        const PlaceOnDrawing place = place_of(force, run);
+        say(Sentence::force_and_couple, {name(group), symbol_on(force, group), symbol_on(couple, group)});
+        const ScalarHandle balancing = board_.difference(board_.given(0), model_.moment(known, place));
+        if (known.force) {
+            const auto& line = run.reactions[at(force)].action;
+            settle(force, line ? opposite_along(known, line->direction) : opposite(known), place, group, run);
+        } else {
+            run.reactions[at(force)].known = true;
+        }
+        settle_couple(couple, balancing, group, run);
+        return true;
+    }
+
+    /// s·d of a force along a line, so that its moment about a place balances the known one (Ritter).
+    std::optional<Force> by_moments(const Action& line, PlaceOnDrawing about, const Wrench& known) {
+        const ScalarHandle lever = board_.moment(board_.vector(about, line.place), line.direction);
+        if (board_.is_zero(lever)) return std::nullopt;
+        const ScalarHandle size = board_.quotient(board_.difference(board_.given(0), model_.moment(known, about)), lever);
+        return board_.scale<Plane::force>(size, line.direction);
+    }
+
+    /// Closes F + X + Y = 0 with X along d, Y along e, not parallel: the force triangle.
+    std::pair<Force, Force> triangle(const Wrench& known, DirectionHandle d, DirectionHandle e) {
+        const auto start = board_.pole<Plane::force>();
+        const auto end = known.force ? board_.carry(start, *known.force) : start;
+        const auto corner = board_.meet(board_.through(end, d), board_.through(start, e));
+        KG_ASSERT(corner && !board_.is_at_infinity(*corner), "the sides of a force triangle are not parallel");
+        return {board_.vector(end, *corner), board_.vector(*corner, start)};
+    }
+
+    bool line_and_pin(const std::vector<int>& group, int line, int pin, const Wrench& known, Run& run) {
+        const Action given = *run.reactions[at(line)].action;
+        const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
+        if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
+        if (known.vanishes()) {
+            say(Sentence::zero_forces, {name(group)});
+            run.reactions[at(line)].known = run.reactions[at(pin)].known = true;
+            return true;
+        }
+        if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
+            const auto met = board_.meet(model_.line_of(known), given.line);
+            if (board_.coincide(*met, place)) return false;
+            const std::string letter = meet_name(group, *met);
+            say(Sentence::triangle_at, {name(group), PointName{letter}, symbol_on(line, group), symbol_on(pin, group)},
+                "Culmann");
+            const DirectionHandle through_meet = board_.direction(board_.vector(place, *met));
+            const auto [along, at_pin] = triangle(known, given.direction, through_meet);
+            settle_line(pin, model_.action(place, through_meet), run);
+            settle(line, along, given.place, group, run);
+            settle(pin, at_pin, place, group, run);
+            return true;
+        }
+        const auto along = by_moments(given, place, known);
+        if (!along) return false;
+        say(Sentence::parallel_forces, {name(group), symbol_on(line, group), symbol_on(pin, group)}, "Ritter");
+        settle(line, *along, given.place, group, run);
+        settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
+        return true;
+    }
+
+    /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
+    bool line_and_guide(const std::vector<int>& group, int line, int guide, const Wrench& known, Run& run) {
+        const Action given = *run.reactions[at(line)].action;
+        const DirectionHandle normal = model_.bonds()[at(guide)].direction;
+        if (board_.parallel(given.direction, normal)) return false;
+        say(Sentence::triangle, {name(group), symbol_on(line, group), symbol_on(guide, group)});
+        const auto [along, across] = triangle(known, given.direction, normal);
+        settle(line, along, given.place, group, run);
+        Wrench rest = known;
+        if (run.reactions[at(line)].force) rest = model_.sum(known, wrench_at(along, given.place));
+        settle_guide(guide, across, rest, group, run);
+        return true;
+    }
+
+    static Wrench wrench_at(Force force, PlaceOnDrawing place) {
+        Wrench wrench;
+        wrench.force = force;
+        wrench.place = place;
+        return wrench;
+    }
+
+    /// A guide's reaction balances what is left, force and couple.
+    void settle_guide(int guide, Force across, const Wrench& rest, const std::vector<int>& group, Run& run) {
+        settle_with_couple(guide, across,
+                           board_.difference(board_.given(0), model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
+    }
+
+    bool two_lines(const std::vector<int>& group, int one, int two, int couple, const Wrench& known, Run& run) {
+        const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
+        if (!board_.parallel(first.direction, second.direction)) {
+            say(Sentence::triangle, {name(group), symbol_on(one, group), symbol_on(two, group)});
+            const auto [x, y] = triangle(known, first.direction, second.direction);
+            settle(one, x, first.place, group, run);
+            settle(two, y, second.place, group, run);
+            if (couple >= 0) {
+                Wrench rest = model_.sum(model_.sum(known, nonzero(x, first.place)), nonzero(y, second.place));
+                settle_couple(couple, board_.difference(board_.given(0), model_.moment(rest, first.place)), group, run);
+            }
+            return true;
+        }
+        if (couple >= 0) return false;
+        const auto x = by_moments(first, second.place, known);
+        if (!x) return false;
+        say(Sentence::parallel_forces, {name(group), symbol_on(one, group), symbol_on(two, group)}, "Ritter");
+        settle(one, *x, first.place, group, run);
+        Wrench rest;
+        rest.force = known.force ? board_.add(*known.force, *x) : *x;
+        settle(two, opposite_along(rest, second.direction), second.place, group, run);
+        return true;
+    }
+
+    Wrench nonzero(Force force, PlaceOnDrawing place) { return board_.is_zero(force) ? Wrench{} : wrench_at(force, place); }
+
+    /// Culmann: three lines that neither meet in one point nor are all parallel. The line through the meet of two pairs carries
+    /// the sum of each pair.
+    bool three_lines(const std::vector<int>& group, const std::vector<int>& fixed, const Wrench& known, Run& run) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int one = fixed[i], two = fixed[(i + 1) % 3], three = fixed[(i + 2) % 3];
+            const Action a = *run.reactions[at(one)].action, b = *run.reactions[at(two)].action,
+                         c = *run.reactions[at(three)].action;
+            if (board_.parallel(b.direction, c.direction)) continue;
+            const PlaceOnDrawing pivot = *board_.meet(b.line, c.line);
+            if (board_.on_line(pivot, a.line)) return false;  // concurrent: only a force through that point is held
+            const auto first = by_moments(a, pivot, known);
+            if (!first) return false;
+            say(Sentence::culmann,
+                {name(group), PointName{meet_name(group, pivot)}, symbol_on(one, group), symbol_on(two, group),
+                 symbol_on(three, group)},
+                "Culmann");
+            settle(one, *first, a.place, group, run);
+            Wrench rest;
+            rest.force = known.force ? board_.add(*known.force, *first) : *first;
+            rest.place = pivot;
+            if (board_.is_zero(*rest.force)) rest.force.reset();
+            const auto [x, y] = triangle(rest, b.direction, c.direction);
+            settle(two, x, b.place, group, run);
+            settle(three, y, c.place, group, run);
+            return true;
+        }
+        return false;
+    }
+
+    // --- superposition and trials --------------------------------------------------------------------------------------------
+    Run solve(const std::vector<Load>& loads) {
+        Run direct = fresh();
+        advance(loads, direct);
+        if (direct.complete) return direct;
+        // Several loaded bodies: one after the other.
+        std::vector<int> loaded;
+        for (const Load& load : loads) {
+            if (!in(loaded, load.member)) loaded.push_back(load.member);
+        }
+        if (loaded.size() < 2) {
+            Run run = direct;
+            close_by_trial(loads, run, 0);
+            return run.complete ? run : direct;
+        }
+        std::vector<Run> parts;
+        for (const int member : loaded) {
+            std::vector<Load> own;
+            std::copy_if(loads.begin(), loads.end(), std::back_inserter(own),
+                         [&](const Load& load) { return load.member == member; });
+            say(Sentence::superposition, {BodyName{model_.member_name(member)}});
+            Run part = fresh();
+            advance(own, part);
+            if (!part.complete) close_by_trial(own, part, 0);
+            if (!part.complete) return direct;  // what the rules found without trials holds whatever the rest is
+            parts.push_back(std::move(part));
+        }
+        say(Sentence::superposition_sum, {});
+        return add_up(parts);
+    }
+
+    Run add_up(const std::vector<Run>& parts) {
+        Run total = parts.front();
+        fit(total);
+        for (std::size_t p = 1; p < parts.size(); ++p) {
+            Run part = parts[p];
+            fit(part);
+            add_to(total, part, std::nullopt);
+        }
+        return total;
+    }
+
+    /// a + s·b, bond by bond.
+    Run combine(Run a, ScalarHandle share_a, Run b, ScalarHandle share_b) {
+        fit(a);
+        fit(b);
+        Run total = a;
+        for (Reaction& reaction : total.reactions) {
+            if (reaction.force) reaction.force = board_.scale<Plane::force>(share_a, *reaction.force);
+            if (reaction.force && board_.is_zero(*reaction.force)) reaction.force.reset();
+            if (reaction.couple) reaction.couple = board_.product(share_a, *reaction.couple);
+        }
+        add_to(total, b, share_b);
+        return total;
+    }
+
+    void add_to(Run& total, const Run& b, std::optional<ScalarHandle> factor) {
+        for (std::size_t i = 0; i < b.reactions.size(); ++i) {
+            Reaction& sum_of = total.reactions[i];
+            sum_of.known = true;
+            const Reaction& more = b.reactions[i];
+            if (more.force) {
+                const Force scaled = factor ? board_.scale<Plane::force>(*factor, *more.force) : *more.force;
+                sum_of.force = sum_of.force ? board_.add(*sum_of.force, scaled) : scaled;
+                if (board_.is_zero(*sum_of.force)) sum_of.force.reset();
+            }
+            if (more.couple) {
+                const ScalarHandle scaled = factor ? board_.product(*factor, *more.couple) : *more.couple;
+                sum_of.couple = sum_of.couple ? board_.sum(*sum_of.couple, scaled) : scaled;
+                if (board_.is_zero(*sum_of.couple)) sum_of.couple.reset();
+            }
+            sum_of.action.reset();
+            sum_of.deduced = false;
+        }
+        for (const Resolved& resolved : b.order) note({resolved.member}, total);
+    }
+
+    /// The last rule. One unknown gets two trial values; each is drawn; what does not close
+    /// then tells in which proportion they must be added, for everything is linear. Several unknowns nest.
+    void close_by_trial(const std::vector<Load>& loads, Run& run, int depth) {
+        constexpr int deepest = 8;
+        if (depth > deepest) return;
+        int tried = -1, hinge = -1;
+        for (std::size_t b = 0; b < model_.bonds().size() && tried < 0; ++b) {
+            if (run.reactions[b].known) continue;
+            const Shape of = shape(static_cast<int>(b), run);
+            if (of == Shape::line || of == Shape::couple) tried = static_cast<int>(b);
+            if (of == Shape::pin && hinge < 0) hinge = static_cast<int>(b);
+        }
+        if (tried >= 0) {
+            try_value(loads, run, tried, depth);
+        } else if (hinge >= 0) {
+            model_.add_components(hinge);
+            fit(run);
+            close_by_trial(loads, run, depth);
+        }
+    }
+
+    /// A force along the bond's own line, or its couple.
+    bool try_value(const std::vector<Load>& loads, Run& run, int b, int depth) {
+        say(Sentence::trial, {model_.bonds()[at(b)].symbol}, "");
+        Run first = run, second = run;
+        // Primes, others at each depth: trial values that cancelled each other would look like a body without forces.
+        static constexpr int sizes[][2] = {{2, 3}, {5, 7}, {11, 13}, {17, 19}, {23, 29}, {31, 37}, {41, 43}, {47, 53}, {59, 61}};
+        give(first, b, sizes[depth][0]);
+        give(second, b, sizes[depth][1]);
+        ++trials_;
+        for (Run* trial : {&first, &second}) {
+            advance(loads, *trial);
+            if (!trial->complete) close_by_trial(loads, *trial, depth + 1);
+        }
+        --trials_;
+        if (!first.complete || !second.complete) return false;
+        for (int member = 1; member < model_.members(); ++member) {
+            const auto gap_1 = gaps(member, loads, first), gap_2 = gaps(member, loads, second);
+            for (std::size_t c = 0; c < gap_1.size(); ++c) {
+                const ScalarHandle change = board_.difference(gap_1[c], gap_2[c]);
+                if (board_.is_zero(change)) continue;
+                const ScalarHandle share = board_.quotient(gap_1[c], change);
+                run = combine(first, board_.difference(board_.given(1), share), second, share);
+                run.complete = true;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Declares a bond known, of a trial size along its line or as a couple.
+    void give(Run& run, int b, int size) {
+        Reaction& reaction = run.reactions[at(b)];
+        const Bond& bond = model_.bonds()[at(b)];
+        reaction.known = true;
+        if (shape(b, run) == Shape::couple) {
+            reaction.couple = board_.given(size);
+            return;
+        }
+        reaction.force = board_.scale<Plane::force>(board_.given(size), reaction.action->direction);
+        if (bond.kind != Bond::Kind::guide) return;
+        const ScalarHandle turning = board_.moment(board_.vector(bond.place, reaction.action->place), *reaction.force);
+        if (!board_.is_zero(turning)) reaction.couple = turning;
+    }
+
+    /// What does not close at a member: components along x and y, and the moment about one fixed place.
+    std::array<ScalarHandle, 3> gaps(int member, const std::vector<Load>& loads, const Run& run) {
+        const Wrench gap = model_.known_on({member}, loads, run);
+        const auto component = [&](const Vector& across) {
+            if (!gap.force) return board_.given(0);
+            return board_.moment(board_.given<drawing>([across](const Pose&) { return across; }), *gap.force);
+        };
+        return {component({0, -1}), component({1, 0}), model_.moment(gap, origin_)};
+    }
+
+    /// The components of a hinge that was tried by them are its force again.
+    void gather_components(Run& run) {
+        fit(run);
+        for (std::size_t b = model_.joint_bonds(); b < model_.bonds().size(); ++b) {
+            Reaction& hinge = run.reactions[at(model_.bonds()[b].part_of)];
+            Reaction& part = run.reactions[b];
+            if (!part.known) hinge.known = false;
+            if (part.force) hinge.force = hinge.force ? board_.add(*hinge.force, *part.force) : *part.force;
+            if (hinge.force && board_.is_zero(*hinge.force)) hinge.force.reset();
+            part.force.reset();
+        }
+        model_.drop_components();
+        run.reactions.resize(model_.joint_bonds());
+    }
+
+    ForceModel& model_;
+    Board& board_;
+    const Mechanism& mechanism_;
+    PlaceOnDrawing origin_;                                            ///< about which gaps are measured
+    int trials_ = 0;                                                   ///< trials under way, one in the other
+    NamedMeets meets_;                                                 ///< by member
+    std::vector<std::pair<PlaceOnDrawing, std::string>> named_meets_;  ///< all, each with its letter
+};
+
+}  // namespace
+}  // namespace statics
+
+ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
+    if (structure.mechanism().points.empty()) return {};
+    statics::ForceModel model(structure, board, motion);
+    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}};
+    statics::Rules rules(model, board, structure.mechanism());
+    const statics::Run run = rules.run();
+    return statics::cut_free(model, board, structure.mechanism(), mobility, run, rules.meets());
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,323 @@
+#include "constructions/free_bodies.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::statics {
+namespace {
+
+/// One force of a body's polygon.
+struct Side {
+    Symbol symbol;
+    Force force;
+    int bond = -1;         ///< −1: a load
+    bool external = true;  ///< a load, an effort or reaction of the frame
+};
+
+class FreeBodies {
+public:
+    FreeBodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const NamedMeets& meets)
+        : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), meets_(meets) {}
+
+    ForceResults cut(const Run& run) {
+        collect(run);
+        return std::move(results_);
+    }
+
+private:
+    void collect(const Run& run) {
+        bool balanced = true;
+        if (run.complete) {
+            for (int member = 1; member < model_.members() && balanced; ++member)
+                balanced = model_.known_on({member}, model_.loads(), run).vanishes();
+        }
+        if (!run.complete || !balanced) explain(run, balanced);
+        for (std::size_t b = 0; b < model_.bonds().size(); ++b) collect(model_.bonds()[b], run.reactions[b], balanced);
+        if (!run.complete || !balanced) return;
+        std::vector<int> order;
+        for (const Resolved& resolved : run.order) order.push_back(resolved.member);
+        for (int member = 1; member < model_.members(); ++member) {
+            if (!in(order, member)) order.push_back(member);
+        }
+        for (const int member : order) free_body(member, run);
+        join_polygons();
+        remark_lift_off(run);
+    }
+
+    /// A one-sided contact can push only.
+    void remark_lift_off(const Run& run) {
+        for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
+            const Bond& bond = model_.bonds()[b];
+            if (bond.joint < 0 || !run.reactions[b].force) continue;
+            const Joint& joint = mechanism_.joints[at(bond.joint)];
+            if (!joint.pushes || dot(board_.value(*run.reactions[b].force), *joint.pushes).sign() >= 0) continue;
+            results_.remarks.push_back("the contact at " + joint.name + " would have to pull: there the bodies lift off");
+        }
+    }
+
+    std::string reason() const {
+        const int efforts = static_cast<int>(mechanism_.efforts.size());
+        const auto freedoms = [](int count) { return std::to_string(count) + (count == 1 ? " freedom" : " freedoms"); };
+        int repeated = 0;
+        std::string joints;
+        for (const Mobility::Redundant& redundant : mobility_.redundant) {
+            repeated += redundant.rows;
+            joints += (joints.empty() ? "" : ", ") + mechanism_.joints[at(redundant.joint)].name;
+        }
+        if (efforts < mobility_.effective) {
+            return "the loads are not balanced: the mechanism has " + freedoms(mobility_.effective) + " and " +
+                   std::to_string(efforts) + (efforts == 1 ? " effort" : " efforts") + " to hold it; give \"effort\"";
+        }
+        if (efforts > mobility_.effective) {
+            return std::to_string(efforts) + " efforts stand against " + freedoms(mobility_.effective) +
+                   "; give one for each freedom";
+        }
+        if (repeated > 0) {
+            return "statically indeterminate, " + std::to_string(repeated) + (repeated == 1 ? " time" : " times") + ": joint " +
+                   joints + " repeats what others hold already";
+        }
+        return "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit";
+    }
+
+    void explain(const Run& run, bool balanced) {
+        if (!balanced) {
+            results_.unsolved.push_back({"forces", reason()});
+            return;
+        }
+        std::string open;
+        for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
+            if (!run.reactions[b].known) open += (open.empty() ? "" : ", ") + name_of(model_.bonds()[b].symbol);
+        }
+        results_.unsolved.push_back({"forces", reason() + "; not determined: " + open});
+    }
+
+    Vector value(const std::optional<Force>& force) const { return force ? board_.value(*force) : Vector{}; }
+    Exact value(const std::optional<ScalarHandle>& couple) const { return couple ? board_.value(*couple) : Exact(); }
+
+    void collect(const Bond& bond, const Reaction& reaction, bool valid) {
+        if (bond.effort >= 0) {
+            EffortValue result;
+            result.name = std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(bond.effort)]);
+            if (valid && reaction.known) {
+                if (bond.kind == Bond::Kind::couple) {
+                    result.value = value(reaction.couple);
+                } else if (reaction.force) {
+                    // In units of the direction, which is a unit vector.
+                    result.value =
+                        board_.value(board_.ratio(*reaction.force, board_.scale<Plane::force>(board_.given(1), bond.direction)));
+                } else {
+                    result.value = Exact();
+                }
+            }
+            results_.efforts.push_back(std::move(result));
+            return;
+        }
+        JointForce on_first;
+        on_first.joint = bond.joint;
+        on_first.on = bond.first;
+        on_first.from = model_.is_pin(bond.second) ? -1 : bond.second;
+        if (valid && reaction.known) {
+            on_first.force = value(reaction.force);
+            on_first.couple = value(reaction.couple);
+        }
+        results_.joints.push_back(on_first);
+        if (model_.is_pin(bond.second)) return;
+        JointForce on_second = on_first;
+        std::swap(on_second.on, on_second.from);
+        if (on_second.force) on_second.force = -*on_second.force;
+        if (on_second.couple) on_second.couple = -*on_second.couple;
+        results_.joints.push_back(on_second);
+    }
+
+    void free_body(int member, const Run& run) {
+        FreeBody body;
+        if (model_.is_pin(member)) {
+            body.pin = model_.pin_point(member);
+        } else {
+            body.body = member;
+        }
+        std::vector<Side> sides;
+        const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
+            if (force) {
+                applied.force = board_.value(*force);
+                const bool external =
+                    bond < 0 || model_.bonds()[at(bond)].first == frame || model_.bonds()[at(bond)].second == frame;
+                sides.push_back({applied.symbol, *force, bond, external});
+            }
+            if (!applied.force.is_zero() || !applied.couple.is_zero()) body.forces.push_back(std::move(applied));
+        };
+        for (const Load& load : model_.loads()) {
+            if (load.member != member) continue;
+            AppliedForce applied;
+            applied.symbol = load.symbol;
+            applied.kind = load.kind;
+            applied.at = board_.value(load.place).place();
+            applied.couple = value(load.couple);
+            apply(std::move(applied), load.force, -1);
+        }
+        for (const int b : model_.bonds_of(member)) {
+            const Bond& bond = model_.bonds()[at(b)];
+            const Reaction& reaction = run.reactions[at(b)];
+            const bool reversed = bond.second == member;
+            AppliedForce applied;
+            applied.symbol = reversed ? bond.reverse : bond.symbol;
+            applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
+            applied.joint = bond.joint;
+            applied.from = reversed ? bond.first : bond.second;
+            if (model_.is_pin(applied.from)) applied.from = -1;
+            applied.at = board_.value(bond.place).place();
+            applied.line_by_construction = reaction.deduced;
+            std::optional<Force> force;
+            if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
+            if (reaction.couple) {
+                // A force with a couple is the same force moved aside: its real line.
+                if (force) {
+                    const ScalarHandle couple =
+                        reversed ? board_.difference(board_.given(0), *reaction.couple) : *reaction.couple;
+                    applied.at = board_.value(board_.carry(bond.place, board_.arm(couple, *force))).place();
+                } else {
+                    applied.couple = reversed ? -board_.value(*reaction.couple) : board_.value(*reaction.couple);
+                }
+            }
+            apply(std::move(applied), force, b);
+        }
+        const auto meets = meets_.find(member);
+        if (meets != meets_.end()) {
+            for (const auto& [letter, place] : meets->second) {
+                const bool listed =
+                    std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.first == letter; });
+                if (!listed) body.meets.emplace_back(letter, board_.value(place).place());
+            }
+        }
+        if (!sides.empty()) {
+            sort_round(sides);
+            body.polygon = draw_polygon(member, sides);
+            sides_.emplace_back(member, std::move(sides));
+        }
+        if (!body.forces.empty()) results_.bodies.push_back(std::move(body));
+    }
+
+    /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of common
+    /// forces.
+    void sort_round(std::vector<Side>& sides) const {
+        const Vector first = board_.value(sides.front().force);
+        const auto half = [&](const Vector& v) {
+            const int turned = cross(first, v).sign();
+            return turned > 0 || (turned == 0 && dot(first, v).sign() > 0) ? 0 : 1;
+        };
+        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+            const Vector u = board_.value(a.force), v = board_.value(b.force);
+            if (half(u) != half(v)) return half(u) < half(v);
+            return cross(u, v).sign() > 0;
+        });
+    }
+
+    int add_force_polygon(std::string id) {
+        Polygon polygon;
+        polygon.plane = Plane::force;
+        polygon.id = std::move(id);
+        return board_.add_polygon(std::move(polygon));
+    }
+
+    using Corner = PointOn<Plane::force>;
+
+    void draw_side(int polygon, const Side& side, int member, Corner tail, Corner tip) {
+        DrawnVector drawn;
+        drawn.symbol = side.symbol;
+        drawn.polygon = polygon;
+        drawn.tail = tail.element;
+        drawn.tip = tip.element;
+        drawn.body = model_.is_pin(member) ? -1 : member;
+        drawn.role = side.external ? DrawnVector::Role::external : DrawnVector::Role::internal;
+        board_.draw(std::move(drawn));
+    }
+
+    /// Tip to tail: the forces of a body in equilibrium close.
+    int draw_polygon(int member, const std::vector<Side>& sides) {
+        const int polygon = add_force_polygon("forces-" + model_.member_name(member));
+        place_sides(polygon, member, sides, 0, board_.pole<Plane::force>(), -1);
+        return polygon;
+    }
+
+    /// Sets the sides off from `start`, beginning with the one at `from`; the side of the bond `shared` is there already.
+    /// Returns the tails of the sides, in their order.
+    std::vector<Corner> place_sides(int polygon, int member, const std::vector<Side>& sides, std::size_t from, Corner start,
+                                    int shared) {
+        std::vector<Corner> tails(sides.size());
+        Face face;
+        face.body = model_.is_pin(member) ? -1 : member;
+        Corner here = start;
+        for (std::size_t n = 0; n < sides.size(); ++n) {
+            const std::size_t i = (from + n) % sides.size();
+            const Corner next = n + 1 == sides.size() ? start : board_.carry(here, sides[i].force);
+            if (n + 1 == sides.size()) {
+                KG_ASSERT(board_.coincide(board_.carry(here, sides[i].force), start),
+                          "the forces of a body in equilibrium close");
+            }
+            if (shared < 0 || sides[i].bond != shared) draw_side(polygon, sides[i], member, here, next);
+            tails[i] = here;
+            face.corners.push_back(here.element);
+            here = next;
+        }
+        board_.add_face(polygon, std::move(face));
+        return tails;
+    }
+
+    /// The triangles laid side by side on their common forces, so that the external forces close.
+    void join_polygons() {
+        std::set<int> placed;
+        int count = 0;
+        for (std::size_t first = 0; first < sides_.size(); ++first) {
+            if (placed.count(sides_[first].first) != 0 || sides_.size() < 2) continue;
+            const int polygon = add_force_polygon(count == 0 ? "closure" : "closure-" + std::to_string(count + 1));
+            ++count;
+            struct Open {
+                std::size_t index, from;
+                Corner start;
+                int shared;
+            };
+            std::vector<Open> open{{first, 0, board_.pole<Plane::force>(), -1}};
+            placed.insert(sides_[first].first);
+            for (std::size_t next = 0; next < open.size(); ++next) {
+                const Open here = open[next];
+                const auto& [member, sides] = sides_[here.index];
+                const std::vector<Corner> tails = place_sides(polygon, member, sides, here.from, here.start, here.shared);
+                for (std::size_t i = 0; i < sides.size(); ++i) {
+                    if (sides[i].external) continue;
+                    const Bond& bond = model_.bonds()[at(sides[i].bond)];
+                    const int other = bond.first == member ? bond.second : bond.first;
+                    if (placed.count(other) != 0) continue;
+                    for (std::size_t k = 0; k < sides_.size(); ++k) {
+                        if (sides_[k].first != other) continue;
+                        const auto& across = sides_[k].second;
+                        for (std::size_t m = 0; m < across.size(); ++m) {
+                            if (across[m].bond != sides[i].bond) continue;
+                            placed.insert(other);
+                            open.push_back({k, m, tails[(i + 1) % sides.size()], sides[i].bond});
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    ForceModel& model_;
+    Board& board_;
+    const Mechanism& mechanism_;
+    const Mobility& mobility_;
+    const NamedMeets& meets_;
+    std::vector<std::pair<int, std::vector<Side>>> sides_;  ///< by member, in the order resolved
+    ForceResults results_;
+};
+
+}  // namespace
+
+ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
+                      const NamedMeets& meets) {
+    return FreeBodies(model, board, mechanism, mobility, meets).cut(run);
+}
+
+}  // namespace kinegraph::statics

@@ -1,0 +1,21 @@
+// Free bodies: what a finished run says of each body cut free, its closed force polygon, and the polygons laid side by side on
+// their common forces (Cremona), so that the external forces close. Says why, where something is not determined.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "constructions/force_model.hpp"
+#include "constructions/forces.hpp"
+
+namespace kinegraph::statics {
+
+/// Points of concurrency by the member on which they were used, with the letters they got.
+using NamedMeets = std::map<int, std::vector<std::pair<std::string, PlaceOnDrawing>>>;
+
+ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
+                      const NamedMeets& meets);
+
+}  // namespace kinegraph::statics

@@ -1,0 +1,1013 @@
+// Force figures: the mechanism with its lines of action, every body cut free, the force polygons and the closed polygon. Owns
+// what such a figure shows and where its arrows stand; takes every force and place from the Solution, computes no statics.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/assert.hpp"
+#include "render/force_tables.hpp"
+#include "render/mechanism_sketch.hpp"
+#include "render/shapes.hpp"
+#include "render/tables.hpp"
+
+namespace kinegraph::render {
+
+namespace drawing {
+
+/// The body cut free: one outline for all that it is made of, tinted, so that arrows stand out from it.
+void Sketch::draw_alone(BodyIndex body) {
+    const Shape& shape = shapes_[at_index(body)];
+    const double width = 0.9 * theme_.link, edge = theme_.outline;
+    const Colour colour = line_colour(body), tint = tint_colour(body);
+    bodies.emplace_back(GroupBegin{"link", id("link", m_.bodies[at_index(body)].name), m_.bodies[at_index(body)].name, {}});
+    if (const auto& wheel = m_.bodies[at_index(body)].circle)
+        bodies.emplace_back(disc(spot(wheel->centre), wheel->radius.to_double() / scale_, tint));
+    std::vector<Mark> profiles;
+    draw_profiles(body, profiles);
+    construction.clear();
+    const auto is_heavy = [&](const Mark& mark) {
+        const auto* path = std::get_if<Path>(&mark);
+        return path && path->stroked && path->pen.width == theme_.link;
+    };
+    for (const Mark& mark : profiles)
+        if (!is_heavy(mark)) bodies.push_back(mark);
+    // Once wide in the colour, once narrower in the tint: the outline of all together.
+    for (const bool outside : {true, false}) {
+        const Pen pen{outside ? width + 2 * edge : width, outside ? colour : tint, {}, true};
+        if (!outside && !shape.plate.empty()) bodies.emplace_back(filled(shape.plate, tint));
+        if (!shape.plate.empty()) bodies.emplace_back(polyline(shape.plate, pen, true));
+        for (const Bar& bar : shape.bars)
+            if (length(bar.to - bar.from) > 1e-6) bodies.emplace_back(line(bar.from, bar.to, pen));
+        for (const Mark& mark : profiles)
+            if (is_heavy(mark)) {
+                Path path = std::get<Path>(mark);
+                path.pen = pen;
+                bodies.emplace_back(std::move(path));
+            }
+    }
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        if (joint.kind == JointKind::prismatic && joint.bodies.size() == 2 && joint.bodies[0] == body)
+            draw_block(joint, j, bodies);
+        if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
+            draw_curved_slot(joint, bodies);
+    }
+    for (const Bar& slot : shape.slots) draw_slot(slot, body, bodies);
+    bodies.emplace_back(GroupEnd{});
+    std::vector<Spot> done;
+    const auto once = [&](Spot at) {
+        if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - at) < same_place; })) return false;
+        done.push_back(at);
+        return true;
+    };
+    for (const Joint& joint : m_.joints) {
+        if (std::find(joint.bodies.begin(), joint.bodies.end(), body) == joint.bodies.end()) continue;
+        const Spot at = spot(joint.point);
+        if (joint.kind == JointKind::prismatic || !once(at)) continue;
+        if (joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot)
+            pins.emplace_back(ring(at, 0.8 * pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+        else
+            pins.emplace_back(disc(at, 0.65, theme_.text));
+    }
+    for (std::size_t p = 0; p < spots_.size(); ++p) {
+        if (!s_.shown[p] || !once(spots_[p])) continue;
+        if (s_.mass_centre[p])
+            draw_mass_centre(spots_[p]);
+        else
+            pins.emplace_back(disc(spots_[p], 0.65, theme_.text));
+    }
+}
+
+}  // namespace drawing
+
+namespace {
+
+using namespace drawing;
+
+constexpr double line_overshoot = 10;  // of a line of action past what it joins, mm
+constexpr double coincident = 0.02;    // mm: drawn as one
+constexpr double label_reach = 7;      // what labels may add beyond the strokes on each side
+
+double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
+
+BodyColour colour_of(const Theme& theme, BodyIndex body) {
+    if (body <= 0) return {theme.text, theme.paper, theme.text};
+    return theme.body(body);
+}
+
+void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+/// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
+int lines_through(const FreeBody& body, Spot place, double near) {
+    int count = 0;
+    for (const AppliedForce& applied : body.forces)
+        if (!applied.force.is_zero() && std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near)
+            ++count;
+    return count;
+}
+
+/// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
+std::vector<std::pair<std::string, Vector>> shown_meets(const Solution& solution, const FreeBody& body) {
+    std::vector<std::pair<std::string, Vector>> shown;
+    const double near = 1e-7 * solution.pose.size.to_double();
+    for (const auto& meet : body.meets)
+        if (lines_through(body, paper_spot(meet.second), near) >= 2) shown.push_back(meet);
+    return shown;
+}
+
+/// What a free body wants to show: its points, where its forces act, points of concurrency not too far away (m, y downwards).
+struct FreeExtent {
+    Box own, all;
+};
+FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
+    const Mechanism& mechanism = subject.mechanism;
+    Box box;
+    bool any = false;
+    const auto include = [&](Spot spot, double radius) {
+        const Box around{{spot.x - radius, spot.y - radius}, {spot.x + radius, spot.y + radius}};
+        if (!any) box = around;
+        any = true;
+        box.min = {std::min(box.min.x, around.min.x), std::min(box.min.y, around.min.y)};
+        box.max = {std::max(box.max.x, around.max.x), std::max(box.max.y, around.max.y)};
+    };
+    if (body.body >= 0) {
+        const Body& data = mechanism.bodies[at_index(body.body)];
+        for (const PointIndex p : data.points) include(subject.points[at_index(p)], 0);
+        for (const Joint& joint : mechanism.joints)
+            if (std::find(joint.bodies.begin(), joint.bodies.end(), body.body) != joint.bodies.end())
+                include(subject.points[at_index(joint.point)], 0);
+        if (data.circle) include(subject.points[at_index(data.circle->centre)], data.circle->radius.to_double());
+    } else {
+        include(subject.points[at_index(body.pin)], 0);
+    }
+    const Box own = box;
+    const double size = std::max(own.width(), own.height());
+    for (const AppliedForce& applied : body.forces)
+        if (const Spot at = paper_spot(applied.at);
+            length(at - 0.5 * (own.min + own.max)) < 2 * std::max(size, 0.1 * subject.size()))
+            include(at, 0);
+    // A point of concurrency is shown where it does not make the body tiny.
+    const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
+    for (const auto& [letter, place] : shown_meets(subject.solution, body))
+        if (const Spot at = paper_spot(place); contains(near, at)) include(at, 0);
+    return {own, box};
+}
+
+// --- force polygons ------------------------------------------------------------------------------------------------------------
+
+class ForcePolygon {
+public:
+    ForcePolygon(const DrawingContext& context, int polygon)
+        : context_(context),
+          protocol_(context.solution.protocol),
+          polygon_(protocol_.polygons[at_index(polygon)]),
+          unit_(context.solution.mechanism.units.force) {
+        Exact low_x, high_x, low_y, high_y;
+        bool first = true;
+        for (const int v : polygon_.vectors) {
+            const DrawnVector& vector = protocol_.vectors[at_index(v)];
+            for (const int corner : {vector.tail, vector.tip}) {
+                const Vector at = protocol_.point(corner).place();
+                if (first || at.x < low_x) low_x = at.x;
+                if (first || at.x > high_x) high_x = at.x;
+                if (first || at.y < low_y) low_y = at.y;
+                if (first || at.y > high_y) high_y = at.y;
+                first = false;
+            }
+            const Vector value = protocol_.value_of(vector);
+            if (along_.is_zero() || dot(along_, along_) < dot(value, value)) along_ = value;
+        }
+        // So thin that its sides would lie on each other.
+        constexpr double thin = 0.035;
+        double below = 0, above = 0, back = 0, ahead = 0;
+        const Spot main = paper_direction(along_);
+        const double longest = std::max(kinegraph::length(along_), 1e-300);
+        for (const int v : polygon_.vectors)
+            for (const int corner : {protocol_.vectors[at_index(v)].tail, protocol_.vectors[at_index(v)].tip}) {
+                const Spot at = paper_spot(protocol_.point(corner).place() -
+                                           protocol_.point(protocol_.vectors[at_index(polygon_.vectors.front())].tail).place());
+                const double across = cross(main, at) / longest, along = dot(main, at) / longest;
+                below = std::min(below, across), above = std::max(above, across);
+                back = std::min(back, along), ahead = std::max(ahead, along);
+            }
+        flat_ = above - below < thin * (ahead - back);
+        width_ = ((high_x - low_x) / unit_.si).to_double();
+        height_ = ((high_y - low_y) / unit_.si).to_double();
+    }
+
+    double width() const { return width_; }
+    double height() const { return height_; }
+    /// All forces have one direction: drawn side by side.
+    bool flat() const { return flat_; }
+    BodyIndex body() const { return polygon_.faces.empty() ? -1 : polygon_.faces.front().body; }
+
+    Figure at(double scale) const {
+        Figure figure;
+        figure.kind = polygon_.id.starts_with("closure") ? "closure" : "forces";
+        figure.id = legal_id(polygon_.id);
+        figure.caption = one_piece(word(figure.kind == "closure" ? "closed force polygon" : "force polygon", context_.language));
+        figure.scale = scale;
+        figure.unit = unit_.symbol;
+        figure.marks.emplace_back(
+            GroupBegin{"figure",
+                       figure.id,
+                       plain(figure.caption),
+                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", unit_.symbol}}});
+        if (!flat_)
+            for (const kinegraph::Face& face : polygon_.faces) {
+                std::vector<Spot> corners;
+                for (const int corner : face.corners) corners.push_back(spot(figure, corner));
+                if (face.body > 0 && corners.size() > 2)
+                    figure.marks.emplace_back(filled(corners, context_.theme.body(face.body).tint));
+            }
+        draw_sides(figure);
+        figure.box = box_of(figure.marks);
+        return figure;
+    }
+
+private:
+    struct Side {
+        Spot tail, tip;
+        std::size_t label;
+    };
+
+    Spot spot(const Figure& figure, int element) const {
+        const Vector at = protocol_.point(element).place();
+        return {(at.x / unit_.si).to_double() / figure.scale, -(at.y / unit_.si).to_double() / figure.scale};
+    }
+
+    /// Sides of one direction would lie on each other: each goes into the first column beside that is free there.
+    Spot displaced(std::vector<std::vector<Interval>>& columns, Spot tail, Spot tip) const {
+        if (!flat_) return {0, 0};
+        constexpr double pitch = 3.4;
+        const Spot along = paper_direction(along_);
+        const double a = dot(tail, along), b = dot(tip, along);
+        const Interval taken{std::min(a, b), std::max(a, b)};
+        std::size_t column = 0;
+        for (; column < columns.size(); ++column)
+            if (std::none_of(columns[column].begin(), columns[column].end(),
+                             [&](const Interval& i) { return i.from < taken.to - 0.05 && i.to > taken.from + 0.05; }))
+                break;
+        if (column == columns.size()) columns.emplace_back();
+        columns[column].push_back(taken);
+        return (pitch * static_cast<double>(column)) * turned(along);
+    }
+
+    void draw_sides(Figure& figure) const {
+        const Theme& theme = context_.theme;
+        const double largest = std::max(width_, height_);
+        std::vector<std::vector<Interval>> columns;
+        std::vector<Side> drawn;
+        std::set<std::string> names;
+        std::vector<Mark> dashed, solid;
+        for (const int index : polygon_.vectors) {
+            const DrawnVector& vector = protocol_.vectors[at_index(index)];
+            const Vector exact = protocol_.value_of(vector);
+            const double value = kinegraph::length({exact.x / unit_.si, exact.y / unit_.si});
+            if (!(value > largest * 1e-12)) continue;
+            const std::string base = name_of(vector.symbol);
+            std::string name = base;
+            for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
+            Spot tail = spot(figure, vector.tail), tip = spot(figure, vector.tip);
+            const Spot aside = displaced(columns, tail, tip);
+            if (length(aside) > 0) {
+                const Pen thin{theme.thin, theme.secondary, {}, false};
+                for (const Spot end : {tail, tip}) figure.marks.emplace_back(line(end, end + aside, thin));
+                tail = tail + aside, tip = tip + aside;
+            }
+            const bool internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
+            const BodyColour colour = colour_of(theme, vector.body);
+            // An inner side met again (a two-force body lies between): one stroke, both names.
+            const auto same = std::find_if(drawn.begin(), drawn.end(), [&](const Side& side) {
+                return (length(side.tail - tail) < coincident && length(side.tip - tip) < coincident) ||
+                       (length(side.tail - tip) < coincident && length(side.tip - tail) < coincident);
+            });
+            std::vector<Mark>& marks = internal ? dashed : solid;
+            marks.emplace_back(GroupBegin{"vector",
+                                          figure.id + "-" + legal_id(name),
+                                          name + " = " + shortest(value) + " " + unit_.symbol,
+                                          {{"data-name", name}, {"data-value", shortest(value)}}});
+            marks.emplace_back(Axis{tail, tip});
+            if (!internal)
+                draw_arrow(marks, tail, tip, theme.vector, colour.line);
+            else if (same == drawn.end())
+                marks.emplace_back(line(tail, tip, {theme.outline, colour.line, dashes(), false}));
+            marks.emplace_back(GroupEnd{});
+            const RichText symbol = typeset(vector.symbol, context_.language);
+            if (same != drawn.end()) {
+                RichText& text = figure.labels[same->label].text;
+                text.push_back(one_piece(length(same->tail - tail) < coincident ? " = " : " = −").front());
+                text.insert(text.end(), symbol.begin(), symbol.end());
+                continue;
+            }
+            drawn.push_back({tail, tip, figure.labels.size()});
+            LabelRequest label;
+            label.text = symbol;
+            label.size = internal ? theme.label : theme.equation;
+            label.colour = colour.letter;
+            label.anchor = 0.5 * (tail + tip);
+            label.toward = tip;
+            label.clearance = 1.5;
+            figure.labels.push_back(std::move(label));
+        }
+        append(figure.marks, dashed);
+        append(figure.marks, solid);
+    }
+
+    const DrawingContext& context_;
+    const Protocol& protocol_;
+    const Polygon& polygon_;
+    const Unit& unit_;
+    Vector along_;
+    bool flat_ = true;
+    double width_ = 0, height_ = 0;
+};
+
+void set_scale_bar(const DrawingContext& context, Figure& figure, double target, Spot at) {
+    std::vector<Mark> bar;
+    draw_scale_bar(bar, context.fonts, context.theme, {0, 0}, target, figure.scale, 1, figure.unit, context.language);
+    const Box size = box_of(bar);
+    render::move(bar, at.x - size.min.x, at.y - size.min.y);
+    append(figure.marks, bar);
+    figure.box = box_of(figure.marks);
+}
+
+std::vector<int> shown_polygons(const Solution& solution) {
+    std::vector<int> all, several;
+    for (const FreeBody& body : solution.free_bodies) {
+        if (body.polygon < 0) continue;
+        all.push_back(body.polygon);
+        // Two equal and opposite forces make no polygon: the steps say so.
+        if (solution.protocol.polygons[at_index(body.polygon)].vectors.size() > 2) several.push_back(body.polygon);
+    }
+    return several.empty() ? all : several;
+}
+
+/// Polygons in rows, each with its body's name above and its table below.
+class Rows {
+public:
+    Rows(const DrawingContext& context, bool with_tables) : context_(context) {
+        for (const int polygon : shown_polygons(context.solution)) {
+            Item item{polygon, {}, {}};
+            for (const FreeBody& body : context.solution.free_bodies)
+                if (body.polygon == polygon) {
+                    item.body = &body;
+                    if (with_tables && !ForcePolygon(context, polygon).flat())
+                        item.table = force_equation_block(context, body, false);
+                }
+            items_.push_back(std::move(item));
+        }
+    }
+    bool empty() const { return items_.empty(); }
+    bool has_tables() const {
+        return std::any_of(items_.begin(), items_.end(), [](const Item& item) { return item.table.width > 0; });
+    }
+    double least_scale(double room_x, double room_y) const {
+        double most = 0;
+        for (const Item& item : items_) {
+            const ForcePolygon polygon(context_, item.polygon);
+            most = std::max({most, polygon.width() / room_x, polygon.height() / room_y});
+        }
+        return most > 0 ? choose_scale(most, 0, 1, 1, std::nullopt) : 1;
+    }
+
+    /// At this scale, or nothing where it does not fit; `force`: whatever it takes.
+    std::optional<Figure> at(double scale, double room_x, double room_y, bool force) const {
+        constexpr double between = 6, head = 6, bar = 9;
+        const Block names = has_tables() ? force_row_names(context_) : Block{};
+        const double indent = names.width > 0 ? names.width + 2 : 0;
+        room_x -= indent;
+        std::vector<Figure> figures;
+        std::vector<Spot> sizes;
+        for (const Item& item : items_) {
+            figures.push_back(ForcePolygon(context_, item.polygon).at(scale));
+            sizes.push_back(size_of(item, figures.back(), 0.4 * label_reach, head));
+        }
+        if (!force && height_of(arranged(sizes, room_x, between), sizes, between) + bar > room_y) return std::nullopt;
+        if (!force && std::any_of(sizes.begin(), sizes.end(), [&](Spot s) { return s.x > room_x; })) return std::nullopt;
+        for (std::size_t i = 0; i < figures.size(); ++i) {
+            place_labels(figures[i], context_.fonts);
+            figures[i].marks.emplace_back(GroupEnd{});
+            sizes[i] = size_of(items_[i], figures[i], 0, head);
+        }
+        const auto rows = arranged(sizes, room_x, between);
+        const double height = height_of(rows, sizes, between);
+        const bool fits =
+            height + bar <= room_y && std::all_of(sizes.begin(), sizes.end(), [&](Spot s) { return s.x <= room_x; });
+        if (!fits && !force) return std::nullopt;
+
+        Figure all;
+        all.kind = "forces";
+        all.id = "forces";
+        all.scale = scale;
+        all.unit = context_.solution.mechanism.units.force.symbol;
+        const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
+            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 &&
+                   !ForcePolygon(context_, item.polygon).flat();
+        });
+        const std::string key = items_.size() == 1 ? (triangles ? "force triangle" : "force polygon")
+                                                   : (triangles ? "force triangles" : "force polygons");
+        all.caption = one_piece(word(key, context_.language));
+        double y = 0;
+        for (const std::vector<std::size_t>& row : rows) {
+            double tallest = 0, used = 0;
+            for (const std::size_t i : row) {
+                tallest = std::max(tallest, figures[i].box.height());
+                used += sizes[i].x;
+            }
+            double x = indent;
+            bool named = names.width <= 0;
+            const double spread = row.size() < 2
+                                      ? between
+                                      : std::clamp((room_x - used) / static_cast<double>(row.size() - 1), between, 3 * between);
+            for (const std::size_t i : row) {
+                Figure& figure = figures[i];
+                const std::string& name = body_name(*items_[i].body);
+                const std::string words = items_[i].body->body >= 0 ? word("body", context_.language) + " " + name
+                                                                    : word("pin", context_.language) + " " + name;
+                set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
+                         {x, y + 3.2}, colour_of(context_.theme, items_[i].body->body).letter, "text");
+                figure.move(x - figure.box.min.x + 0.5 * (sizes[i].x - figure.box.width()),
+                            y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
+                append(all.marks, figure.marks);
+                std::vector<Mark> table = items_[i].table.marks;
+                const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);
+                render::move(table, left, y + head + tallest + 2.5);
+                append(all.marks, table);
+                if (!table.empty() && !named) {
+                    // What the rows are stands before the first of them.
+                    std::vector<Mark> row_names = names.marks;
+                    render::move(row_names, left - indent, y + head + tallest + 2.5);
+                    append(all.marks, row_names);
+                    named = true;
+                }
+                x += sizes[i].x + spread;
+            }
+            double below = 0;
+            for (const std::size_t i : row) below = std::max(below, items_[i].table.height);
+            y += head + tallest + (below > 0 ? below + 2.5 : 0) + between;
+        }
+        all.box = box_of(all.marks);
+        set_scale_bar(context_, all, 24, {all.box.min.x, all.box.max.y + 3});
+        return all;
+    }
+
+private:
+    struct Item {
+        int polygon = -1;
+        Block table;
+        const FreeBody* body = nullptr;
+    };
+
+    static std::string capital(std::string words) {
+        if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+        return words;
+    }
+    const std::string& body_name(const FreeBody& body) const {
+        const Mechanism& m = context_.solution.mechanism;
+        return body.body >= 0 ? m.bodies[at_index(body.body)].name : m.points[at_index(body.pin)].name;
+    }
+    static Spot size_of(const Item& item, const Figure& figure, double reach, double head) {
+        return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}), head + figure.box.height() + 2 * reach};
+    }
+    static std::vector<std::vector<std::size_t>> arranged(const std::vector<Spot>& sizes, double room, double between) {
+        std::vector<std::vector<std::size_t>> rows;
+        double x = 0;
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            if (rows.empty() || x + between + sizes[i].x > room) {
+                rows.emplace_back();
+                x = -between;
+            }
+            rows.back().push_back(i);
+            x += between + sizes[i].x;
+        }
+        return rows;
+    }
+    double height_of(const std::vector<std::vector<std::size_t>>& rows, const std::vector<Spot>& sizes, double between) const {
+        double sum = -between;
+        for (const auto& row : rows) {
+            double tallest = 0, table = 0;
+            for (const std::size_t i : row) {
+                tallest = std::max(tallest, sizes[i].y);
+                if (items_[i].table.height > 0) table = std::max(table, items_[i].table.height + 2.5);
+            }
+            sum += tallest + table + between;
+        }
+        return sum;
+    }
+
+    const DrawingContext& context_;
+    std::vector<Item> items_;
+};
+
+// --- arrows on a body
+// ------------------------------------------------------------------------------------------------------------
+
+/// Strokes of a drawing, to see where an arrow would stand in the way.
+class Clutter {
+public:
+    void add(const std::vector<Mark>& marks) {
+        for (const Mark& mark : marks) {
+            const auto* path = std::get_if<Path>(&mark);
+            if (!path) continue;
+            Spot pen, start;
+            const double half = path->stroked ? path->pen.width / 2 : 0;
+            for (const render::Segment& segment : path->segments) {
+                if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                    pen = start = m->to;
+                } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                    strokes_.push_back({{pen, l->to}, half});
+                    pen = l->to;
+                } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                    pen = a->centre + a->radius * polar_spot(a->to);
+                    strokes_.push_back({{a->centre, a->centre}, a->radius});
+                } else if (std::holds_alternative<Close>(segment)) {
+                    strokes_.push_back({{pen, start}, half});
+                }
+            }
+        }
+    }
+    void add(Spot from, Spot to) { strokes_.push_back({{from, to}, 1.0}); }
+    /// The share of the stretch that lies near strokes.
+    double along(Spot from, Spot to) const {
+        constexpr int pieces = 16;
+        int met = 0;
+        for (int i = 0; i <= pieces; ++i) {
+            const Spot at = from + (static_cast<double>(i) / pieces) * (to - from);
+            if (std::any_of(strokes_.begin(), strokes_.end(),
+                            [&](const Stroke& stroke) { return distance(at, stroke.bar) < stroke.half + 1.2; }))
+                ++met;
+        }
+        return static_cast<double>(met) / (pieces + 1);
+    }
+
+private:
+    struct Stroke {
+        Bar bar;
+        double half;
+    };
+    std::vector<Stroke> strokes_;
+};
+
+/// A line of action: a direction and the places that it joins, mm.
+struct ActionLine {
+    Spot at, along;
+    std::vector<Spot> marks;
+};
+
+void add_line(std::vector<ActionLine>& lines, Spot at, Spot along, const std::vector<Spot>& marks) {
+    for (ActionLine& known : lines)
+        if (std::abs(cross(known.along, along)) < 1e-6 && std::abs(cross(known.along, at - known.at)) < 0.05) {
+            known.marks.insert(known.marks.end(), marks.begin(), marks.end());
+            return;
+        }
+    lines.push_back({at, along, marks});
+}
+
+void draw_action_line(std::vector<Mark>& marks, const Theme& theme, const ActionLine& action, const Box& view) {
+    double from = 1e300, to = -1e300;
+    for (const Spot mark : action.marks) {
+        from = std::min(from, dot(mark - action.at, action.along));
+        to = std::max(to, dot(mark - action.at, action.along));
+    }
+    if (from > to) return;
+    from -= line_overshoot, to += line_overshoot;
+    const Interval seen = within(view, action.at, action.along);
+    from = std::max(from, seen.from), to = std::min(to, seen.to);
+    if (to - from < 1) return;
+    marks.emplace_back(
+        line(action.at + from * action.along, action.at + to * action.along, {theme.thin, theme.secondary, dash_dot(), false}));
+}
+
+void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string& name, Spot at) {
+    for (LabelRequest& label : sketch.labels) {
+        if (label.balloon > 0 || label.toward || length(label.anchor - at) > 0.3) continue;
+        // The lines meet in a point that has a name already.
+        label.text.push_back(one_piece(" ≡ ").front());
+        for (Piece& piece : typeset(Symbol{Symbol::Letter::point, name, ""}, context.language))
+            label.text.push_back(std::move(piece));
+        return;
+    }
+    sketch.centres.emplace_back(ring(at, 1.0, context.theme.paper, {context.theme.outline, context.theme.text, {}, false}));
+    sketch.centres.emplace_back(disc(at, 0.45, context.theme.text));
+    LabelRequest label;
+    label.text = typeset(Symbol{Symbol::Letter::point, name, ""}, context.language);
+    label.size = context.theme.label;
+    label.colour = context.theme.text;
+    label.anchor = at;
+    label.clearance = 2.0;
+    sketch.labels.push_back(std::move(label));
+}
+
+void draw_couple(Sketch& sketch, const DrawingContext& context, Clutter& clutter, const RichText& text, Spot at, bool positive,
+                 BodyColour colour) {
+    // On paper y runs down: counter-clockwise is the negative turn.
+    const double turn = positive ? -1 : 1;
+    constexpr double sweep = 2.4;
+    double radius = 7, start = 0, least = 1e300;
+    for (const double tried : {7.0, 8.5, 10.5})
+        for (int step = 0; step < 12; ++step) {
+            const double from = step * pi_number / 6;
+            double price = 0.15 * (tried - 7) / 3.5;
+            for (int i = 0; i < 4; ++i)
+                price += clutter.along(at + tried * polar_spot(from + turn * sweep * i / 4),
+                                       at + tried * polar_spot(from + turn * sweep * (i + 1) / 4));
+            if (price < least - 1e-9) least = price, radius = tried, start = from;
+        }
+    draw_arc_arrow(sketch.arrows, at, radius, start, start + turn * sweep, 0.5, colour.line);
+    for (int i = 0; i < 6; ++i)
+        clutter.add(at + radius * polar_spot(start + turn * sweep * i / 6),
+                    at + radius * polar_spot(start + turn * sweep * (i + 1) / 6));
+    LabelRequest label;
+    label.text = text;
+    label.size = context.theme.label;
+    label.colour = colour.letter;
+    label.anchor = at + radius * polar_spot(start + turn * sweep / 2);
+    label.toward = label.anchor + 4.0 * turned(polar_spot(start + turn * sweep / 2));
+    label.clearance = 1.5;
+    sketch.labels.push_back(std::move(label));
+}
+
+RichText couple_words(const DrawingContext& context, const AppliedForce& applied) {
+    const Unit& unit = context.solution.mechanism.units.moment;
+    RichText text = typeset(couple_symbol(applied), context.language);
+    const double value = std::abs((applied.couple / unit.si).to_double());
+    for (Piece& piece : with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol))
+        text.push_back(std::move(piece));
+    return text;
+}
+
+/// Draws at ever smaller scales until everything, labels too, is within the room.
+template <class Draw>
+Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw) {
+    constexpr int most_tries = 12;
+    double scale = first;
+    for (int tries = 0;; ++tries) {
+        Figure figure = draw(scale, tries == most_tries);
+        const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
+        if (fixed || fits || tries == most_tries) return figure;
+        scale = next_scale(scale);
+    }
+}
+
+std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure) {
+    for (const AskedScale& scale : mechanism.scales)
+        if (scale.figure == figure) return scale.per_millimetre.to_double();
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool has_force_polygons(const Solution& solution) { return !shown_polygons(solution).empty(); }
+int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
+
+std::vector<int> closed_polygons(const Solution& solution) {
+    std::vector<int> found;
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
+        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
+            solution.protocol.polygons[p].faces.size() > 1)
+            found.push_back(static_cast<int>(p));
+    return found;
+}
+
+Box extent_of_free_body(const Solution& solution, std::size_t index) {
+    return extent_of(Subject(solution), solution.free_bodies[index]).all;
+}
+
+Box extent_of_forces(const Solution& solution, int polygon) {
+    const auto of = [&](int p) {
+        const Polygon& each = solution.protocol.polygons[at_index(p)];
+        Box box;
+        bool first = true;
+        for (const int v : each.vectors)
+            for (const int corner : {solution.protocol.vectors[at_index(v)].tail, solution.protocol.vectors[at_index(v)].tip}) {
+                const double si = solution.mechanism.units.force.si.to_double();
+                const Vector at = solution.protocol.point(corner).place();
+                const Spot spot{at.x.to_double() / si, at.y.to_double() / si};
+                if (first) box = {spot, spot};
+                first = false;
+                box.min = {std::min(box.min.x, spot.x), std::min(box.min.y, spot.y)};
+                box.max = {std::max(box.max.x, spot.x), std::max(box.max.y, spot.y)};
+            }
+        return box;
+    };
+    if (polygon >= 0) return of(polygon);
+    // All of them beside each other.
+    Box all;
+    for (const int p : shown_polygons(solution)) {
+        const Box box = of(p);
+        all.max = {all.max.x + box.width(), std::max(all.max.y, box.height())};
+    }
+    return all;
+}
+
+Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
+                             bool fixed) {
+    const Rows with_tables(context, true), plain_rows(context, false);
+    KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
+    if (fixed && least) {
+        if (auto figure = with_tables.at(*least, room_x, room_y, false)) return std::move(*figure);
+        if (auto figure = plain_rows.at(*least, room_x, room_y, false)) return std::move(*figure);
+    }
+    double scale = std::max(plain_rows.least_scale(room_x, room_y), fixed ? 0.0 : least.value_or(0));
+    constexpr int most_tries = 14;
+    for (int tries = 0;; ++tries, scale = next_scale(scale)) {
+        // A table is worth one step of the scale.
+        auto figure = plain_rows.at(scale, room_x, room_y, tries == most_tries);
+        if (!figure) continue;
+        if (!with_tables.has_tables()) return std::move(*figure);
+        if (auto better = with_tables.at(scale, room_x, room_y, false)) return std::move(*better);
+        // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
+        const Box extent = extent_of_forces(context.solution, -1);
+        const double smaller = next_scale(scale);
+        if (!least && extent.height() / smaller > 35)
+            if (auto better = with_tables.at(smaller, room_x, room_y, false)) return std::move(*better);
+        return std::move(*figure);
+    }
+}
+
+Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
+                             std::optional<double> least, bool fixed) {
+    const ForcePolygon drawing(context, polygon);
+    const auto finish = [&](double scale) {
+        Figure figure = drawing.at(scale);
+        place_labels(figure, context.fonts, Spot{room_x, room_y - 8});
+        set_scale_bar(context, figure, 24, {figure.box.min.x, figure.box.max.y + 3});
+        figure.marks.emplace_back(GroupEnd{});
+        figure.caption = one_piece(word("closed force polygon", context.language));
+        return figure;
+    };
+    if (fixed && least) {
+        Figure figure = finish(*least);
+        if (figure.box.width() <= room_x && figure.box.height() <= room_y) return figure;
+    }
+    double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
+    if (!fixed && least) scale = std::max(scale, *least);
+    constexpr int most_tries = 14;
+    for (int tries = 0;; ++tries, scale = next_scale(scale)) {
+        const double reach = 0.5 * label_reach;
+        if (tries < most_tries && (drawing.width() / scale + reach > room_x || drawing.height() / scale + 8 > room_y)) continue;
+        Figure figure = finish(scale);
+        if (tries == most_tries || (figure.box.width() <= room_x && figure.box.height() <= room_y)) return figure;
+    }
+}
+
+Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+    const Solution& solution = context.solution;
+    const Mechanism& mechanism = solution.mechanism;
+    const Theme& theme = context.theme;
+    const FreeBody& body = solution.free_bodies[index];
+    const std::string name =
+        body.body >= 0 ? mechanism.bodies[at_index(body.body)].name : mechanism.points[at_index(body.pin)].name;
+    const std::string id = legal_id(body.body >= 0 ? "body-" + name : "pin-" + name);
+
+    // The body's own points and places only.
+    Subject subject(solution);
+    std::fill(subject.shown.begin(), subject.shown.end(), false);
+    const auto show = [&](PointIndex point) {
+        if (point >= 0) subject.shown[at_index(point)] = true;
+    };
+    if (body.body >= 0) {
+        for (const PointIndex p : mechanism.bodies[at_index(body.body)].points) show(p);
+        for (const Joint& joint : mechanism.joints)
+            if (std::find(joint.bodies.begin(), joint.bodies.end(), body.body) != joint.bodies.end()) show(joint.point);
+    } else {
+        show(body.pin);
+    }
+    double longest = 0;
+    for (const AppliedForce& applied : body.forces) longest = std::max(longest, kinegraph::length(applied.force));
+    const auto [own_box, box] = extent_of(subject, body);
+    const double own = std::max(own_box.width(), own_box.height());
+    const auto meets = shown_meets(solution, body);
+    subject.box = box;
+
+    const Unit& unit = mechanism.units.force;
+    const double si = unit.si.to_double();
+    const auto asked = asked_scale(mechanism, "body");
+    const double reach = std::clamp(0.42 * std::min(room_x, room_y), 20.0, 38.0);
+    const double force_scale = asked ? *asked / si : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt) : 1;
+    const double around = std::min(30.0, longest / si / force_scale);
+    const double first = choose_scale(std::max(box.width(), 1e-9), std::max(box.height(), 1e-9), std::max(room_x - around, 10.0),
+                                      std::max(room_y - around - 12, 10.0), std::nullopt);
+    // A lone block has no length of its own: the mechanism's scale would do, whatever it is.
+    const double least = choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
+    const double start = own > 0 ? first : least;
+    return fitted(start, false, room_x, room_y, [&](double scale, bool last) {
+        Sketch sketch(subject, context, scale, id + "-");
+        const BodyColour colour = colour_of(theme, body.body);
+        if (body.body >= 0) {
+            sketch.draw_alone(body.body);
+        } else {
+            sketch.pins.emplace_back(ring(sketch.spot(body.pin), 1.8, theme.paper, {theme.outline, theme.text, {}, false}));
+        }
+        sketch.draw_points(true);
+        Clutter clutter;
+        clutter.add(sketch.bodies);
+        const Spot middle = body.body >= 0 ? sketch.shape(body.body).middle : sketch.spot(body.pin);
+        const Box view = grown(sketch.mechanism_box(), line_overshoot + 3);
+
+        std::vector<ActionLine> lines;
+        struct Standing {
+            Spot tail, tip;
+        };
+        std::vector<Standing> standing;
+        std::set<std::string> names;
+        std::set<JointIndex> joints_remarked;
+        // Two forces: one line, or with a couple two, and their distance is its arm.
+        const bool two_forces =
+            std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
+        for (const AppliedForce& applied : body.forces) {
+            const Spot at = sketch.spot(applied.at);
+            if (!applied.couple.is_zero())
+                draw_couple(sketch, context, clutter, couple_words(context, applied), at, applied.couple.sign() > 0, colour);
+            if (applied.force.is_zero()) continue;
+            const Spot along = paper_direction(applied.force);
+            const double value = kinegraph::length(Vector{applied.force.x / unit.si, applied.force.y / unit.si});
+            const double whole = value / force_scale;
+            const Spot d = whole * along;
+            // Tail or tip at its place; slid along its line where another arrow is there already.
+            const bool at_centre = applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
+            const bool outwards = at_centre || dot(along, at - middle) >= -1e-6;
+            Standing best{at, at + d};
+            double least_price = 1e300;
+            for (const double slid : {0.0, 1.0})
+                for (const bool pulls : {outwards, !outwards}) {
+                    Standing tried = pulls ? Standing{at, at + d} : Standing{at - d, at};
+                    double price = (pulls == outwards ? 0 : 0.35) + slid * 0.5 +
+                                   0.8 * clutter.along(tried.tail + 0.1 * d, tried.tip - 0.1 * d);
+                    if (slid > 0) {
+                        double beyond = 0;
+                        for (const Standing& other : standing) {
+                            if (std::abs(cross(along, other.tail - at)) > 1.5 || std::abs(cross(along, other.tip - at)) > 1.5)
+                                continue;
+                            for (const Spot end : {other.tail, other.tip})
+                                beyond = std::max(beyond, (pulls ? 1 : -1) * dot(end - at, along));
+                        }
+                        if (beyond <= 0) continue;
+                        const Spot shift = ((pulls ? 1 : -1) * (beyond + 2.5)) * along;
+                        tried = {tried.tail + shift, tried.tip + shift};
+                    }
+                    for (const Standing& other : standing) {
+                        if (std::abs(cross(along, other.tail - at)) > 1.5 || std::abs(cross(along, other.tip - at)) > 1.5)
+                            continue;
+                        const double a = dot(other.tail - at, along), b = dot(other.tip - at, along);
+                        const double c = dot(tried.tail - at, along), e = dot(tried.tip - at, along);
+                        if (std::min(std::max(a, b), std::max(c, e)) - std::max(std::min(a, b), std::min(c, e)) > 0.5) price += 3;
+                    }
+                    if (price < least_price - 1e-9) least_price = price, best = tried;
+                }
+            standing.push_back(best);
+            clutter.add(best.tail, best.tip);
+
+            const std::string base = name_of(applied.symbol);
+            std::string unique = base;
+            for (int n = 2; !names.insert(unique).second; ++n) unique = base + "-" + std::to_string(n);
+            sketch.arrows.emplace_back(GroupBegin{"vector",
+                                                  sketch.id("", unique),
+                                                  unique + " = " + shortest(value) + " " + unit.symbol,
+                                                  {{"data-name", unique}, {"data-value", shortest(value)}}});
+            sketch.arrows.emplace_back(Axis{best.tail, best.tip});
+            draw_arrow(sketch.arrows, best.tail, best.tip, theme.vector, colour.line);
+            sketch.arrows.emplace_back(GroupEnd{});
+            LabelRequest label;
+            label.text = typeset(applied.symbol, context.language);
+            label.size = theme.equation;
+            label.colour = colour.letter;
+            label.anchor = 0.5 * (best.tail + best.tip);
+            label.toward = best.tip;
+            label.clearance = 1.5;
+            sketch.labels.push_back(std::move(label));
+
+            std::vector<Spot> marks{at};
+            for (const auto& [letter, place] : meets)
+                if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
+            if (marks.size() > 1 || two_forces || (applied.joint >= 0 && applied.line_by_construction))
+                add_line(lines, at, along, marks);
+            if (applied.joint >= 0 && joints_remarked.insert(applied.joint).second) {
+                const RichText words = beside_guide(context, body, applied);
+                if (!words.empty()) {
+                    LabelRequest remark;
+                    remark.text = words;
+                    remark.size = theme.small;
+                    remark.colour = theme.secondary;
+                    remark.anchor = at;
+                    remark.clearance = 3;
+                    sketch.labels.push_back(std::move(remark));
+                }
+            }
+        }
+        for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
+        for (const auto& [letter, place] : meets)
+            if (const Spot meet = sketch.spot(place); contains(view, meet)) draw_meet(sketch, context, letter, meet);
+
+        Figure figure = sketch.finish("body", id, unit.symbol);
+        figure.scale = force_scale;
+        figure.caption = one_piece(word(body.body >= 0 ? "free body" : "free pin", context.language) + " " + name);
+        if (body.body >= 0)
+            if (const std::string& label = in(mechanism.bodies[at_index(body.body)].label, context.language); !label.empty())
+                figure.caption.back().text += ": " + label;
+        sketch.close(figure, {room_x, room_y}, last, force_scale * si, unit);
+        return figure;
+    });
+}
+
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y) {
+    const Solution& solution = context.solution;
+    const Mechanism& mechanism = solution.mechanism;
+    const Theme& theme = context.theme;
+    const Subject subject(solution);
+    const auto asked = asked_scale(mechanism, "mechanism");
+    const Box near = grown(subject.box, 0.45 * subject.size());
+    Box extent = subject.box;
+    // A meet of bodies taken together has lines on several of them.
+    std::vector<std::pair<std::string, Vector>> shown;
+    for (const FreeBody& body : solution.free_bodies)
+        for (const auto& meet : body.meets) {
+            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.first == meet.first; });
+            int count = 0;
+            for (const FreeBody& other : solution.free_bodies)
+                count = std::max(count, lines_through(other, paper_spot(meet.second), 1e-7 * solution.pose.size.to_double()));
+            if (!listed && count >= 2) shown.push_back(meet);
+        }
+    {
+        for (const auto& [letter, place] : shown)
+            if (const Spot at = paper_spot(place); contains(near, at)) {
+                extent.min = {std::min(extent.min.x, at.x), std::min(extent.min.y, at.y)};
+                extent.max = {std::max(extent.max.x, at.x), std::max(extent.max.y, at.y)};
+            }
+    }
+    const double first =
+        choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
+    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last) {
+        Sketch sketch(subject, context, scale, "");
+        sketch.draw_in_colour();
+        sketch.draw_points(true);
+        Clutter clutter;
+        clutter.add(sketch.bodies);
+        clutter.add(sketch.ground);
+
+        const Box drawn{(1 / scale) * extent.min, (1 / scale) * extent.max};
+        const Box view = grown(drawn, line_overshoot + 4);
+        std::vector<ActionLine> lines;
+        for (const FreeBody& body : solution.free_bodies) {
+            for (const AppliedForce& applied : body.forces) {
+                if (applied.force.is_zero()) continue;
+                const Spot at = sketch.spot(applied.at), along = paper_direction(applied.force);
+                std::vector<Spot> marks{at};
+                for (const auto& [letter, place] : shown_meets(solution, body))
+                    if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
+                if (marks.size() > 1 || applied.line_by_construction) add_line(lines, at, along, marks);
+            }
+        }
+        for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
+        for (const auto& [letter, place] : shown)
+            if (const Spot at = sketch.spot(place); contains(view, at)) draw_meet(sketch, context, letter, at);
+
+        // Loads, efforts and what the frame gives: their sense only.
+        for (const FreeBody& body : solution.free_bodies) {
+            const BodyColour colour = colour_of(theme, body.body);
+            for (const AppliedForce& applied : body.forces) {
+                if (applied.kind == AppliedForce::Kind::reaction && applied.from != 0) continue;
+                // An actuator between two bodies shows once.
+                if (applied.kind == AppliedForce::Kind::effort && applied.from > 0 && applied.from < body.body) continue;
+                const Spot at = sketch.spot(applied.at);
+                if (!applied.couple.is_zero()) {
+                    draw_couple(sketch, context, clutter, typeset(couple_symbol(applied), context.language), at,
+                                applied.couple.sign() > 0, colour);
+                }
+                if (applied.force.is_zero()) continue;
+                const Spot along = paper_direction(applied.force);
+                const bool at_centre = applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
+                constexpr double whole = 20;
+                Spot tail = at, tip = at + whole * along;
+                double least_price = 1e300;
+                const std::vector<double> gaps = at_centre ? std::vector<double>{2.2} : std::vector<double>{2.4, 7.0};
+                for (const double stand_off : gaps)
+                    for (const bool pulls : {true, false}) {
+                        const Spot a = pulls ? at + stand_off * along : at - (stand_off + whole) * along;
+                        const Spot b = a + whole * along;
+                        double price = clutter.along(a, b) + 0.03 * stand_off;
+                        if (at_centre && !pulls) price += 0.6;
+                        if (applied.kind == AppliedForce::Kind::reaction && pulls) price += 0.15;
+                        if (price < least_price - 1e-9) least_price = price, tail = a, tip = b;
+                    }
+                draw_arrow(sketch.arrows, tail, tip, theme.vector, colour.line);
+                clutter.add(tail, tip);
+                LabelRequest label;
+                label.text = typeset(applied.symbol, context.language);
+                label.size = theme.equation;
+                label.colour = colour.letter;
+                label.anchor = 0.5 * (tail + tip);
+                label.toward = tip;
+                label.clearance = 1.5;
+                sketch.labels.push_back(std::move(label));
+            }
+        }
+        Figure figure = sketch.finish("mechanism", "mechanism", "m");
+        figure.caption = one_piece(word("mechanism and lines of action", context.language));
+        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, mechanism.units.length);
+        return figure;
+    });
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,267 @@
+// Force figures: vectors have the length of their value, triangles and closed polygon one scale, every force of a free body is
+// in place, letters cover neither each other nor an arrow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "constructions/solve.hpp"
+#include "render/force_tables.hpp"
+#include "render/shapes.hpp"
+#include "render/sheet.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+
+const Fonts& fonts() {
+    static const Fonts opened = std::move(*Fonts::open());
+    return opened;
+}
+
+Solution example(const std::string& name) {
+    std::ifstream file(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json"));
+    std::stringstream text;
+    text << file.rdbuf();
+    auto mechanism = read_mechanism(text.str(), name + ".json");
+    if (!mechanism) throw std::runtime_error("not read: " + name);
+    auto solution = solve(std::move(*mechanism));
+    if (!solution) throw std::runtime_error("not solved: " + name);
+    return std::move(*solution);
+}
+
+std::vector<std::string> loaded_examples() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
+        if (entry.path().extension() == ".json" && !example(entry.path().stem().string()).free_bodies.empty())
+            names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+struct Drawn {
+    std::string figure, id, name;
+    double value = 0, scale = 0;
+    Axis axis;
+};
+std::vector<Drawn> vectors_of(const std::vector<Mark>& marks) {
+    std::vector<Drawn> vectors;
+    std::string figure;
+    double scale = 0;
+    const GroupBegin* last = nullptr;
+    for (const Mark& mark : marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            last = group;
+            for (const auto& [key, text] : group->attributes) {
+                if (key == "data-figure") figure = text;
+                if (key == "data-scale") scale = std::strtod(text.c_str(), nullptr);
+            }
+        }
+        if (const auto* axis = std::get_if<Axis>(&mark)) {
+            Drawn drawn{figure, last->id, "", 0, scale, *axis};
+            for (const auto& [key, text] : last->attributes) {
+                if (key == "data-name") drawn.name = text;
+                if (key == "data-value") drawn.value = std::strtod(text.c_str(), nullptr);
+            }
+            vectors.push_back(drawn);
+        }
+    }
+    return vectors;
+}
+
+/// Corners of the true ink of a label, turned with it.
+struct Ink {
+    std::string words;
+    Spot pivot, low{1e300, 1e300}, high{-1e300, -1e300};
+    double angle = 0;
+};
+std::vector<Ink> labels_of(const std::vector<Mark>& marks) {
+    std::vector<Ink> inks;
+    for (const Mark& mark : marks) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (!text || text->cls != "label") continue;
+        Ink ink;
+        ink.words = text->words, ink.pivot = text->pivot, ink.angle = text->angle;
+        for (const Glyph& glyph : text->glyphs)
+            for (const render::Segment& segment : fonts().outline(glyph.face, glyph.index).segments) {
+                const auto add = [&](Spot s) {
+                    const Spot at{glyph.origin.x + glyph.size * s.x, glyph.origin.y - glyph.size * s.y};
+                    ink.low = {std::min(ink.low.x, at.x), std::min(ink.low.y, at.y)};
+                    ink.high = {std::max(ink.high.x, at.x), std::max(ink.high.y, at.y)};
+                };
+                if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
+                if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
+            }
+        if (ink.low.x <= ink.high.x) inks.push_back(ink);
+    }
+    return inks;
+}
+bool holds(const Ink& ink, Spot spot) {
+    const Spot d = spot - ink.pivot;
+    const Spot at{ink.pivot.x + d.x * std::cos(ink.angle) + d.y * std::sin(ink.angle),
+                  ink.pivot.y - d.x * std::sin(ink.angle) + d.y * std::cos(ink.angle)};
+    return at.x > ink.low.x && at.x < ink.high.x && at.y > ink.low.y && at.y < ink.high.y;
+}
+
+void expect_true_and_clean(const Figure& figure) {
+    SCOPED_TRACE(figure.id);
+    const auto inks = labels_of(figure.marks);
+    std::set<std::string> ids;
+    for (const Drawn& vector : vectors_of(figure.marks)) {
+        EXPECT_TRUE(ids.insert(vector.id).second) << vector.id;
+        EXPECT_NEAR(length(vector.axis.tip - vector.axis.tail), vector.value / vector.scale, 1e-6) << vector.name;
+        const int pieces = 200;
+        for (int i = 0; i <= pieces; ++i) {
+            const Spot at = vector.axis.tail + (static_cast<double>(i) / pieces) * (vector.axis.tip - vector.axis.tail);
+            for (const Ink& ink : inks) {
+                EXPECT_FALSE(holds(ink, at)) << ink.words << " on " << vector.name;
+                if (::testing::Test::HasFailure()) return;
+            }
+        }
+    }
+    for (const Ink& a : inks)
+        for (const Ink& b : inks) {
+            if (&a == &b || a.angle != 0 || b.angle != 0) continue;
+            const double x = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
+            const double y = std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y);
+            EXPECT_FALSE(x > 0 && y > 0) << a.words << " over " << b.words;
+        }
+}
+
+class LoadedExample : public testing::TestWithParam<std::string> {};
+
+TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
+    const Solution solution = example(GetParam());
+    const Theme theme;
+    for (const Language language : {Language::en, Language::it}) {
+        const DrawingContext context{solution, theme, fonts(), language};
+        expect_true_and_clean(mechanism_with_forces(context, 180, 130));
+        if (has_force_polygons(solution)) expect_true_and_clean(force_polygons_figure(context, 180, 110));
+        for (const int polygon : closed_polygons(solution)) {
+            const Figure figure = closed_polygon_figure(context, polygon, 130, 130);
+            EXPECT_EQ(figure.kind, "closure");
+            expect_true_and_clean(figure);
+        }
+        for (std::size_t i = 0; i < solution.free_bodies.size(); ++i) {
+            const Figure figure = free_body_figure(context, i, 120, 90);
+            EXPECT_EQ(figure.kind, "body");
+            EXPECT_LE(figure.box.width(), 120);
+            EXPECT_LE(figure.box.height(), 90);
+            expect_true_and_clean(figure);
+            std::size_t forces = 0;
+            for (const AppliedForce& applied : solution.free_bodies[i].forces) forces += applied.force.is_zero() ? 0 : 1;
+            EXPECT_EQ(vectors_of(figure.marks).size(), forces) << "every force is in place";
+        }
+    }
+}
+
+TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScale) {
+    const Solution solution = example(GetParam());
+    for (const Paper paper : {Paper::a4, Paper::a3}) {
+        std::set<double> scales;
+        std::set<std::string> bodies;
+        for (const Page& page : lay_out(solution, {paper, Language::en, {}}, fonts()))
+            for (const Mark& mark : page.marks)
+                if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
+                    for (const auto& [key, text] : group->attributes) {
+                        if (key != "data-figure") continue;
+                        if (text == "body") bodies.insert(group->id);
+                        if (text == "forces" || text == "closure")
+                            for (const auto& [other, value] : group->attributes)
+                                if (other == "data-scale") scales.insert(std::strtod(value.c_str(), nullptr));
+                    }
+        EXPECT_LE(scales.size(), 1u);
+        for (const FreeBody& body : solution.free_bodies)
+            if (body.body > 0) {
+                EXPECT_TRUE(
+                    bodies.contains(legal_id("body-" + solution.mechanism.bodies[static_cast<std::size_t>(body.body)].name)));
+            }
+    }
+}
+
+TEST_P(LoadedExample, TheTableHasItsNumbersFromTheCheck) {
+    const Solution solution = example(GetParam());
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    std::vector<Figure> figures;
+    if (has_force_polygons(solution)) figures.push_back(force_polygons_figure(context, 180, 110));
+    for (const int polygon : closed_polygons(solution)) figures.push_back(closed_polygon_figure(context, polygon, 130, 130));
+    const auto rows = force_rows(context, figures);
+    EXPECT_FALSE(rows.empty());
+    for (const ResultRow& row : rows) {
+        ASSERT_TRUE(row.numeric) << row.name;
+        EXPECT_NEAR(row.drawing, *row.numeric, 1e-9 * std::max(1.0, std::abs(row.drawing))) << row.name;
+        if (row.group == "forces") {
+            EXPECT_TRUE(row.millimetres) << row.name << " is drawn to scale";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(ForceFigures, LoadedExample, testing::ValuesIn(loaded_examples()),
+                         [](const testing::TestParamInfo<std::string>& each) { return each.param; });
+
+TEST(ForceSheet, OfTheSluiceGateHasTheSegmentsOfTheNotes) {
+    const Solution solution = example("sluice_gate");
+    std::map<std::string, double> millimetres;
+    const auto pages = lay_out(solution, {Paper::a3, Language::en, {}}, fonts());
+    EXPECT_LE(pages.size(), 2u);
+    for (const Page& page : pages)
+        for (const Drawn& vector : vectors_of(page.marks))
+            if (vector.figure == "closure" || vector.figure == "forces")
+                millimetres[vector.name] = length(vector.axis.tip - vector.axis.tail);
+    // Drawn by hand with F_g of 14 mm: 6, 12, 24, 27, 17 and 18 mm.
+    EXPECT_NEAR(millimetres.at("F_g"), 14, 1e-6);
+    EXPECT_NEAR(millimetres.at("F_01"), 6, 0.5);
+    EXPECT_NEAR(millimetres.at("F_21"), 12, 0.5);
+    EXPECT_NEAR(millimetres.at("F_43"), 24, 0.5);
+    EXPECT_NEAR(millimetres.at("F_03"), 27, 0.5);
+    EXPECT_NEAR(millimetres.at("F_05"), 17, 0.5);
+    EXPECT_NEAR(millimetres.at("F_G"), 18, 0.5);
+}
+
+TEST(ForceSheet, ExternalForcesOfTheClosedPolygonAddUpToNothing) {
+    const Solution solution = example("sluice_gate");
+    const auto polygons = closed_polygons(solution);
+    ASSERT_EQ(polygons.size(), 1u);
+    const Polygon& polygon = solution.protocol.polygons[static_cast<std::size_t>(polygons.front())];
+    Vector sum;
+    for (const int index : polygon.vectors) {
+        const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(index)];
+        if (vector.role == DrawnVector::Role::external) sum = sum + solution.protocol.value_of(vector);
+    }
+    EXPECT_TRUE(sum.is_zero());
+}
+
+TEST(ForceSheet, SaysWhereASliderTips) {
+    const Solution solution = example("exam_2001");
+    bool said = false;
+    for (const Page& page : lay_out(solution, {}, fonts()))
+        for (const Mark& mark : page.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark))
+                said = said || text->words.find("passes outside") != std::string::npos;
+    EXPECT_TRUE(said);
+}
+
+TEST(ForceSheet, KeepsTheNamesOfTheFile) {
+    EXPECT_EQ(plain(typeset(Symbol{Symbol::Letter::F, "F_gas", ""}, Language::en)), "F_gas");
+    EXPECT_EQ(plain(typeset(Symbol{Symbol::Letter::F, "32", ""}, Language::en)), "F_32");
+    EXPECT_EQ(plain(typeset(Symbol{Symbol::Letter::M, "M", ""}, Language::en)), "M");
+    EXPECT_EQ(name_of(Symbol{Symbol::Letter::F, "F_gas", ""}), "F_gas");
+    EXPECT_EQ(name_of(Symbol{Symbol::Letter::M, "C", ""}), "M_C");
+}
+
+TEST(ForceResults, AsTextListReactionsAndEfforts) {
+    const std::string text = results_table(example("sluice_gate"), Language::en);
+    for (const char* words : {"Reactions", "Fx [MN]", "A: 0 on 1", "Efforts", "F_G"})
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    EXPECT_NE(results_table(example("sluice_gate"), Language::it).find("Reazioni"), std::string::npos);
+}
+
+}  // namespace
