@@ -74,9 +74,7 @@ double length_inside(Spot from, Spot to, Spot half) {
 /// Distance of two turned boxes along their worst of four separating axes; negative where they overlap.
 double gap_between(const InkBox& a, const InkBox& b) {
     const Spot d = b.centre - a.centre;
-    // Most pairs are far apart: their circles tell.
-    const double apart = std::abs(d.x) + std::abs(d.y) - 1.5 * (a.half.x + a.half.y + b.half.x + b.half.y);
-    if (apart > 8) return apart / 1.5;
+    if (a.axis.y == 0 && b.axis.y == 0) return std::max(std::abs(d.x) - a.half.x - b.half.x, std::abs(d.y) - a.half.y - b.half.y);
     double gap = -std::numeric_limits<double>::infinity();
     for (const Spot axis : {a.axis, turned(a.axis), b.axis, turned(b.axis)}) {
         const double reach_a = std::abs(dot(axis, a.axis)) * a.half.x + std::abs(cross(axis, a.axis)) * a.half.y;
@@ -116,24 +114,12 @@ public:
     struct Finding {
         double price = 0;
         bool covered = false;
+        bool whole = true;  // false: the price is more than was asked for, all else was not looked at
     };
-    /// What a label there would cover. Ink within the margin is forbidden, ink within breathing distance is a pity.
-    Finding at(const InkBox& box, Spot anchor) const {
+    /// What a label there would cover, up to a price that is `enough`. Ink within the margin is forbidden, ink within breathing
+    /// distance is a pity.
+    Finding at(const InkBox& box, Spot anchor, double enough) const {
         Finding finding;
-        int crowded = 0;
-        visit(box.centre, box.reach(), [&](const Obstacle& obstacle) {
-            const Spot from = box.local(obstacle.from), to = box.local(obstacle.to);
-            const double near = obstacle.half + ink_margin, far = obstacle.half + breathing;
-            if (length_inside(from, to, {box.half.x + far, box.half.y + far}) < 0) return;
-            const double covered = length_inside(from, to, {box.half.x + near, box.half.y + near});
-            if (covered >= 0) {
-                finding.covered = true;
-                finding.price += covers_stroke * (0.5 + obstacle.half) + 10 * covered;
-            } else if (squared(obstacle.from - anchor) > 0.01 && squared(obstacle.to - anchor) > 0.01) {
-                ++crowded;  // … but a pin does not crowd its own name
-            }
-        });
-        finding.price += 0.7 * std::min(crowded, 4);
         for (const InkBox& text : texts_)
             if (gap_between(text, box) < label_gap) {
                 finding.covered = true;
@@ -144,11 +130,28 @@ public:
                 finding.price += area.forbidden ? covers_stroke : 2.0;
                 finding.covered = finding.covered || area.forbidden;
             }
+        int crowded = 0;
+        visit(box.centre, box.reach(), [&](const Obstacle& obstacle) {
+            if (finding.price >= enough) finding.whole = false;
+            if (!finding.whole) return false;
+            const Spot from = box.local(obstacle.from), to = box.local(obstacle.to);
+            const double near = obstacle.half + ink_margin, far = obstacle.half + breathing;
+            if (length_inside(from, to, {box.half.x + far, box.half.y + far}) < 0) return true;
+            const double covered = length_inside(from, to, {box.half.x + near, box.half.y + near});
+            if (covered >= 0) {
+                finding.covered = true;
+                finding.price += covers_stroke * (0.5 + obstacle.half) + 10 * covered;
+            } else if (squared(obstacle.from - anchor) > 0.01 && squared(obstacle.to - anchor) > 0.01) {
+                ++crowded;  // … but a pin does not crowd its own name
+            }
+            return true;
+        });
+        finding.price += 0.7 * std::min(crowded, 4);
         return finding;
     }
 
-    /// Strokes that a leader would cross.
-    int crossed(Spot from, Spot to) const {
+    /// Strokes that a leader would cross, counted up to `enough`.
+    int crossed(Spot from, Spot to, double enough) const {
         int count = 0;
         const Spot middle = 0.5 * (from + to), along = unit(to - from);
         const InkBox thread{middle, {length(to - from) / 2, 0.1}, along};
@@ -156,6 +159,7 @@ public:
             if (length_inside(thread.local(obstacle.from), thread.local(obstacle.to),
                               {thread.half.x, thread.half.y + obstacle.half}) >= 0)
                 ++count;
+            return count < enough;
         });
         for (const InkBox& text : texts_)
             if (gap_between(text, thread) < 0.3) count += 20;
@@ -296,7 +300,7 @@ private:
                     continue;
                 if (std::abs(0.5 * (o.from.y + o.to.y) - centre.y) > reach.y + margin + 0.5 * std::abs(o.to.y - o.from.y))
                     continue;
-                look(o);
+                if (!look(o)) return;
             }
         }
     }
@@ -313,6 +317,7 @@ private:
 /// A place a label may take.
 struct Candidate {
     InkBox box;
+    double base = 0;       // the part of the price that is known at once
     double price = 0;      // what does not depend on other labels; the least it can be until it is settled
     bool settled = false;  // the ground and the neighbours have been looked at
     bool covered = false;
@@ -357,8 +362,8 @@ public:
             int free = 0;
             for (Candidate& candidate : candidates_[i]) {
                 if (candidate.leader) continue;
-                settle(i, candidate);
-                free += !candidate.covered;
+                settle(i, candidate, candidate.base + covers_stroke / 2);
+                free += candidate.settled && !candidate.covered;
             }
             order.emplace_back(free, i);
         }
@@ -511,18 +516,39 @@ private:
         candidate.extent.min = candidate.extent.min - Spot{1.2, 1.2};
         candidate.extent.max = candidate.extent.max + Spot{1.2, 1.2};
         enlarge(span_[i], candidate.extent);
+        candidate.base = candidate.price;
         candidates_[i].push_back(candidate);
     }
 
-    void settle(std::size_t i, Candidate& candidate) const {
-        if (candidate.settled) return;
-        candidate.settled = true;
-        const Ground::Finding finding = ground_.at(candidate.box, requests_[i].anchor);
-        candidate.price += finding.price;
+    /// Looks at what the place covers, whom it is near to, what its leader crosses, as long as its price is below `limit`.
+    void settle(std::size_t i, Candidate& candidate, double limit) const {
+        if (candidate.settled || candidate.price >= limit) return;
+        double price = candidate.base + near_others(i, candidate);
+        candidate.price = std::max(candidate.price, price);
+        if (price >= limit) return;
+        const Ground::Finding finding = ground_.at(candidate.box, requests_[i].anchor, limit - price);
         candidate.covered = finding.covered;
-        if (candidate.leader) candidate.price += 2.5 * ground_.crossed(candidate.leader_from, candidate.leader_to);
+        price += finding.price;
+        candidate.price = std::max(candidate.price, price);
+        if (!finding.whole || price >= limit) {
+            candidate.settled = finding.whole && !candidate.leader;
+            return;
+        }
+        if (candidate.leader) {
+            constexpr double crossing = 2.5;
+            const double enough = (limit - price) / crossing;
+            const int crossed = ground_.crossed(candidate.leader_from, candidate.leader_to, enough);
+            price += crossing * crossed;
+            candidate.price = std::max(candidate.price, price);
+            if (crossed >= enough) return;
+        }
+        candidate.settled = true;
+    }
+
+    /// A name must not seem to belong to a neighbour.
+    double near_others(std::size_t i, const Candidate& candidate) const {
+        double price = 0;
         const Spot reach = candidate.box.reach(), centre = candidate.box.centre;
-        // A name must not seem to belong to a neighbour.
         const double own = distance_to_box(requests_[i].anchor, candidate.box);
         if (!requests_[i].toward)
             for (std::size_t j = 0; j < requests_.size(); ++j) {
@@ -530,7 +556,7 @@ private:
                 const Spot d = requests_[j].anchor - centre;
                 if (std::abs(d.x) > reach.x + own + 1 || std::abs(d.y) > reach.y + own + 1) continue;
                 const double other = distance_to_box(requests_[j].anchor, candidate.box);
-                if (other < own + 1.0) candidate.price += 4 * (own + 1.0 - other);
+                if (other < own + 1.0) price += 4 * (own + 1.0 - other);
             }
         // … nor a vector's name to the vector beside it.
         if (requests_[i].toward && !requests_[i].along) {
@@ -538,9 +564,10 @@ private:
             for (std::size_t j = 0; j < requests_.size(); ++j) {
                 if (j == i || !requests_[j].toward || requests_[j].along || requests_[j].balloon > 0) continue;
                 const double other = distance_to_line(requests_[j], centre);
-                if (other < to_own + 0.8) candidate.price += 2.5 * std::min(2.0, to_own + 0.8 - other);
+                if (other < to_own + 0.8) price += 2.5 * std::min(2.0, to_own + 0.8 - other);
             }
         }
+        return price;
     }
 
     /// From the line that a request's label names (its anchor in the middle).
@@ -585,9 +612,9 @@ private:
     }
 
     /// The cheapest place, other labels standing where they do. Far ones, with a leader, are looked at only where they can win.
-    int best(std::size_t i) {
-        int found = 0;
-        double least = std::numeric_limits<double>::infinity();
+    /// −1 where none costs less than `least`.
+    int best(std::size_t i, double least = std::numeric_limits<double>::infinity()) {
+        int found = -1;
         look_around(i, -1);
         for (std::size_t k = 0;; ++k) {
             if (k == candidates_[i].size()) {
@@ -597,7 +624,7 @@ private:
             }
             Candidate& candidate = candidates_[i][k];
             if (candidate.price >= least) continue;
-            settle(i, candidate);
+            settle(i, candidate, least);
             double price = candidate.price;
             for (std::size_t n = 0; n < around_.size() && price < least; ++n)
                 if (!apart(taken_[around_[n]], candidate.extent)) price += price_between(candidate, chosen(around_[n]));
@@ -622,7 +649,7 @@ private:
         for (std::size_t k = 0; k < candidates_[i].size(); ++k) {
             Candidate& candidate = candidates_[i][k];
             if (candidate.price >= now) continue;
-            settle(i, candidate);
+            settle(i, candidate, now);
             met_.clear();
             double sum = candidate.price, most = 0;
             for (const std::size_t j : around_) {
@@ -655,14 +682,14 @@ private:
         wishes_of(i, now);
         for (const Wish& wish : wishes_) {
             const std::size_t j = wish.other;
-            const int i_before = chosen_[i], j_before = chosen_[j];
+            const int i_before = chosen_[i];
             const double before = now + price_now(j, static_cast<int>(i));
             choose(i, wish.place);
-            choose(j, best(j));
-            const double after = price_now(i) + price_now(j, static_cast<int>(i));
-            if (after < before - 1e-6) return true;
+            if (const int place = best(j, before - wish.price - 1e-6); place >= 0) {
+                choose(j, place);
+                return true;
+            }
             choose(i, i_before);
-            choose(j, j_before);
         }
         return false;
     }
