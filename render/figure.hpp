@@ -62,8 +62,9 @@ std::string legal_id(std::string_view name);
 
 /// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
 /// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
-/// `room`: the width and height (mm) that figure and labels should not exceed.
-void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt);
+/// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
+/// (its aria-label says it all). `strict`: rather than leave the room, a label covers a stroke.
+void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt, bool strict = false);
 
 /// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
 /// Appended to `marks`; a vector shorter than its head gets a smaller head.

@@ -26,8 +26,10 @@ constexpr double covers_stroke = 100;  // the price that no wish outweighs
 constexpr double covers_label = 400;
 constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
 constexpr double upright_price = 8;   // of a direction mark that leaves its line
+constexpr double leaves_room = 30;
 constexpr double leader_price = 6;
-constexpr double least_of_far = 11;  // leader and distance: no far place costs less
+constexpr double least_measure = 45;  // of a label, before it is shortened
+constexpr double least_of_far = 11;   // leader and distance: no far place costs less
 
 /// A piece of stroke: everything within `half` of the segment is ink.
 struct Obstacle {
@@ -340,13 +342,63 @@ Box extent_of(const InkBox& box) {
 }
 constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
+/// The first `count` characters of UTF-8 text.
+std::string beginning(const std::string& text, std::size_t count) {
+    std::size_t at = 0;
+    for (; at < text.size(); ++at)
+        if ((static_cast<unsigned char>(text[at]) & 0xC0) != 0x80 && count-- == 0) break;
+    return text.substr(0, at);
+}
+
+/// Sets a line wider than `measure` again, ended by an ellipsis: pieces go from the end, then characters of the first. What the
+/// line says stays whole.
+void shorten(const LabelRequest& request, const Fonts& fonts, double measure, ShapedLine& shaped) {
+    if (shaped.width <= measure || request.text.empty()) return;
+    const std::string words = shaped.words;
+    const auto fits = [&](RichText text) {
+        text.push_back({"…", Face::regular, "", Face::italic, "", Face::regular, 0, false, {}});
+        shaped = fonts.shape(text, request.size);
+        shaped.words = words;
+        return shaped.width <= measure;
+    };
+    RichText text = request.text;
+    // What can stand is found by halves: names may be as long as a file lets them.
+    const auto longest = [&](std::size_t low, std::size_t high, const auto& kept) {
+        while (low < high) {
+            const std::size_t middle = (low + high + 1) / 2;
+            if (fits(kept(middle)))
+                low = middle;
+            else
+                high = middle - 1;
+        }
+        return low;
+    };
+    const std::size_t pieces = longest(
+        0, text.size() - 1, [&](std::size_t n) { return RichText(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n)); });
+    text.resize(std::max<std::size_t>(pieces, 1));
+    if (pieces == 0) {
+        Piece& first = text.front();
+        std::string& long_one = first.sub.size() > first.text.size() ? first.sub : first.text;
+        const std::string all = long_one;
+        const auto cut = [&](std::size_t n) {
+            long_one = beginning(all, n);
+            return text;
+        };
+        cut(longest(1, all.size(), cut));
+    }
+    fits(text);
+}
+
 class Placing {
 public:
-    Placing(const Figure& figure, const Fonts& fonts, const Ground& ground, const std::optional<Spot>& room)
-        : requests_(figure.labels), ground_(ground), box_(figure.box) {
+    Placing(const Figure& figure, const Fonts& fonts, const Ground& ground, const std::optional<Spot>& room, bool strict)
+        : requests_(figure.labels), ground_(ground), box_(figure.box), outside_price_(strict ? 3 * covers_label : leaves_room) {
         if (!(box_.width() > 0) || !(box_.height() > 0)) box_ = box_of(figure.marks);
         if (room) spare_ = {std::max(0.0, room->x - box_.width()) / 2, std::max(0.0, room->y - box_.height()) / 2};
-        for (const LabelRequest& request : requests_) shaped_.push_back(fonts.shape(request.text, request.size));
+        for (const LabelRequest& request : requests_) {
+            shaped_.push_back(fonts.shape(request.text, request.size));
+            if (room && request.balloon <= 0) shorten(request, fonts, std::max(0.5 * room->x, least_measure), shaped_.back());
+        }
         candidates_.resize(requests_.size());
         stage_.assign(requests_.size(), 0);
         chosen_.assign(requests_.size(), -1);
@@ -506,7 +558,7 @@ private:
         const double high = std::max({0.0, box_.min.y - e.min.y, e.max.y - box_.max.y});
         candidate.price += 0.06 * (wide + high);
         // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
-        if (wide > spare_.x || high > spare_.y) candidate.price += 30;
+        if (wide > spare_.x || high > spare_.y) candidate.price += outside_price_;
         if (candidate.leader) {
             const Spot thread = candidate.leader_to - candidate.leader_from;
             candidate.thread = {0.5 * (candidate.leader_from + candidate.leader_to), {length(thread) / 2, 0.1}, unit(thread)};
@@ -697,6 +749,7 @@ private:
     const std::vector<LabelRequest>& requests_;
     const Ground& ground_;
     Box box_;
+    double outside_price_;
     Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
     std::vector<std::vector<Candidate>> candidates_;
@@ -712,10 +765,10 @@ private:
 
 }  // namespace
 
-void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room) {
+void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, bool strict) {
     if (figure.labels.empty()) return;
     const Ground ground(figure.marks, fonts);
-    Placing placing(figure, fonts, ground, room);
+    Placing placing(figure, fonts, ground, room, strict);
     placing.place();
 
     const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&

@@ -39,8 +39,8 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
 }
 
 /// Scale bar below, labels placed, all in its group, its top left corner at the origin.
-void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit) {
-    // Too large already: not worth placing names.
+void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict) {
+    // Too large already: not worth placing names, which stay as they are asked for.
     if (!fixed && (figure.box.width() > room.x || figure.box.height() > room.y)) return;
     const double target = std::min(30.0, std::max(8.0, room.x / 4));
     std::vector<Mark> bar;
@@ -53,7 +53,7 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
                    plain(figure.caption),
                    {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}}});
     figure.marks.emplace_back(GroupEnd{});
-    place_labels(figure, context_.fonts, Spot{room.x, room.y - 8});
+    place_labels(figure, context_.fonts, Spot{room.x, room.y - 8}, strict);
     const Box size_of_bar = box_of(bar);
     move(bar, figure.box.min.x - size_of_bar.min.x, figure.box.max.y + 3 - size_of_bar.min.y);
     const Box at = box_of(bar);
@@ -78,15 +78,19 @@ std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view f
 
 double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
 
-/// Draws at ever smaller scales until everything, labels too, is within the room.
+/// Draws at ever smaller scales until everything, labels too, is within the room. Names do not shrink: at half the scale at which
+/// the mechanism itself has room they must take what there is.
 template <class Draw>
 Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw) {
     constexpr int most_tries = 12;
-    double scale = first;
+    double scale = first, half = 0;
     for (int tries = 0;; ++tries) {
-        Figure figure = draw(scale, tries == most_tries);
+        const bool strict = half > 0 && scale > 0.99 * half, last = tries == most_tries;
+        Figure figure = draw(scale, last, strict);
         const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
-        if (fixed || fits || tries == most_tries) return figure;
+        if (fixed || fits || strict || last) return figure;
+        const bool labelled = figure.labels.empty();
+        if (labelled && half == 0) half = 2 * scale;
         scale = next_scale(scale);
     }
 }
@@ -110,7 +114,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
-    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last) {
+    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) {
         Sketch sketch(subject, context, scale, "");
         sketch.draw_drivers();
         sketch.draw_compass();
@@ -119,7 +123,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
         sketch.draw_points(true);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(with_centres ? "mechanism and instant centres" : "mechanism", context.language));
-        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, context.solution.mechanism.units.length);
+        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, context.solution.mechanism.units.length, strict);
         return figure;
     });
 }
@@ -134,12 +138,22 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         double value;
     };
     std::vector<Shown> shown;
+    const auto name_of_point = [&](const PointMotion& motion) {
+        return motion.label.empty() ? solution.mechanism.points[at_index(motion.point)].name : motion.label;
+    };
     double longest = 0;
     for (const PointMotion& motion : solution.points) {
         if (motion.point < 0 || !motion.velocity || motion.velocity->is_zero()) continue;
         BodyIndex body = -1;
         for (const BodyIndex one : motion.bodies)
             if (one != 0 && body < 0) body = one;
+        // The polygon's colour for the same vector, where it is drawn there.
+        for (const DrawnVector& drawn : solution.protocol.vectors)
+            if (drawn.role == DrawnVector::Role::absolute && drawn.symbol.letter == Symbol::Letter::v &&
+                drawn.symbol.about == name_of_point(motion) && drawn.body >= 0) {
+                body = drawn.body;
+                break;
+            }
         const double value = length(*motion.velocity);
         longest = std::max(longest, value);
         shown.push_back({&motion, body, value});
@@ -147,7 +161,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
     const std::optional<double> asked = asked_scale(solution.mechanism, "body");
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    return fitted(first, false, room_x, room_y, [&](double scale, bool last) {
+    return fitted(first, false, room_x, room_y, [&](double scale, bool last, bool strict) {
         Sketch sketch(subject, context, scale, "velocities-");
         sketch.draw_in_grey();
         const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
@@ -178,9 +192,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
                     squared_off = true;
                 }
             }
-            Symbol symbol{
-                Symbol::Letter::v,
-                one.motion->label.empty() ? solution.mechanism.points[at_index(one.motion->point)].name : one.motion->label, ""};
+            const Symbol symbol{Symbol::Letter::v, name_of_point(*one.motion), ""};
             const Colour line_colour = one.body > 0 ? theme.body(one.body).line : theme.text;
             const Colour letter = one.body > 0 ? theme.body(one.body).letter : theme.text;
             const std::string name = name_of(symbol);
@@ -203,7 +215,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         Figure figure = sketch.finish("body", "velocities", "m/s");
         figure.scale = velocity_scale;
         figure.caption = one_piece(word("velocities on the mechanism", context.language));
-        sketch.close(figure, {room_x, room_y}, last, velocity_scale, solution.mechanism.units.velocity);
+        sketch.close(figure, {room_x, room_y}, last, velocity_scale, solution.mechanism.units.velocity, strict);
         return figure;
     });
 }

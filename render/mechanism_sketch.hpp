@@ -106,7 +106,7 @@ public:
     void draw_centres();
     void draw_pole(const InstantCentre& centre);
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
-    void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit);
+    void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict = false);
 
 private:
     friend class CentresDrawing;

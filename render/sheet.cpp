@@ -1019,7 +1019,7 @@ private:
     bool has_circle() const { return solution().mechanism.bodies.size() >= 3 && !solution().centres.empty(); }
     bool has_velocities() const {
         return std::any_of(solution().points.begin(), solution().points.end(),
-                           [](const PointMotion& m) { return m.velocity && !m.velocity->is_zero(); });
+                           [](const PointMotion& m) { return m.point >= 0 && m.velocity && !m.velocity->is_zero(); });
     }
 
     void write_sections() {
