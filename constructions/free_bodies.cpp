@@ -29,13 +29,13 @@ public:
 
 private:
     void collect(const Run& run) {
-        bool balanced = true;
-        if (run.complete) {
-            for (int member = 1; member < model_.members() && balanced; ++member)
-                balanced = model_.known_on({member}, model_.loads(), run).vanishes();
-        }
+        const std::set<int> open = out_of_equilibrium(run);
+        const bool balanced = open.empty();
         if (!run.complete || !balanced) explain(run, balanced);
-        for (std::size_t b = 0; b < model_.bonds().size(); ++b) collect(model_.bonds()[b], run.reactions[b], balanced);
+        for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
+            const Bond& bond = model_.bonds()[b];
+            collect(bond, run.reactions[b], open.count(bond.first) == 0 && open.count(bond.second) == 0);
+        }
         if (!run.complete || !balanced) return;
         std::vector<int> order;
         for (const Resolved& resolved : run.order) order.push_back(resolved.member);
@@ -45,6 +45,26 @@ private:
         for (const int member : order) free_body(member, run);
         join_polygons();
         remark_lift_off(run);
+    }
+
+    /// Members that do not balance though all their bonds are known, and what hangs on them by known bonds (not through the
+    /// frame): of these nothing is known.
+    std::set<int> out_of_equilibrium(const Run& run) {
+        std::vector<int> found;
+        for (int member = 1; member < model_.members(); ++member) {
+            const auto& bonds = model_.bonds_of(member);
+            const bool all_known = std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
+            if (all_known && !model_.known_on({member}, model_.loads(), run).vanishes()) found.push_back(member);
+        }
+        std::set<int> open(found.begin(), found.end());
+        for (std::size_t next = 0; next < found.size(); ++next) {
+            for (const int b : model_.bonds_of(found[next])) {
+                const Bond& bond = model_.bonds()[at(b)];
+                const int other = bond.first == found[next] ? bond.second : bond.first;
+                if (other != frame && run.reactions[at(b)].known && open.insert(other).second) found.push_back(other);
+            }
+        }
+        return open;
     }
 
     /// A one-sided contact can push only.
