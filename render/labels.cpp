@@ -73,15 +73,20 @@ double length_inside(Spot from, Spot to, Spot half) {
     return (leave - enter) * length(d);
 }
 
-/// Distance of two turned boxes along their worst of four separating axes; negative where they overlap.
-double gap_between(const InkBox& a, const InkBox& b) {
+/// Distance of two turned boxes along their worst of four separating axes; negative where they overlap. Of more than `enough` it
+/// is only said that it is more.
+double gap_between(const InkBox& a, const InkBox& b, double enough) {
     const Spot d = b.centre - a.centre;
+    // Most pairs are far apart: their circles tell.
+    const double round = a.half.x + a.half.y + b.half.x + b.half.y + enough;
+    if (std::abs(d.x) > round || std::abs(d.y) > round) return enough;
     if (a.axis.y == 0 && b.axis.y == 0) return std::max(std::abs(d.x) - a.half.x - b.half.x, std::abs(d.y) - a.half.y - b.half.y);
     double gap = -std::numeric_limits<double>::infinity();
     for (const Spot axis : {a.axis, turned(a.axis), b.axis, turned(b.axis)}) {
         const double reach_a = std::abs(dot(axis, a.axis)) * a.half.x + std::abs(cross(axis, a.axis)) * a.half.y;
         const double reach_b = std::abs(dot(axis, b.axis)) * b.half.x + std::abs(cross(axis, b.axis)) * b.half.y;
         gap = std::max(gap, std::abs(dot(axis, d)) - reach_a - reach_b);
+        if (gap >= enough) break;
     }
     return gap;
 }
@@ -123,7 +128,7 @@ public:
     Finding at(const InkBox& box, Spot anchor, double enough) const {
         Finding finding;
         for (const InkBox& text : texts_)
-            if (gap_between(text, box) < label_gap) {
+            if (gap_between(text, box, label_gap) < label_gap) {
                 finding.covered = true;
                 finding.price += covers_label;
             }
@@ -164,7 +169,7 @@ public:
             return count < enough;
         });
         for (const InkBox& text : texts_)
-            if (gap_between(text, thread) < 0.3) count += 20;
+            if (gap_between(text, thread, 0.3) < 0.3) count += 20;
         return count;
     }
 
@@ -421,6 +426,7 @@ public:
         }
         std::sort(order.begin(), order.end());
         for (const auto& [free, i] : order) choose(i, best(i));
+        looks_left_ = 60 + 3 * static_cast<int>(requests_.size());
         for (int round = 0; round < 4; ++round) {
             bool changed = false;
             for (const auto& [free, i] : order) {
@@ -450,27 +456,37 @@ private:
         } else {
             propose_around(i, 0, 0, false);
         }
+        sort_from(i, 0);
     }
 
     /// Less wanted places, thought of only where nothing so far costs less than they would.
     bool propose_more(std::size_t i, double least) {
         const LabelRequest& request = requests_[i];
         const bool beside = request.toward.has_value();
+        const std::size_t so_far = candidates_[i].size();
         // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
         const double price = request.along ? upright_price : beside_price;
         if (stage_[i] == 0) {
             if (beside && least < price) return false;
             if (beside) propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
+            sort_from(i, so_far);
             stage_[i] = 1;
             if (beside) return true;
         }
         if (stage_[i] == 1) {
             if (least < least_of_far) return false;
             propose_around(i, beside ? price : 0.0, 0, true);
+            sort_from(i, so_far);
             stage_[i] = 2;
             return true;
         }
         return false;
+    }
+
+    /// The most wanted first: where one of them is free, few others need a look.
+    void sort_from(std::size_t i, std::size_t first) {
+        std::stable_sort(candidates_[i].begin() + static_cast<std::ptrdiff_t>(first), candidates_[i].end(),
+                         [](const Candidate& a, const Candidate& b) { return a.price < b.price; });
     }
 
     void propose_beside_line(std::size_t i, Spot toward) {
@@ -651,15 +667,16 @@ private:
     }
 
     static double price_between(const Candidate& a, const Candidate& b) {
+        constexpr double near = 1.6;
         double price = 0;
-        const double gap = gap_between(a.box, b.box);
+        const double gap = gap_between(a.box, b.box, near);
         if (gap < label_gap)
             price += covers_label + 50 * (label_gap - gap);
-        else if (gap < 1.6)
+        else if (gap < near)
             price += 0.8;
-        if (a.leader && gap_between(a.thread, b.box) < ink_margin) price += covers_stroke;
-        if (b.leader && gap_between(b.thread, a.box) < ink_margin) price += covers_stroke;
-        if (a.leader && b.leader && gap_between(a.thread, b.thread) < 0.3) price += 20;
+        if (a.leader && gap_between(a.thread, b.box, ink_margin) < ink_margin) price += covers_stroke;
+        if (b.leader && gap_between(b.thread, a.box, ink_margin) < ink_margin) price += covers_stroke;
+        if (a.leader && b.leader && gap_between(a.thread, b.thread, 0.3) < 0.3) price += 20;
         return price;
     }
 
@@ -724,15 +741,20 @@ private:
                     *there = {j, static_cast<int>(k), without};
             }
         }
-        std::sort(wishes_.begin(), wishes_.end(), [](const Wish& a, const Wish& b) { return a.other < b.other; });
+        constexpr std::size_t most = 6;
+        std::sort(wishes_.begin(), wishes_.end(),
+                  [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });
+        if (wishes_.size() > most) wishes_.resize(most);
     }
 
     /// Takes a better place from another label where that one can move at less cost.
     bool evict(std::size_t i) {
         const double now = price_now(i);
-        if (now < 3) return false;
+        if (now < 3 || looks_left_ <= 0) return false;
         wishes_of(i, now);
         for (const Wish& wish : wishes_) {
+            if (looks_left_ <= 0) return false;
+            --looks_left_;
             const std::size_t j = wish.other;
             const int i_before = chosen_[i];
             const double before = now + price_now(j, static_cast<int>(i));
@@ -754,6 +776,7 @@ private:
     std::vector<ShapedLine> shaped_;
     std::vector<std::vector<Candidate>> candidates_;
     std::vector<int> stage_;  // how many kinds of place have been proposed
+    int looks_left_ = 0;      // where there is no room at all, looking on and on finds none
     std::vector<int> chosen_;
     std::vector<Box> taken_;  // what the chosen places take, by label
     std::vector<Box> span_;   // what all the places of a label take
