@@ -237,11 +237,10 @@ std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
 
 void ForceModel::add_weight(const Mass& mass) {
     if (!mechanism_.gravity) return;
-    const Vector weight = mass.mass * *mechanism_.gravity;
     add_load({mass.body,
               {Symbol::Letter::F, mass_name(mass, "g"), {}},
               AppliedForce::Kind::weight,
-              board_.given<Plane::force>([weight](const Pose&) { return weight; }),
+              board_.given<Plane::force>([weight = mass.mass * *mechanism_.gravity](const Pose&) { return weight; }),
               board_.place(mass.centre),
               {}});
 }

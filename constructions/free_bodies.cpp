@@ -206,10 +206,10 @@ private:
         }
         const auto meets = meets_.find(member);
         if (meets != meets_.end()) {
-            for (const auto& [letter, place] : meets->second) {
+            for (const auto& meet : meets->second) {
                 const bool listed =
-                    std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.first == letter; });
-                if (!listed) body.meets.emplace_back(letter, board_.value(place).place());
+                    std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.first == meet.first; });
+                if (!listed) body.meets.emplace_back(meet.first, board_.value(meet.second).place());
             }
         }
         if (!sides.empty()) {
