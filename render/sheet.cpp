@@ -1238,7 +1238,8 @@ private:
         double width = 0, height = 0;
     };
 
-    static bool pack(std::vector<double> heights, std::vector<Run>& runs, std::vector<std::pair<std::size_t, double>>* where) {
+    static bool pack(const std::vector<double>& heights, std::vector<Run>& runs,
+                     std::vector<std::pair<std::size_t, double>>* where) {
         for (const double height : heights) {
             bool placed = false;
             for (std::size_t r = 0; r < runs.size() && !placed; ++r) {
