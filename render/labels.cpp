@@ -731,8 +731,9 @@ private:
                 most = std::max(most, price);
             }
             if (sum - most >= now) continue;
-            for (const auto& [j, price] : met_) {
-                const double without = sum - price;
+            for (const auto& met : met_) {
+                const std::size_t j = met.first;
+                const double without = sum - met.second;
                 if (without >= now) continue;
                 const auto there = std::find_if(wishes_.begin(), wishes_.end(), [&](const Wish& w) { return w.other == j; });
                 if (there == wishes_.end())
