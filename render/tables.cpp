@@ -383,7 +383,7 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
                                    : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
                                                                 : 100;
             difference = fixed(percent, 2, language);
-            if (percent >= 0.005) difference = "+" + difference;
+            if (percent >= 0.005) difference.insert(0, "+");
         }
         each.cells[5] = shape(difference, theme.body_text);
         for (std::size_t c = 0; c < 6; ++c) widths[c] = std::max(widths[c], each.cells[c].width);
