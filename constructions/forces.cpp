@@ -262,8 +262,12 @@ private:
             if (parallel) return false;
             found = model_.action(*met, bond.direction);
         }
-        const std::string letter = parallel ? "∞" : meet_name(group, *met);
-        say(Sentence::three_force_line, {name(group), PointName{letter}, symbol_on(third, group), place_name(third)}, "Culmann");
+        if (parallel) {
+            say(Sentence::three_parallel_lines, {name(group), symbol_on(third, group)});
+        } else {
+            say(Sentence::three_force_line,
+                {name(group), PointName{meet_name(group, *met)}, symbol_on(third, group), place_name(third)}, "Culmann");
+        }
         settle_line(third, *found, run);
         return true;
     }

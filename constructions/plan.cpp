@@ -308,23 +308,10 @@ private:
     /// other.
     std::vector<NodeIndex> candidates() {
         const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
-        for (BodyIndex body = 0; body < bodies; ++body) {
-            if (body_known(body)) continue;
-            for (const Slide& slide : structure_.sleeves_of(body)) {
-                if (slide.other == frame) {
-                    if (structure_.nodes_of(body).empty()) structure_.on(mechanism_.joints[at(slide.joint)].point, body);
-                    continue;
-                }
-                const std::vector<NodeIndex> others = structure_.nodes_of(slide.other);
-                for (const NodeIndex other : others) {
-                    const bool wanted = structure_.node(other).carried || !body_known(slide.other);
-                    if (wanted && known(other) && structure_.node(other).point >= 0)
-                        structure_.on(structure_.node(other).point, body);
-                }
-            }
-            for (const Slide& slide : structure_.slots_of(body)) {
-                const PointIndex point = mechanism_.joints[at(slide.joint)].point;
-                if (known_on(point, slide.other) >= 0) structure_.on(point, body);
+        // A* of the guide under the slider's pin is the place a book takes; the slider's under the guide's pin serves as well.
+        for (const bool on_guide : {true, false}) {
+            for (BodyIndex body = 0; body < bodies; ++body) {
+                if (!body_known(body)) add_places_of_slides(body, on_guide);
             }
         }
         sync();
@@ -333,6 +320,27 @@ private:
             if (!known(node)) order.push_back(node);
         }
         return order;
+    }
+
+    /// Places at which a slide lets a known place of the other body be seen on this one.
+    void add_places_of_slides(BodyIndex body, bool on_guide) {
+        for (const Slide& slide : structure_.sleeves_of(body)) {
+            if (slide.inverse != on_guide) continue;
+            if (slide.other == frame) {
+                if (structure_.nodes_of(body).empty()) structure_.on(mechanism_.joints[at(slide.joint)].point, body);
+                continue;
+            }
+            const std::vector<NodeIndex> others = structure_.nodes_of(slide.other);
+            for (const NodeIndex other : others) {
+                const bool wanted = structure_.node(other).carried || !body_known(slide.other);
+                if (wanted && known(other) && structure_.node(other).point >= 0)
+                    structure_.on(structure_.node(other).point, body);
+            }
+        }
+        for (const Slide& slide : structure_.slots_of(body)) {
+            const PointIndex point = mechanism_.joints[at(slide.joint)].point;
+            if (slide.inverse == on_guide && known_on(point, slide.other) >= 0) structure_.on(point, body);
+        }
     }
 
     /// Where two loci meet; first with the places that the file's bodies carry, then with any place a sleeve may be seen at.

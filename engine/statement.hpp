@@ -72,6 +72,7 @@ enum class Sentence {
     zero_forces,            ///< {0} body: two forces whose lines cannot coincide, so both vanish
     two_forces_and_couple,  ///< {0} body, {1} point: two forces and a couple, so the force at {1} is parallel to the other
     three_force_line,       ///< {0} body, {1} name of the meet, {2} symbol of the force whose line is found, {3} its point
+    three_parallel_lines,   ///< {0} body, {1} symbol: two lines are parallel, so the third force is parallel to them
     triangle,               ///< {0} body, {1} {2} symbols found by closing the triangle
     triangle_at,            ///< {0} body, {1} name of the meet, {2} {3} symbols found
     parallel_forces,        ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)

@@ -124,6 +124,8 @@ constexpr std::array sentences{
         "Sul corpo {0} agiscono due forze e una coppia: le forze sono uguali e opposte, quindi quella in {1} è parallela all’altra."},
     Row{Sentence::three_force_line, "On body {0} two lines of action meet in {1}, so {2} acts along {3}{1}.",
         "Sul corpo {0} due rette d’azione si incontrano in {1}: {2} è diretta secondo {3}{1}."},
+    Row{Sentence::three_parallel_lines, "On body {0} two lines of action are parallel, so {1} is parallel to them.",
+        "Sul corpo {0} due rette d’azione sono parallele: anche {1} è parallela ad esse."},
     Row{Sentence::triangle, "The triangle of body {0} closes with {1} and {2}.",
         "Il triangolo delle forze del corpo {0} si chiude con {1} e {2}."},
     Row{Sentence::triangle_at,
