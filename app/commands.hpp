@@ -19,6 +19,7 @@ struct SolveRequest {
     render::Paper paper = render::Paper::a4;
     double dpi = 150;
     bool exact = false;
+    std::vector<std::string> with;  ///< figures on request: "joukowsky"
 };
 Status solve_command(const SolveRequest& request);
 

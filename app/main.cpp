@@ -67,6 +67,13 @@ void add_solve(CLI::App& program, Action& action) {
         })
         ->type_name("N")
         ->capture_default_str();
+    command
+        ->add_option("--with", request->with,
+                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
+                     "moments about the pole of the velocities")
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"joukowsky"}))
+        ->type_name("FIGURE");
     command->add_flag("--exact", request->exact, "Add exact values to the JSON results, as fractions");
     command->callback([&action, request, language, paper] {
         request->language = *language == "it" ? render::Language::it : render::Language::en;

@@ -102,6 +102,21 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
     return outputs;
 }
 
+/// Why Joukowsky's lever cannot be drawn; empty where it can.
+const char* why_no_lever(const Solution& solution) {
+    switch (render::no_lever(solution)) {
+        case render::NoLever::none:
+            return "";
+        case render::NoLever::no_forces:
+            return "no forces act, or none are asked for";
+        case render::NoLever::no_velocities:
+            return "forces have powers only where something is driven and its velocities are known";
+        case render::NoLever::nothing_moves:
+            return "no force acts at a point that moves";
+    }
+    return "";
+}
+
 }  // namespace
 
 Status solve_command(const SolveRequest& request) {
@@ -123,14 +138,15 @@ Status solve_command(const SolveRequest& request) {
 
     std::vector<std::string> remarks = solution->remarks;
     std::vector<Output> outputs;
+    const bool wants_lever = std::find(request.with.begin(), request.with.end(), "joukowsky") != request.with.end();
+    const bool draws =
+        std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.format != Format::json; });
     if (targets->empty()) {
         outputs.push_back({"-", render::results_table(*solution, request.language)});
     } else {
-        const bool drawn =
-            std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.format != Format::json; });
         std::optional<render::Fonts> fonts;
         std::vector<render::Page> pages;
-        if (drawn) {
+        if (draws) {
             auto opened = render::Fonts::open();
             if (!opened) {
                 say("kinegraph", opened.error());
@@ -140,9 +156,16 @@ Status solve_command(const SolveRequest& request) {
             render::SheetOptions options;
             options.paper = request.paper;
             options.language = request.language;
+            options.joukowsky = wants_lever;
             pages = render::lay_out(*solution, options, *fonts);
         }
         outputs = outputs_of(*solution, *targets, request, pages, fonts, remarks);
+    }
+    if (wants_lever) {
+        if (const char* why = why_no_lever(*solution); *why)
+            remarks.push_back(std::string("no lever: ") + why);
+        else if (!draws)
+            remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
     }
     if (request.exact &&
         std::none_of(targets->begin(), targets->end(), [](const Target& target) { return target.format == Format::json; }))

@@ -39,6 +39,7 @@ struct Figure {
     RichText caption;                  ///< without number and scale
     double scale = 1;                  ///< `unit` for each mm
     std::string unit;                  ///< SI unit of the data-value's: "m", "m/s", "m/s²"
+    std::string further_scale;         ///< of what is drawn to another one, said beside the first: "1 mm ≙ 5 N"
     Box box;                           ///< of everything, labels included
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
@@ -100,5 +101,22 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
                              std::optional<double> least = std::nullopt, bool fixed = false);
 /// A body cut free (index into Solution::free_bodies): kind "body", id "body-<name>"; its scale is that of its forces.
 Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+
+// Joukowsky's lever: forces at the tips of the velocities turned a quarter turn; their moments about the pole are the powers
+// with the sign changed.
+
+/// Why there is none.
+enum class NoLever {
+    none,           ///< there is one
+    no_forces,      ///< no body was cut free
+    no_velocities,  ///< nothing is driven, or not all velocities are known
+    nothing_moves,  ///< no force acts at a point that moves
+};
+NoLever no_lever(const Solution& solution);
+/// What the turned velocities span with the pole, in the file's unit of velocity.
+Box extent_of_lever(const Solution& solution);
+/// Kind "velocity", id "joukowsky"; forces are groups of class "force", with a scale of their own that the caption states. Only
+/// where there is one.
+Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y);
 
 }  // namespace kinegraph::render

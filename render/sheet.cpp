@@ -361,6 +361,58 @@ private:
             first = false;
             wanted_.push_back(std::move(body));
         }
+        if (options_.joukowsky && no_lever(s) == NoLever::none) {
+            Wanted lever;
+            lever_table_ = joukowsky_block(context_, measure_);
+            const Box extent = extent_of_lever(s);
+            lever.extent_x = std::max(extent.width(), 1e-30);
+            lever.extent_y = std::max(extent.height(), 1e-30);
+            lever.rim_x = 40;  // forces on either side
+            lever.rim_y = 40 + 0.6 * lever_table_.height;
+            lever.weight = 1.3;
+            lever.draw = [this](double x, double y) { return lever_with_table(x, y); };
+            lever_ = wanted_.size();
+            wanted_.push_back(std::move(lever));
+        }
+    }
+
+    /// The table in a corner that the lever leaves free, beside it or above it, whichever leaves the figure largest; the lever
+    /// alone where none of these has room.
+    Figure lever_with_table(double room_x, double room_y) const {
+        const Box room = rectangle(0, 0, room_x, room_y);
+        const auto fits = [](const Figure& figure, const Box& box) {
+            return figure.box.width() <= box.width() && figure.box.height() <= box.height();
+        };
+        const Figure alone = joukowsky_figure(context_, room_x, room_y);
+        const Block block = joukowsky_block(context_, std::min(room_x, measure_));
+        std::optional<Figure> best;
+        Sheet table;
+        {
+            Figure figure = alone;
+            if (beside(table, figure, {block, block}, room)) best = std::move(figure);
+        }
+        for (const bool above : {true, false}) {
+            Box left = room;
+            (above ? left.min.y : left.min.x) += above ? block.height + 6 : block.width + 8;
+            if (left.width() < 30 || left.height() < 30 || block.width > room_x || block.height > room_y) continue;
+            Figure figure = joukowsky_figure(context_, left.width(), left.height());
+            if (!fits(figure, left) || (best && best->scale <= figure.scale)) continue;
+            centre(figure, left);
+            best = std::move(figure);
+            table.marks.clear();
+            set(table, block, {0, 0});
+        }
+        if (!best || best->scale > 6 * alone.scale) return alone;
+        best->marks.insert(best->marks.end(), table.marks.begin(), table.marks.end());
+        best->box = box_of(best->marks);
+        return *best;
+    }
+    bool lever_has_table() const {
+        const std::string sum = word("sum", language());
+        return lever_ && std::any_of(drawn_[*lever_].marks.begin(), drawn_[*lever_].marks.end(), [&](const Mark& mark) {
+                   const auto* text = std::get_if<TextMark>(&mark);
+                   return text && text->words == sum;
+               });
     }
 
     const DrawingContext& unscaled() {
@@ -756,6 +808,7 @@ private:
         } else {
             text = "1 mm ≙ " + shortest_scale(figure.scale) + " " + figure.unit;
         }
+        if (!figure.further_scale.empty()) text += ";  " + figure.further_scale;
         return with_powers(text);
     }
     /// A scale is a short decimal up to the last bits of a division.
@@ -1116,6 +1169,13 @@ private:
             section.of_forces = true;
             section.rows = reaction_lines(context_, measure_);
             section.rows.insert(section.rows.begin(), heading(word("forces", language())));
+            add(std::move(section));
+        }
+        if (lever_ && !lever_has_table()) {
+            Section section;
+            section.home = static_cast<int>(*lever_);
+            section.of_forces = true;
+            section.rows = {heading(word("lever", language())), lever_table_};
             add(std::move(section));
         }
         if (!s.centres.empty()) {
@@ -1555,6 +1615,8 @@ private:
     bool force_equations_ = true;        // with the steps, where the figure has no room for them
     std::size_t force_page_ = 0;         // where they begin
     std::size_t first_of_forces_ = 0;    // index into wanted_
+    std::optional<std::size_t> lever_;   // index into wanted_
+    Block lever_table_;
     std::size_t figure_pages_ = 0;
     std::optional<DrawingContext> unscaled_context_;
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit

@@ -50,4 +50,8 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width);
 /// Key of the bodies: colour, number, what it is.
 std::vector<Block> body_lines(const DrawingContext& context, double width);
 
+/// The table of Joukowsky's lever: force, its arm h about the pole by the scale of velocities, power; couples with ω; the sum,
+/// and what it says. Not wider than `most` mm as far as its columns can be set closer.
+Block joukowsky_block(const DrawingContext& context, double most);
+
 }  // namespace kinegraph::render

@@ -285,6 +285,23 @@ constexpr std::array fixed_words{
                "I lati tratteggiati sono interni: uguali e opposti su due corpi, si elidono."},
     FixedWords{"passes outside", "passes outside: tips", "passa all’esterno: si impunta"},
     FixedWords{"passes beside", "from", "da"},
+    FixedWords{"lever", "Joukowsky’s lever", "Leva di Joukowsky"},
+    FixedWords{"lever arm", "arm", "braccio"},
+    FixedWords{"power", "power", "potenza"},
+    FixedWords{"sum", "sum", "somma"},
+    FixedWords{
+        "lever of forces",
+        "The forces, set at the tips of the velocities turned a quarter turn counter-clockwise, have no moment about the "
+        "pole: the moment of each, F·h, is its power with the sign changed.",
+        "Le forze, poste agli estremi delle velocità ruotate di un quarto di giro in verso antiorario, hanno momento nullo "
+        "rispetto al polo: il momento di ciascuna, F·h, è la sua potenza cambiata di segno."},
+    FixedWords{
+        "lever with couples",
+        "The forces are set at the tips of the velocities turned a quarter turn counter-clockwise: the moment of each "
+        "about the pole, F·h, is its power with the sign changed; a couple has the power Mω. The powers add up to nothing.",
+        "Le forze sono poste agli estremi delle velocità ruotate di un quarto di giro in verso antiorario: il momento di "
+        "ciascuna rispetto al polo, F·h, è la sua potenza cambiata di segno; una coppia ha potenza Mω. La somma delle "
+        "potenze è nulla."},
     FixedWords{"subtitle forces", "Static forces by triangles and closed polygon",
                "Forze statiche con i triangoli e il poligono chiuso"},
     FixedWords{"subtitle mixed", "Motion by polygons, forces by triangles and closed polygon",
