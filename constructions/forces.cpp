@@ -104,6 +104,34 @@ private:
         return unknown;
     }
 
+    /// Unknown bonds by what is known of them.
+    struct Unknowns {
+        std::vector<int> pins, guides, fixed, couples, clamps;
+    };
+    Unknowns sorted(const std::vector<int>& unknown, const Run& run) const {
+        Unknowns result;
+        for (const int b : unknown) {
+            switch (shape(b, run)) {
+                case Shape::pin:
+                    result.pins.push_back(b);
+                    break;
+                case Shape::guide:
+                    result.guides.push_back(b);
+                    break;
+                case Shape::line:
+                    result.fixed.push_back(b);
+                    break;
+                case Shape::couple:
+                    result.couples.push_back(b);
+                    break;
+                case Shape::clamp:
+                    result.clamps.push_back(b);
+                    break;
+            }
+        }
+        return result;
+    }
+
     void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
         if (trials_ > 0) return;  // the strokes of a trial belong to the sentence that opens it
         Statement statement;
@@ -132,25 +160,8 @@ private:
     /// `beside_couples`: bodies that carry a couple too; tried when nothing else is left.
     bool lines(const std::vector<int>& group, const std::vector<Load>& loads, Run& run, bool beside_couples) {
         const std::vector<int> unknown = unknown_of(group, run);
-        std::vector<int> pins, guides, fixed, couples;
-        for (const int b : unknown) {
-            switch (shape(b, run)) {
-                case Shape::pin:
-                    pins.push_back(b);
-                    break;
-                case Shape::guide:
-                    guides.push_back(b);
-                    break;
-                case Shape::line:
-                    fixed.push_back(b);
-                    break;
-                case Shape::couple:
-                    couples.push_back(b);
-                    break;
-                case Shape::clamp:
-                    return false;
-            }
-        }
+        const auto [pins, guides, fixed, couples, clamps] = sorted(unknown, run);
+        if (!clamps.empty()) return false;
         const std::size_t forces = pins.size() + guides.size() + fixed.size();
         if ((pins.empty() && guides.empty()) || couples.empty() == beside_couples) return false;
         if (forces < 2 || forces > 3 || couples.size() > 1) return false;
@@ -339,26 +350,7 @@ private:
     bool magnitudes(const std::vector<int>& group, const std::vector<Load>& loads, Run& run) {
         const std::vector<int> unknown = unknown_of(group, run);
         if (unknown.empty()) return false;
-        std::vector<int> pins, guides, fixed, couples, clamps;
-        for (const int b : unknown) {
-            switch (shape(b, run)) {
-                case Shape::pin:
-                    pins.push_back(b);
-                    break;
-                case Shape::guide:
-                    guides.push_back(b);
-                    break;
-                case Shape::line:
-                    fixed.push_back(b);
-                    break;
-                case Shape::couple:
-                    couples.push_back(b);
-                    break;
-                case Shape::clamp:
-                    clamps.push_back(b);
-                    break;
-            }
-        }
+        const auto [pins, guides, fixed, couples, clamps] = sorted(unknown, run);
         const std::size_t count = 2 * (pins.size() + guides.size()) + fixed.size() + couples.size() + 3 * clamps.size();
         if (count > 3 || couples.size() > 1) return false;
         const Wrench known = model_.known_on(group, loads, run);

@@ -1,5 +1,6 @@
 // The check: the same mechanism as plain linear algebra in doubles (Jacobian, its time derivative) with Eigen. Shares nothing
-// with the constructions but Mechanism and Pose, so that agreement means something. The only place that sees Eigen.
+// with the constructions but Mechanism and Pose, so that agreement means something. Only this and the check of the forces see
+// Eigen.
 #pragma once
 
 #include <array>
