@@ -547,23 +547,44 @@ private:
             if (board_.parallel(b.direction, c.direction)) continue;
             const PlaceOnDrawing pivot = *board_.meet(b.line, c.line);
             if (board_.on_line(pivot, a.line)) return false;  // concurrent: only a force through that point is held
-            const auto first = by_moments(a, pivot, known);
-            if (!first) return false;
-            say(Sentence::culmann,
-                {name(group), PointName{meet_name(group, pivot)}, symbol_on(one, group), symbol_on(two, group),
-                 symbol_on(three, group)},
-                "Culmann");
-            settle(one, *first, a.place, group, run);
-            Wrench rest;
-            rest.force = known.force ? board_.add(*known.force, *first) : *first;
-            rest.place = pivot;
-            if (board_.is_zero(*rest.force)) rest.force.reset();
+            const auto [first, rest] = known_and_one(group, known, one, two, three, pivot, run);
+            settle(one, first, a.place, group, run);
             const auto [x, y] = triangle(rest, b.direction, c.direction);
             settle(two, x, b.place, group, run);
             settle(three, y, c.place, group, run);
             return true;
         }
         return false;
+    }
+
+    /// The force of the first of three lines, and what it makes with the known one: along Culmann's line where the two meet, by
+    /// moments about the pivot of the other two where they are parallel, or a couple.
+    std::pair<Force, Wrench> known_and_one(const std::vector<int>& group, const Wrench& known, int one, int two, int three,
+                                           PlaceOnDrawing pivot, const Run& run) {
+        const Action a = *run.reactions[at(one)].action;
+        Wrench rest;
+        rest.place = pivot;
+        if (known.force && !board_.parallel(board_.direction(*known.force), a.direction)) {
+            const PlaceOnDrawing met = *board_.meet(model_.line_of(known), a.line);
+            if (!board_.coincide(met, pivot)) {
+                say(Sentence::culmann_line,
+                    {name(group), PointName{meet_name(group, met)}, PointName{meet_name(group, pivot)}, symbol_on(one, group),
+                     symbol_on(two, group), symbol_on(three, group)},
+                    "Culmann");
+                const auto [first, pair] = triangle(known, a.direction, board_.direction(board_.vector(met, pivot)));
+                if (!board_.is_zero(pair)) rest.force = board_.negate(pair);
+                return {first, rest};
+            }
+        }
+        const auto first = by_moments(a, pivot, known);
+        KG_ASSERT(first, "a line that does not pass the pivot has a lever about it");
+        say(Sentence::culmann,
+            {name(group), PointName{meet_name(group, pivot)}, symbol_on(one, group), symbol_on(two, group),
+             symbol_on(three, group)},
+            "Ritter");
+        rest.force = known.force ? board_.add(*known.force, *first) : *first;
+        if (board_.is_zero(*rest.force)) rest.force.reset();
+        return {*first, rest};
     }
 
     // --- superposition and trials --------------------------------------------------------------------------------------------

@@ -76,7 +76,8 @@ enum class Sentence {
     triangle,               ///< {0} body, {1} {2} symbols found by closing the triangle
     triangle_at,            ///< {0} body, {1} name of the meet, {2} {3} symbols found
     parallel_forces,        ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)
-    culmann,                ///< {0} body, {1} {2} names of the meets that give Culmann's line, {3} {4} {5} symbols
+    culmann,       ///< {0} body, {1} meet of the lines of {3} and {4}, {2} symbol: by moments about {1}, then the triangle
+    culmann_line,  ///< {0} body, {1} {2} the meets that give Culmann's line, {3} {4} {5} symbols: {3} at {1}, the others at {2}
     force_and_couple,   ///< {0} body, {1} symbol of the force, equal and opposite to the rest, {2} symbol of the couple M = F·b
     single_reaction,    ///< {0} body, {1} symbol: what is left balances the rest
     superposition,      ///< {0} body whose loads act alone now

@@ -1215,7 +1215,8 @@ private:
     void add_force_equation(Section& section, const Message& message, std::set<BodyIndex>& told) const {
         if (!force_equations_) return;
         if (message.sentence != Sentence::triangle && message.sentence != Sentence::triangle_at &&
-            message.sentence != Sentence::single_reaction && message.sentence != Sentence::culmann)
+            message.sentence != Sentence::single_reaction && message.sentence != Sentence::culmann &&
+            message.sentence != Sentence::culmann_line)
             return;
         const auto* name = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
         const auto index = name ? solution().mechanism.body_named(name->name) : std::nullopt;

@@ -92,6 +92,7 @@ struct Statics {
             case Sentence::parallel_forces:
                 return "parallel";
             case Sentence::culmann:
+            case Sentence::culmann_line:
                 return "Culmann";
             case Sentence::force_and_couple:
                 return "force and couple";
