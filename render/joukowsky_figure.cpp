@@ -118,7 +118,8 @@ private:
             double least = 1e300;
             for (int k = 0; k < 6; ++k) {
                 // 0: pulls; 1: pushes; then further and further off.
-                const double gap = 2.5 * (k / 2);
+                const int steps_off = k / 2;
+                const double gap = 2.5 * steps_off;
                 const Spot along = unit(whole);
                 const Spot tail = k % 2 == 0 ? at + gap * along : at - gap * along - whole;
                 const Arrow tried{tail, tail + whole};

@@ -383,7 +383,7 @@ private:
         const auto fits = [](const Figure& figure, const Box& box) {
             return figure.box.width() <= box.width() && figure.box.height() <= box.height();
         };
-        const Figure alone = joukowsky_figure(context_, room_x, room_y);
+        Figure alone = joukowsky_figure(context_, room_x, room_y);
         const Block block = joukowsky_block(context_, std::min(room_x, measure_));
         std::optional<Figure> best;
         Sheet table;
