@@ -1,0 +1,152 @@
+#include "tests/random_loads.hpp"
+
+#include <cmath>
+#include <map>
+#include <variant>
+#include <vector>
+
+#include "tests/random_mechanism.hpp"
+
+namespace kinegraph {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Adds loads, weights, springs and efforts of every kind to the file of a random mechanism.
+class Loading {
+public:
+    Loading(const Mechanism& mechanism, const Pose& pose, std::uint64_t seed, int efforts)
+        : mechanism_(mechanism), pose_(pose), random_(seed * 7919 + 1) {
+        const int loads = random_.whole(1, 4);
+        for (int i = 0; i < loads || (loads_.empty() && masses_.empty()); ++i) load(std::to_string(i));
+        if (random_.chance(30)) inertia_ = true;
+        for (int i = 0; i < efforts; ++i) effort("E" + std::to_string(i));
+    }
+
+    /// The file with all of it.
+    std::string entered_in(std::string text) const {
+        const auto list = [](const std::vector<std::string>& all) {
+            std::string joined;
+            for (const std::string& each : all) joined += (joined.empty() ? "" : ",\n    ") + each;
+            return "[\n    " + joined + "\n  ]";
+        };
+        std::string more;
+        if (!loads_.empty()) more += ",\n  \"loads\": " + list(loads_);
+        if (!masses_.empty()) {
+            more += ",\n  \"gravity\": [0, -9.81],\n  \"masses\": {";
+            for (const auto& [body, mass] : masses_)
+                more += (body == masses_.begin()->first ? "" : ", ") + quoted(name(body)) + ": " + mass;
+            more += "}";
+        }
+        if (inertia_) more += ",\n  \"inertia forces\": true";
+        if (!efforts_.empty()) more += ",\n  \"effort\": " + list(efforts_);
+        text.insert(text.rfind("\n}"), more);
+        return text;
+    }
+
+private:
+    static std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+    const std::string& name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
+    const std::string& point_name(PointIndex point) const { return mechanism_.points[at(point)].name; }
+
+    BodyIndex any_body() { return random_.whole(1, static_cast<int>(mechanism_.bodies.size()) - 1); }
+    BodyIndex body_with_points() {
+        for (;;) {
+            const BodyIndex body = any_body();
+            if (!mechanism_.bodies[at(body)].points.empty()) return body;
+        }
+    }
+    PointIndex point_of(BodyIndex body) {
+        const auto& points = mechanism_.bodies[at(body)].points;
+        return points[at(random_.whole(0, static_cast<int>(points.size()) - 1))];
+    }
+    std::string decimal(double least, double most) {
+        const long hundredths = std::lround(random_.real(least, most) * 100);
+        const std::string digits = std::to_string(std::labs(hundredths) % 100);
+        return (hundredths < 0 ? "-" : "") + std::to_string(std::labs(hundredths) / 100) + (digits.size() < 2 ? ".0" : ".") +
+               digits;
+    }
+    /// Two components that are not both zero.
+    std::string components(double most) {
+        for (;;) {
+            const std::string x = decimal(-most, most), y = decimal(-most, most);
+            if (std::stod(x) != 0 || std::stod(y) != 0) return "[" + x + ", " + y + "]";
+        }
+    }
+
+    void load(const std::string& number) {
+        const BodyIndex body = body_with_points();
+        const PointIndex point = point_of(body);
+        switch (random_.whole(0, 4)) {
+            case 0:
+                loads_.push_back("{\"force\": \"P" + number + "\", \"body\": " + quoted(name(body)) +
+                                 ", \"at\": " + quoted(point_name(point)) + ", \"value\": " + components(50) + "}");
+                break;
+            case 1:
+                loads_.push_back("{\"force\": \"P" + number + "\", \"body\": " + quoted(name(body)) +
+                                 ", \"at\": " + quoted(point_name(point)) + ", \"magnitude\": " + decimal(1, 50) +
+                                 ", \"along\": " + decimal(-180, 180) + "}");
+                break;
+            case 2:
+                loads_.push_back("{\"couple\": \"Q" + number + "\", \"body\": " + quoted(name(body)) +
+                                 ", \"value\": " + decimal(-20, 20) + "}");
+                break;
+            case 3:
+                masses_.insert({body, "{\"mass\": " + decimal(1, 5) + ", \"centre\": " + quoted(point_name(point)) +
+                                          ", \"inertia\": " + decimal(0.01, 1) + "}"});
+                break;
+            default:
+                spring(number, body, point);
+        }
+    }
+
+    void spring(const std::string& number, BodyIndex body, PointIndex point) {
+        const BodyIndex other = random_.chance(20) ? 0 : body_with_points();
+        if (other == body || mechanism_.bodies[at(other)].points.empty()) return;
+        const PointIndex end = point_of(other);
+        // Ends that coincide have no direction to pull in: a refusal, tested elsewhere.
+        const Vector join = pose_.at(end) - pose_.at(point);
+        if (squared_length(join) <= Exact::power_of_two(-40) * square(pose_.size)) return;
+        loads_.push_back("{\"force\": \"S" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
+                         "], \"between\": [" + quoted(point_name(point)) + ", " + quoted(point_name(end)) +
+                         "], \"magnitude\": " + decimal(1, 40) + "}");
+    }
+
+    void effort(const std::string& named) {
+        std::vector<std::string> slides;
+        for (const Joint& joint : mechanism_.joints) {
+            if (joint.kind == JointKind::prismatic) slides.push_back(joint.name);
+        }
+        int kind = random_.whole(0, 2);
+        if (kind == 2 && slides.empty()) kind = 0;
+        if (kind == 0) {
+            const BodyIndex body = any_body();
+            const BodyIndex from = random_.chance(20) ? any_body() : 0;
+            efforts_.push_back("{\"couple\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +
+                               (from != 0 && from != body ? ", \"from\": " + quoted(name(from)) : "") + "}");
+        } else if (kind == 1) {
+            const BodyIndex body = body_with_points();
+            efforts_.push_back("{\"force\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +
+                               ", \"at\": " + quoted(point_name(point_of(body))) + ", \"along\": " + components(5) + "}");
+        } else {
+            efforts_.push_back("{\"force\": " + quoted(named) +
+                               ", \"joint\": " + quoted(slides[at(random_.whole(0, static_cast<int>(slides.size()) - 1))]) + "}");
+        }
+    }
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    Random random_;
+    std::vector<std::string> loads_, efforts_;
+    std::map<BodyIndex, std::string> masses_;
+    bool inertia_ = false;
+};
+
+}  // namespace
+
+std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose, std::uint64_t seed,
+                               int efforts) {
+    return Loading(mechanism, pose, seed, efforts).entered_in(text);
+}
+
+}  // namespace kinegraph

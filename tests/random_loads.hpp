@@ -1,0 +1,17 @@
+// Random loads for a random mechanism: forces, couples, weights with and without inertia, springs, and efforts of every kind,
+// added to its file. The same on every machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/mechanism.hpp"
+#include "engine/pose.hpp"
+
+namespace kinegraph {
+
+/// The mechanism's file with one to four loads and so many efforts at random places (0: the file has its own).
+std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose, std::uint64_t seed,
+                               int efforts);
+
+}  // namespace kinegraph
