@@ -8,12 +8,11 @@
 #include "engine/solution.hpp"
 #include "render/figure.hpp"
 #include "render/page.hpp"
+#include "render/sheet_parts.hpp"
 #include "render/text.hpp"
 #include "render/words.hpp"
 
 namespace kinegraph::render {
-
-enum class Paper { a4, a3, letter };
 
 struct SheetOptions {
     Paper paper = Paper::a4;  ///< landscape

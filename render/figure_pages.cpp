@@ -1,0 +1,257 @@
+// Pages of figures: splits are tried by what they promise, drawn, and chosen anew with what the lettering turned out to take.
+#include "render/figure_pages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/caption.hpp"
+#include "render/free_room.hpp"
+#include "render/page_split.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double least_run = 16;  // of free height worth a text column
+
+double caption_height(const Wanted& wanted, double width) { return wanted.caption_width > width ? 11 : 7; }
+
+class FigurePlacer {
+public:
+    FigurePlacer(const DrawingContext& context, const SheetFormat& format, WantedFigures& figures)
+        : context_(context), format_(format), wanted_(figures) {}
+
+    FigurePages place(double text_area) {
+        place_all(text_area);
+        return std::move(result_);
+    }
+
+private:
+    void place_all(double text_area) {
+        for (std::size_t first = 0; first < wanted_.list.size();) {
+            std::size_t together = 1;  // up to where a new page is wanted
+            while (first + together < wanted_.list.size() && !wanted_.list[first + together].starts_page) ++together;
+            std::size_t most = first > 0 ? std::max<std::size_t>(most_on_first_page(format_), 4) : most_on_first_page(format_);
+            if (wanted_.list[first].fills) most = format_.large ? 6 : 4;
+            if (first == wanted_.first_of_forces) result_.force_page = result_.sheets.size();
+            // Evenly over the pages they take; lone blocks and pins text_area but half the room.
+            double load = 0;
+            for (std::size_t i = 0; i < together; ++i) load += wanted_.list[first + i].weight < 1 ? 0.5 : 1;
+            const auto pages_taken = static_cast<std::size_t>(std::ceil(load / static_cast<double>(most)));
+            const std::size_t count =
+                wanted_.list[first].fills ? (together + pages_taken - 1) / pages_taken : std::min(most, together);
+            std::vector<Box> areas;
+            if (text_area > 0 && first == 0) {
+                const double strip = text_area / format_.content.width() + 4;
+                if (strip < 0.6 * format_.content.height())
+                    areas.push_back(rectangle(format_.content.min.x, format_.content.min.y, format_.content.max.x,
+                                              std::min(format_.content.max.y - strip, format_.block.min.y - 4)));
+                for (int k = 1; k < format_.columns; ++k) {
+                    const double side = k * (format_.measure + gap);
+                    if (side * format_.content.height() >= text_area)
+                        areas.push_back(rectangle(format_.content.min.x, format_.content.min.y, format_.content.max.x - side,
+                                                  format_.content.max.y));
+                }
+            }
+            if (areas.empty()) areas.push_back(format_.content);
+            Outcome chosen = best_page(first, count, areas);
+            // A scale that the file asks for may want a page with fewer figures on it.
+            for (std::size_t fewer = count - 1; chosen.missed && fewer > 0; --fewer) {
+                Outcome outcome = best_page(first, fewer, {format_.content});
+                if (!outcome.missed) chosen = std::move(outcome);
+            }
+            result_.drawn = std::move(chosen.drawn);
+            result_.unplaced = std::move(chosen.unplaced);
+            find_runs(chosen.sheet, chosen.cells, first);
+            result_.sheets.push_back(std::move(chosen.sheet));
+            first += chosen.cells.size();
+        }
+    }
+
+    /// A page with `count` figures from `first` on, and all that was drawn up to it.
+    struct Outcome {
+        double value = -1e300;
+        bool missed = false;  // a figure is not at the scale that the file asks for
+        Sheet sheet;
+        std::vector<Figure> drawn;
+        std::set<std::size_t> unplaced;
+        std::vector<Box> cells;
+    };
+
+    /// What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is chosen anew
+    /// with that knowledge. Leaves what was drawn before as it is.
+    Outcome best_page(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
+        Outcome chosen;
+        const std::set<std::size_t> unplaced_before = result_.unplaced;
+        const std::vector<Figure> drawn_before = result_.drawn;
+        for (int round = 0; round < 4; ++round) {
+            Split best;
+            for (const Box& each : areas)
+                for (Split& split : splits(wanted_, first, count, each, format_))
+                    if (split.value > best.value + 1e-9) best = std::move(split);
+            if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
+            Outcome outcome;
+            outcome.value = 0;
+            bool smaller = false;
+            for (std::size_t i = 0; i < count; ++i) {
+                Wanted& wanted = wanted_.list[first + i];
+                fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                const bool missed = misses(wanted, result_.drawn.back());
+                outcome.missed = outcome.missed || missed;
+                double size = 0;
+                if (wanted.fills)
+                    size = worth(wanted, best.cells[i], wanted_.force_scale);
+                else if (!wanted.empty)
+                    size = wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / result_.drawn.back().scale) -
+                           (missed ? 3 : 0);
+                outcome.value += size;
+                if (!wanted.empty && size < worth(wanted, best.cells[i], wanted_.force_scale) - 0.05) {
+                    smaller = true;
+                    wanted.rim_x += 8;
+                    wanted.rim_y += 8;
+                }
+            }
+            outcome.drawn = std::move(result_.drawn);
+            outcome.unplaced = std::move(result_.unplaced);
+            outcome.cells = best.cells;
+            result_.drawn = drawn_before;
+            result_.unplaced = unplaced_before;
+            if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+            if (!smaller) break;
+        }
+        return chosen;
+    }
+
+    void fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell) {
+        const int number = static_cast<int>(result_.drawn.size()) + 1;
+        Box room = rectangle(cell.min.x, cell.min.y + caption_height(wanted, cell.width()), cell.max.x, cell.max.y);
+        Figure figure = wanted.drawn_into(room.width(), room.height());
+        // Captions of a row of figures share a baseline; a long one takes what it needs.
+        std::vector<Mark> caption;
+        room.min.y = std::max(room.min.y, cell.min.y + set_caption(caption, context_, figure, number, cell.min, cell.width()));
+        if (figure.box.height() > room.height()) figure = wanted.drawn_into(room.width(), room.height());
+        if (!wanted.equations.empty()) {
+            const std::array<Block, 2> blocks{arranged(wanted.equations, false), arranged(wanted.equations, true)};
+            if (!set_beside(sheet.marks, figure, blocks, room) && !apart(sheet, figure, wanted, blocks, room)) {
+                result_.unplaced.insert(index);
+                centre(figure, room);
+            }
+        } else {
+            centre(figure, room);
+        }
+        set_caption(sheet.marks, context_, figure, number, cell.min, cell.width());
+        sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());
+        result_.drawn.push_back(std::move(figure));
+    }
+
+    /// The room divided between equations and figure, whichever way leaves the figure larger.
+    bool apart(Sheet& sheet, Figure& figure, Wanted& wanted, const std::array<Block, 2>& blocks, const Box& room) const {
+        struct Way {
+            Box figure_room;
+            Spot corner;
+            const Block* block;
+        };
+        std::vector<Way> ways;
+        for (const Block& block : blocks) {
+            if (room.width() - block.width > 45)
+                ways.push_back({rectangle(room.min.x, room.min.y, room.max.x - block.width - 5, room.max.y),
+                                {room.max.x - block.width, room.min.y + 2},
+                                &block});
+            if (block.width <= room.width() && room.height() - block.height > 40)
+                ways.push_back({rectangle(room.min.x, room.min.y + block.height + 4, room.max.x, room.max.y), room.min, &block});
+        }
+        const Way* best = nullptr;
+        double scale = 1e300;
+        for (const Way& way : ways) {
+            const double x = way.figure_room.width() - wanted.rim_x, y = way.figure_room.height() - wanted.rim_y;
+            if (x < 12 || y < 12) continue;
+            const double would_be = choose_scale(wanted.extent_x, wanted.extent_y, x, y, std::nullopt);
+            if (would_be < scale) scale = would_be, best = &way;
+        }
+        // A polygon three steps smaller is no fair price: then the equations stand with the steps.
+        if (!best || scale > 3 * figure.scale) return false;
+        Figure smaller = wanted.drawn_into(best->figure_room.width(), best->figure_room.height());
+        if (smaller.scale > 3 * figure.scale || smaller.box.width() > best->figure_room.width() ||
+            smaller.box.height() > best->figure_room.height())
+            return false;
+        figure = std::move(smaller);
+        centre(figure, best->figure_room);
+        set(sheet.marks, *best->block, best->corner);
+        return true;
+    }
+
+    /// Free runs of a page on which figures stand.
+    void find_runs(Sheet& sheet, const std::vector<Box>& cells, std::size_t first) const {
+        Occupancy occupancy(format_.width, format_.height);
+        occupancy.block(covered(sheet.marks));
+        occupancy.block(rectangle(format_.block.min.x - clear, format_.block.min.y - clear, format_.block.max.x + clear,
+                                  format_.block.max.y + clear));
+        // What stands in a line with something is preferred: cells, then the columns of the page.
+        std::vector<double> lefts;
+        for (const Box& cell : cells) lefts.push_back(cell.min.x);
+        lefts.push_back(format_.content.max.x - format_.measure);
+        for (const Box& cell : cells) {
+            lefts.push_back(cell.max.x - format_.measure);
+            lefts.push_back(cell.max.x + gap);
+        }
+        for (int k = 0; k < format_.columns; ++k) lefts.push_back(format_.content.min.x + k * (format_.measure + gap));
+        for (;;) {
+            Box best = rectangle(0, 0, 0, 0);
+            for (const double left : lefts) {
+                if (left < format_.content.min.x - 0.01 || left + format_.measure > format_.content.max.x + 0.01) continue;
+                const auto [top, bottom] = occupancy.longest_run(left - clear, left + format_.measure + clear,
+                                                                 format_.content.min.y, format_.content.max.y);
+                if (bottom - top > best.height() + 6) best = rectangle(left, top, left + format_.measure, bottom);
+            }
+            if (best.height() < least_run) break;
+            Run run{best};
+            const Spot middle = 0.5 * (best.min + best.max);
+            for (std::size_t i = 0; i < cells.size(); ++i) {
+                if (middle.x < cells[i].min.x || middle.x > cells[i].max.x || middle.y < cells[i].min.y ||
+                    middle.y > cells[i].max.y)
+                    continue;
+                run.home = static_cast<int>(first + i);
+                run.under_caption = best.min.y < cells[i].min.y + 18;
+            }
+            sheet.runs.push_back(run);
+            occupancy.block(best);
+        }
+        std::sort(sheet.runs.begin(), sheet.runs.end(), [](const Run& a, const Run& b) {
+            return a.box.min.x < b.box.min.x || (a.box.min.x == b.box.min.x && a.box.min.y < b.box.min.y);
+        });
+    }
+
+    const DrawingContext& context_;
+    const SheetFormat& format_;
+    WantedFigures& wanted_;
+    FigurePages result_;
+};
+
+}  // namespace
+
+std::size_t most_on_first_page(const SheetFormat& format) { return format.large ? 5 : 3; }
+
+bool misses(const Wanted& wanted, const Figure& figure) {
+    return wanted.asked && !wanted.empty && !wanted.fills && std::abs(figure.scale - *wanted.asked) > 1e-9 * figure.scale;
+}
+
+FigurePages place_figures(const DrawingContext& context, const SheetFormat& format, WantedFigures& figures, double text_area) {
+    figures.force_scale.reset();
+    for (int round = 0;; ++round) {
+        FigurePages pages = FigurePlacer(context, format, figures).place(text_area);
+        // Triangles and closed polygon have one scale: the smaller drawing's.
+        double least = 1e300, most = 0;
+        for (std::size_t i = 0; i < figures.list.size(); ++i)
+            if (figures.list[i].to_force_scale) {
+                least = std::min(least, pages.drawn[i].scale);
+                most = std::max(most, pages.drawn[i].scale);
+            }
+        if (most <= least * (1 + 1e-9) || round == 5) return pages;
+        figures.force_scale = most;
+        for (Wanted& wanted : figures.list)
+            if (wanted.to_force_scale) wanted.drawn.clear();
+    }
+}
+
+}  // namespace kinegraph::render

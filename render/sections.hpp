@@ -1,0 +1,24 @@
+// The text of the sheet: results, steps with their equations, bodies, forces, centres, mobility, remarks, each a section of rows
+// set to the width of a column. Owns their order and headings; chooses no place.
+#pragma once
+
+#include <vector>
+
+#include "render/figure_pages.hpp"
+#include "render/sheet_parts.hpp"
+#include "render/wanted_figures.hpp"
+
+namespace kinegraph::render {
+
+/// Whether the text pages show the circle of the centres, and the velocities on the mechanism.
+bool has_circle(const Solution& solution);
+bool has_velocities(const Solution& solution);
+
+/// mm² that the text will take, roughly: enough to choose whether it shares a page with the figures.
+double estimated_text(const Solution& solution, const SheetFormat& format);
+
+/// All sections. `force_equations`: what is known of a body's forces stands with its step, where the figure has it not.
+std::vector<Section> write_sections(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
+                                    const FigurePages& pages, bool force_equations);
+
+}  // namespace kinegraph::render

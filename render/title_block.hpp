@@ -1,0 +1,19 @@
+// The title block: title, what the sheet is, file, scale, paper, sheet, units, accuracy.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/figure.hpp"
+#include "render/sheet_parts.hpp"
+
+namespace kinegraph::render {
+
+/// The mechanism's title, or that it has none.
+std::string title_of(const Solution& solution, Language language);
+
+/// Drawn into the format's corner, on page `index` of `count`; the scale is that of the mechanism among the figures.
+void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
+                      const std::vector<Figure>& figures, std::size_t index, std::size_t count);
+
+}  // namespace kinegraph::render

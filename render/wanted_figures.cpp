@@ -1,0 +1,234 @@
+// Wanted figures: the mechanism, the polygons of motion, those of forces, the bodies cut free, the lever.
+#include "render/wanted_figures.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "render/free_room.hpp"
+#include "render/shapes.hpp"
+
+namespace kinegraph::render {
+
+bool has_forces(const Solution& solution) { return !solution.free_bodies.empty(); }
+bool has_motion(const Solution& solution) {
+    return !solution.centres.empty() ||
+           std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
+                       [](const Polygon& p) { return p.plane == Plane::velocity || p.plane == Plane::acceleration; });
+}
+bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
+
+WantedFigures::WantedFigures(const DrawingContext& context, double measure, bool joukowsky)
+    : context_(context), measure_(measure) {
+    if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
+    if (has_forces(context.solution)) collect_forces(joukowsky);
+}
+
+void WantedFigures::collect_forces(bool joukowsky) {
+    const Solution& s = context_.solution;
+    const double si = s.mechanism.units.force.si.to_double();
+    first_of_forces = list.size();
+    Wanted mechanism;
+    double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+    const auto reach = [&](const Vector& at) {
+        const double x = at.x.to_double(), y = at.y.to_double();
+        left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
+    };
+    for (const Vector& at : s.pose.points) reach(at);
+    mechanism.extent_x = std::max(right - left, 1e-30);
+    mechanism.extent_y = std::max(high - low, 1e-30);
+    mechanism.asked = asked("mechanism", 1);
+    mechanism.rim_x = 34;
+    mechanism.rim_y = 40;
+    mechanism.caption_width = 95;
+    mechanism.weight = 1.7;
+    mechanism.starts_page = true;
+    mechanism.draw = [this](double x, double y) {
+        Figure figure = mechanism_with_forces(context_, x, y);
+        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        return mechanism_with_forces(unscaled(), x, y);
+    };
+    list.push_back(std::move(mechanism));
+    const auto add = [&](int polygon, const std::string& name, auto draw) {
+        Wanted wanted;
+        const Box extent = extent_of_forces(s, polygon);
+        wanted.extent_x = std::max(extent.width(), 1e-30);
+        wanted.extent_y = std::max(extent.height(), 1e-30);
+        wanted.asked = asked(name, si);
+        for (const char* other : {"forces", "closure"})
+            if (!wanted.asked) wanted.asked = asked(other, si);
+        wanted.to_force_scale = true;
+        const std::optional<double> scale = wanted.asked;
+        wanted.draw = [this, draw, scale](double x, double y) {
+            const bool fixed = scale && !force_scale;
+            return draw(x, y, fixed ? scale : force_scale, fixed);
+        };
+        list.push_back(std::move(wanted));
+    };
+    if (has_force_polygons(s)) {
+        add(-1, "forces", [this](double x, double y, std::optional<double> scale, bool fixed) {
+            return force_polygons_figure(context_, x, y, scale, fixed);
+        });
+        list.back().items = force_polygon_count(s);
+        list.back().rim_x = 14;
+        list.back().rim_y = 16;
+    }
+    for (const int p : closed_polygons(s))
+        add(p, "closure", [this, p](double x, double y, std::optional<double> scale, bool fixed) {
+            return closed_polygon_figure(context_, p, x, y, scale, fixed);
+        });
+    bool first = true;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto rank = [&](std::size_t i) { return s.free_bodies[i].body < 0 ? 1 << 20 : s.free_bodies[i].body; };
+        return rank(a) < rank(b);
+    });
+    for (const std::size_t i : order) {
+        Wanted body;
+        const Box box = extent_of_free_body(s, i);
+        body.extent_x = std::max(box.width(), 0.3 * box.height());
+        body.extent_y = std::max(box.height(), 0.3 * box.width());
+        if (!(body.extent_x > 0)) body.extent_x = body.extent_y = 1;
+        body.rim_x = body.rim_y = 38;
+        body.fills = true;
+        body.weight = box.width() + box.height() > 0 ? 1 : 0.4;
+        body.starts_page = first;
+        body.draw = [this, i](double x, double y) { return free_body_figure(context_, i, x, y); };
+        first = false;
+        list.push_back(std::move(body));
+    }
+    if (joukowsky && no_lever(s) == NoLever::none) {
+        Wanted wanted;
+        lever_table = joukowsky_block(context_, measure_);
+        const Box extent = extent_of_lever(s);
+        wanted.extent_x = std::max(extent.width(), 1e-30);
+        wanted.extent_y = std::max(extent.height(), 1e-30);
+        wanted.rim_x = 40;  // forces on either side
+        wanted.rim_y = 40 + 0.6 * lever_table.height;
+        wanted.weight = 1.3;
+        wanted.draw = [this](double x, double y) { return lever_with_table(x, y); };
+        lever = list.size();
+        list.push_back(std::move(wanted));
+    }
+}
+
+/// The table in a corner that the lever leaves free, beside it or above it, whichever leaves the figure largest; the lever
+/// alone where none of these has room.
+Figure WantedFigures::lever_with_table(double room_x, double room_y) const {
+    const Box room = rectangle(0, 0, room_x, room_y);
+    const auto fits = [](const Figure& figure, const Box& box) {
+        return figure.box.width() <= box.width() && figure.box.height() <= box.height();
+    };
+    Figure alone = joukowsky_figure(context_, room_x, room_y);
+    const Block block = joukowsky_block(context_, std::min(room_x, measure_));
+    std::optional<Figure> best;
+    std::vector<Mark> table;
+    {
+        Figure figure = alone;
+        if (set_beside(table, figure, {block, block}, room)) best = std::move(figure);
+    }
+    for (const bool above : {true, false}) {
+        Box left = room;
+        (above ? left.min.y : left.min.x) += above ? block.height + 6 : block.width + 8;
+        if (left.width() < 30 || left.height() < 30 || block.width > room_x || block.height > room_y) continue;
+        Figure figure = joukowsky_figure(context_, left.width(), left.height());
+        if (!fits(figure, left) || (best && best->scale <= figure.scale)) continue;
+        centre(figure, left);
+        best = std::move(figure);
+        table.clear();
+        set(table, block, {0, 0});
+    }
+    if (!best || best->scale > 6 * alone.scale) return alone;
+    best->marks.insert(best->marks.end(), table.begin(), table.end());
+    best->box = box_of(best->marks);
+    return *best;
+}
+const DrawingContext& WantedFigures::unscaled() {
+    if (!unscaled_) {
+        unscaled_ = context_.solution;
+        unscaled_->mechanism.scales.clear();
+        unscaled_context_.emplace(DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language});
+    }
+    return *unscaled_context_;
+}
+
+void WantedFigures::collect_motion() {
+    const Solution& s = context_.solution;
+    Wanted mechanism;
+    double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+    const auto reach = [&](const Vector& at) {
+        const double x = at.x.to_double(), y = at.y.to_double();
+        left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
+    };
+    for (const Vector& at : s.pose.points) reach(at);
+    const double near = 0.6 * std::max({right - left, high - low, 1e-30});
+    const Box body = rectangle(left - near, low - near, right + near, high + near);
+    for (const InstantCentre& centre : s.centres) {
+        if (!centre.at || centre.at->at_infinity()) continue;
+        const Vector at = centre.at->place();
+        const double x = at.x.to_double(), y = at.y.to_double();
+        if (x > body.min.x && x < body.max.x && y > body.min.y && y < body.max.y) reach(at);
+    }
+    mechanism.extent_x = std::max(right - left, 1e-30);
+    mechanism.extent_y = std::max(high - low, 1e-30);
+    mechanism.asked = asked("mechanism", 1);
+    mechanism.rim_x = 22;
+    mechanism.rim_y = 26;
+    mechanism.caption_width = 95;
+    // Its symbols and letters do not shrink with it: drawn small, it is crowded.
+    mechanism.weight = 1.7;
+    mechanism.draw = [this](double x, double y) {
+        Figure figure = mechanism_figure(context_, x, y, !context_.solution.centres.empty());
+        if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        // The scale that the file asks for is too large for the paper: ours, then.
+        return mechanism_figure(unscaled(), x, y, !context_.solution.centres.empty());
+    };
+    list.push_back(std::move(mechanism));
+
+    const Protocol& protocol = s.protocol;
+    std::map<int, int> polygon_of;  // by statement
+    for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
+    for (const DrawnLine& drawn : protocol.lines)
+        if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
+    for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
+        const Polygon& polygon = protocol.polygons[p];
+        const bool acceleration = polygon.plane == Plane::acceleration;
+        if (polygon.plane == Plane::force) continue;
+        const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
+        Wanted wanted;
+        const double si = unit.si.to_double();
+        double min_x = 0, max_x = 0, min_y = 0, max_y = 0;
+        const auto add = [&](int element) {
+            if (protocol.point(element).at_infinity()) return;
+            const ProjectivePoint& at = protocol.point(element);
+            const double x = at.x.to_double() / si, y = at.y.to_double() / si;
+            min_x = std::min(min_x, x), max_x = std::max(max_x, x), min_y = std::min(min_y, y), max_y = std::max(max_y, y);
+        };
+        for (const int v : polygon.vectors) {
+            add(protocol.vectors[static_cast<std::size_t>(v)].tail);
+            add(protocol.vectors[static_cast<std::size_t>(v)].tip);
+        }
+        wanted.empty = !(std::max(max_x - min_x, max_y - min_y) > 0);
+        wanted.extent_x = std::max(max_x - min_x, 1e-30);
+        wanted.extent_y = std::max(max_y - min_y, 1e-30);
+        wanted.asked = asked(polygon.id, si);
+        if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
+        wanted.draw = [this, p](double x, double y) { return polygon_figure(context_, static_cast<int>(p), x, y); };
+        for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
+            const auto& equation = protocol.statements[i].equation;
+            const auto found = polygon_of.find(static_cast<int>(i));
+            if (!equation || found == polygon_of.end() || found->second != static_cast<int>(p)) continue;
+            wanted.equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
+            equation_polygon[i] = list.size();
+        }
+        list.push_back(std::move(wanted));
+    }
+}
+
+std::optional<double> WantedFigures::asked(const std::string& figure, double si) const {
+    for (const AskedScale& scale : context_.solution.mechanism.scales)
+        if (scale.figure == figure) return scale.per_millimetre.to_double() / si;
+    return std::nullopt;
+}
+
+}  // namespace kinegraph::render

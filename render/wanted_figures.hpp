@@ -1,0 +1,80 @@
+// Wanted figures: what a solution has to show on its sheet, in order, each with what it measures and who draws it. Chooses no
+// place; computes no mechanics.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "render/figure.hpp"
+#include "render/tables.hpp"
+
+namespace kinegraph::render {
+
+bool has_forces(const Solution& solution);
+bool has_motion(const Solution& solution);
+/// Motion and forces: each on pages of its own.
+bool is_mixed(const Solution& solution);
+
+/// A drawing that wants a cell: what it measures and who draws it.
+struct Wanted {
+    double extent_x = 1, extent_y = 1;  ///< in the units of its scale
+    double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
+    std::optional<double> asked;
+    std::function<Figure(double, double)> draw;
+    std::vector<Block> equations;
+    bool empty = false;  ///< all its vectors are zero: a pole and names
+    double weight = 1;   ///< against the other figures of the page
+    bool starts_page = false;
+    bool to_force_scale = false;  ///< one scale for all of these
+    bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
+    int items = 1;                ///< several drawings side by side or in rows
+    double caption_width = 60;
+    struct Drawn {
+        double room_x, room_y;
+        Figure figure;
+    };
+    std::vector<Drawn> drawn;
+
+    /// Drawn once for all rooms between the one it was drawn for and what it takes: the scale is the largest that fits.
+    Figure drawn_into(double room_x, double room_y) {
+        for (const Drawn& each : drawn)
+            if ((each.room_x == room_x && each.room_y == room_y) ||
+                (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
+                 each.figure.box.height() <= room_y))
+                return each.figure;
+        drawn.push_back({room_x, room_y, draw(room_x, room_y)});
+        return drawn.back().figure;
+    }
+};
+
+/// Their list. Not to be moved: those who draw refer to it.
+class WantedFigures {
+public:
+    /// `measure`: width of a text column, mm; `joukowsky`: with the lever, where there is one.
+    WantedFigures(const DrawingContext& context, double measure, bool joukowsky);
+    WantedFigures(const WantedFigures&) = delete;
+    WantedFigures& operator=(const WantedFigures&) = delete;
+
+    std::vector<Wanted> list;
+    std::size_t first_of_forces = 0;   ///< index into list
+    std::optional<std::size_t> lever;  ///< index into list
+    Block lever_table;
+    std::map<std::size_t, std::size_t> equation_polygon;  ///< statement → index into list
+    std::optional<double> force_scale;  ///< common to triangles and closed polygon, once one could not be drawn larger
+
+private:
+    void collect_motion();
+    void collect_forces(bool joukowsky);
+    Figure lever_with_table(double room_x, double room_y) const;
+    std::optional<double> asked(const std::string& figure, double si) const;
+    const DrawingContext& unscaled();
+
+    const DrawingContext& context_;
+    double measure_;
+    std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
+    std::optional<DrawingContext> unscaled_context_;
+};
+
+}  // namespace kinegraph::render
