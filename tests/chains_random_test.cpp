@@ -1,0 +1,195 @@
+// Two thousand mechanisms built on the chains of four, six and eight links (tests/chains.hpp): every inversion, every link
+// driven, under loads. None that the check solves is refused, and each obeys the laws of motion and of statics, exactly.
+//
+// Each is named by its seed; KINEGRAPH_SEED=n runs that one alone and prints its file, KINEGRAPH_RANDOM_MECHANISMS=n so many.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "constructions/solve.hpp"
+#include "engine/check.hpp"
+#include "engine/check_forces.hpp"
+#include "tests/chains.hpp"
+#include "tests/force_laws.hpp"
+#include "tests/motion_laws.hpp"
+#include "tests/random_loads.hpp"
+
+namespace kinegraph {
+namespace {
+
+// --- the chains --------------------------------------------------------------------------------------------------------------
+
+TEST(Chains, AreAsManyAsTheBooksSay) {
+    EXPECT_EQ(chains_of(4).size(), 1U);
+    EXPECT_EQ(chains_of(6).size(), 2U) << "Watt and Stephenson";
+    EXPECT_EQ(chains_of(8).size(), 16U);
+    EXPECT_EQ(all_inversions().size(), 12U + 60U + 896U);
+}
+
+TEST(Chains, OfSixLinksAreWattsAndStephensons) {
+    // Watt's two ternary links are hinged to each other, Stephenson's are not.
+    std::multiset<bool> adjacent;
+    for (const Chain& chain : chains_of(6)) {
+        std::vector<int> ternary;
+        for (int link = 0; link < 6; ++link)
+            if (chain.degree(link) == 3) ternary.push_back(link);
+        ASSERT_EQ(ternary.size(), 2U);
+        const std::vector<int> near = chain.neighbours(ternary[0]);
+        adjacent.insert(std::find(near.begin(), near.end(), ternary[1]) != near.end());
+    }
+    EXPECT_EQ(adjacent, (std::multiset<bool>{false, true}));
+}
+
+TEST(Chains, OfEightLinksHaveTheDegreesOfTheAtlas) {
+    // Sixteen chains: nine of four ternary links, five of two ternary and a quaternary, two of two quaternary ones.
+    std::map<std::vector<int>, int> count;
+    for (const Chain& chain : chains_of(8)) {
+        std::vector<int> more_than_binary;
+        for (int link = 0; link < 8; ++link)
+            if (chain.degree(link) > 2) more_than_binary.push_back(chain.degree(link));
+        std::sort(more_than_binary.begin(), more_than_binary.end());
+        ++count[more_than_binary];
+    }
+    EXPECT_EQ(count, (std::map<std::vector<int>, int>{{{3, 3, 3, 3}, 9}, {{3, 3, 4}, 5}, {{4, 4}, 2}}));
+}
+
+// --- mechanisms --------------------------------------------------------------------------------------------------------------
+
+struct Tally {
+    int held = 0;          ///< motion and forces solved, in agreement with the check, obeying all laws
+    int motion_only = 0;   ///< the effort acts where it can balance nothing: motion held, and no force that is not determined
+    int undetermined = 0;  ///< a dead point or a change point: the check does not solve it either
+    int not_drawn = 0;     ///< of higher groups
+};
+
+bool is_of_forces(const Unsolved& unsolved) {
+    return unsolved.what.rfind("force", 0) == 0 || unsolved.what.rfind("effort", 0) == 0 ||
+           unsolved.what.rfind("virtual", 0) == 0;
+}
+
+bool wholly_known(const NumericMotion& motion) {
+    return std::all_of(motion.bodies.begin() + 1, motion.bodies.end(),
+                       [](const auto& body) { return body.velocity_known && body.acceleration_known; });
+}
+
+/// A fault of ours is a failure of this mechanism, not of the run.
+std::optional<Solution> solved(const std::string& text, const std::string& name) {
+    auto mechanism = read_mechanism(text, name);
+    if (!mechanism) {
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message;
+        return std::nullopt;
+    }
+    try {
+        auto solution = solve(*std::move(mechanism));
+        if (solution) return *std::move(solution);
+        ADD_FAILURE() << solution.error().front().message;
+    } catch (const std::exception& fault) {
+        ADD_FAILURE() << fault.what();
+    }
+    return std::nullopt;
+}
+
+/// Groups that no dyad or triad resolves are not drawn yet: so many of the two thousand are let pass, no more, and for this
+/// reason alone.
+constexpr int not_drawn_yet = 1223;
+constexpr std::string_view no_such_rule = "no driven body, dyad or triad leads to it";
+
+void hold_solution(const Solution& solution, Tally& tally) {
+    for (const Unsolved& unsolved : solution.unsolved) EXPECT_FALSE(unsolved.why.empty()) << unsolved.what;
+    const NumericMotion motion = check_motion(solution.mechanism, solution.pose);
+    const NumericForces forces = check_forces(solution.mechanism, solution.pose, motion);
+    const bool free = solution.mobility.effective != 1 || solution.mobility.driven != 1;
+    EXPECT_EQ(free, !wholly_known(motion)) << "the check and the rank disagree about what is determined";
+    if (free) {
+        EXPECT_FALSE(solution.unsolved.empty());
+        ++tally.undetermined;
+        return;
+    }
+    if (std::any_of(solution.unsolved.begin(), solution.unsolved.end(),
+                    [](const Unsolved& unsolved) { return unsolved.why.find(no_such_rule) != std::string::npos; })) {
+        ++tally.not_drawn;
+        return;
+    }
+    if (!wholly_known(forces)) {
+        EXPECT_FALSE(solution.unsolved.empty());
+        for (const Unsolved& unsolved : solution.unsolved)
+            EXPECT_TRUE(is_of_forces(unsolved)) << unsolved.what << ": " << unsolved.why;
+        expect_laws_of_motion(solution);
+        expect_determined_forces_only(solution, forces);
+        ++tally.motion_only;
+        return;
+    }
+    for (const Unsolved& unsolved : solution.unsolved) ADD_FAILURE() << unsolved.what << ": " << unsolved.why;
+    if (!solution.unsolved.empty()) return;
+    expect_laws_of_motion(solution);
+    expect_laws_of_forces(solution, forces);
+    ++tally.held;
+}
+
+void hold_text(const std::string& bare_text, std::uint64_t seed, Tally& tally) {
+    const std::string name = "seed " + std::to_string(seed);
+    const auto bare = read_mechanism(bare_text, name);
+    ASSERT_TRUE(bare) << bare.error().front().where << ": " << bare.error().front().message;
+    const auto pose = draw_pose(*bare);
+    ASSERT_TRUE(pose) << pose.error().front().message;
+    const std::string text = under_random_loads(bare_text, *bare, *pose, seed, 0);
+    if (std::getenv("KINEGRAPH_SEED") != nullptr) std::cerr << text;
+    const auto solution = solved(text, name);
+    if (!solution) {
+        std::cerr << text;
+        return;
+    }
+    const NumericMotion motion = check_motion(solution->mechanism, solution->pose);
+    const NumericForces forces = check_forces(solution->mechanism, solution->pose, motion);
+    hold_solution(*solution, tally);
+    if (testing::Test::HasFailure()) std::cerr << text;
+}
+
+void hold(std::uint64_t seed, Tally& tally) {
+    const ChainMechanism random = random_chain_mechanism(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
+    hold_text(random.text, seed, tally);
+}
+
+/// Under sanitizers everything takes several times as long.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int default_count = 200;
+#else
+constexpr int default_count = 2000;
+#endif
+
+/// Every fourth seed, until a quarter of the mechanisms has been held: four entries for ctest to run side by side.
+void hold_quarter(int quarter) {
+    Tally tally;
+    if (const char* one = std::getenv("KINEGRAPH_SEED")) {
+        if (quarter == 0) hold(std::strtoull(one, nullptr, 10), tally);
+        return;
+    }
+    const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS");
+    const int count = (asked != nullptr ? std::atoi(asked) : default_count) / 4;
+    int seed = quarter;
+    // One mechanism with all the laws it breaks reads better than many.
+    for (; tally.held + tally.motion_only + tally.not_drawn < count && !testing::Test::HasFailure(); seed += 4)
+        hold(static_cast<std::uint64_t>(seed), tally);
+    EXPECT_LE(tally.undetermined, count / 5) << "too few draws that the drivers determine";
+    EXPECT_LE(tally.motion_only, count / 20 + 1);
+    EXPECT_LE(tally.not_drawn * default_count, not_drawn_yet * count * 4 * 11 / 10);
+    std::cout << tally.held << " held, " << tally.motion_only << " in their motion only, " << tally.not_drawn
+              << " of groups not drawn yet, " << tally.undetermined << " undetermined\n";
+}
+
+TEST(RandomChains1, ObeyTheLaws) { hold_quarter(0); }
+TEST(RandomChains2, ObeyTheLaws) { hold_quarter(1); }
+TEST(RandomChains3, ObeyTheLaws) { hold_quarter(2); }
+TEST(RandomChains4, ObeyTheLaws) { hold_quarter(3); }
+
+}  // namespace
+}  // namespace kinegraph
