@@ -15,7 +15,7 @@ std::string bare_name(const std::string& file) {
 
 Status check_command(const std::string& file) {
     const std::string name = spoken(file);
-    const auto text = read_whole(file);
+    const auto text = read_whole(file, "mechanism file");
     if (!text) {
         say(name, text.error());
         return Status::bad_input;

@@ -26,6 +26,16 @@ Status solve_command(const SolveRequest& request);
 /// check FILE: the file is read and its points are found; nothing is solved or written.
 Status check_command(const std::string& file);
 
+/// diff EXPECTED ACTUAL: whether two pictures, PNG or SVG, are the same to the eye.
+struct DiffRequest {
+    std::string expected, actual;  ///< "-" is standard input, for one of them
+    std::string output;            ///< where the difference picture goes; may be empty
+    double threshold = 0;          ///< the share of pixels that may differ
+    double tolerance = 0.1;        ///< how far two colours may be apart, of the farthest
+    double dpi = 0;                ///< for SVG; 0: as a PNG it is compared with, or 150
+};
+Status diff_command(const DiffRequest& request);
+
 /// How messages call a file: its path as given, or "standard input".
 std::string spoken(const std::string& file);
 /// The same without its folder: what a sheet may show, the same wherever it is made.

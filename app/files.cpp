@@ -146,7 +146,7 @@ private:
 
 }  // namespace
 
-tl::expected<std::string, std::string> read_whole(const std::string& path) {
+tl::expected<std::string, std::string> read_whole(const std::string& path, const std::string& kind) {
     const bool standard = path == "-";
     const int file = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return tl::unexpected("cannot be read: " + reason());
@@ -155,7 +155,7 @@ tl::expected<std::string, std::string> read_whole(const std::string& path) {
     std::string text;
     std::string why;
     if (known && S_ISDIR(status.st_mode)) {
-        why = "is a directory, not a mechanism file";
+        why = "is a directory, not a " + kind;
     } else {
         const std::size_t expected =
             known && S_ISREG(status.st_mode) ? std::min(static_cast<std::size_t>(status.st_size), largest_input) : 65536;
@@ -166,7 +166,7 @@ tl::expected<std::string, std::string> read_whole(const std::string& path) {
             if (got == 0) break;
             if (got > 0) size += static_cast<std::size_t>(got);
             if (got < 0 && errno != EINTR) why = "cannot be read: " + reason();
-            if (size > largest_input) why = "is larger than 64 MiB, which no mechanism file is";
+            if (size > largest_input) why = "is larger than 64 MiB, more than is read of a " + kind;
             if (size == text.size()) text.resize(2 * size);
         }
         text.resize(size);

@@ -12,8 +12,8 @@ namespace kinegraph::app {
 /// The largest file that is read, bytes.
 constexpr std::size_t largest_input = std::size_t{64} << 20;
 
-/// The whole text of a file. Error: why it cannot be read, in a few words.
-tl::expected<std::string, std::string> read_whole(const std::string& path);
+/// The whole of a file, which should be a `kind` ("mechanism file"). Error: why it cannot be read, in a few words.
+tl::expected<std::string, std::string> read_whole(const std::string& path, const std::string& kind);
 
 /// True where both paths exist and are the same file.
 bool same_file(const std::string& one, const std::string& other);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "app/commands.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr const char* version = "kinegraph " KINEGRAPH_VERSION;
 constexpr const char* statuses =
-    "Exit status: 0 done; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
+    "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font is\n"
     "missing; 70 a fault of ours.";
 
@@ -33,6 +34,26 @@ CLI::App* add_command(CLI::App& program, const char* name, const char* purpose) 
     command->set_version_flag("--version", version, "Print the version");
     command->footer(statuses);
     return command;
+}
+
+/// A number from `least` to `most` in the whole of the text.
+std::optional<double> number_within(const std::string& text, double least, double most) {
+    double value = 0;
+    // A comparison that is false for what is no number.
+    if (!CLI::detail::lexical_cast(text, value) || !(value >= least && value <= most)) return std::nullopt;
+    return value;
+}
+
+/// 0.005 or 0.5%.
+std::optional<double> share(const std::string& text) {
+    if (!text.ends_with('%')) return number_within(text, 0, 1);
+    const auto percent = number_within(text.substr(0, text.size() - 1), 0, 100);
+    return percent ? std::optional(*percent / 100) : std::nullopt;
+}
+
+/// What a resolution must be; empty where it is.
+std::string resolution_fits(const std::string& text) {
+    return number_within(text, 20, 1200) ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
 }
 
 void add_solve(CLI::App& program, Action& action) {
@@ -59,12 +80,7 @@ void add_solve(CLI::App& program, Action& action) {
         ->type_name("PAPER")
         ->capture_default_str();
     command->add_option("--dpi", request->dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
-        ->check([](const std::string& text) {
-            double dpi = 0;
-            // A comparison that is false for what is no number.
-            const bool fits = CLI::detail::lexical_cast(text, dpi) && dpi >= 20 && dpi <= 1200;
-            return fits ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
-        })
+        ->check(resolution_fits)
         ->type_name("N")
         ->capture_default_str();
     command
@@ -90,6 +106,42 @@ void add_check(CLI::App& program, Action& action) {
     command->callback([&action, file] { action = [file] { return check_command(*file); }; });
 }
 
+void add_diff(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "diff", "Compare two pictures, PNG or SVG, as the eye does");
+    auto request = std::make_shared<DiffRequest>();
+    command->add_option("EXPECTED", request->expected, "The picture as it should be; - is standard input")->required();
+    command->add_option("ACTUAL", request->actual, "The picture as it is")->required();
+    command
+        ->add_option(
+            "-o,--output", request->output,
+            "Where a PNG goes that shows the expected picture, the difference (red; amber what antialiasing explains) and "
+            "the actual picture side by side")
+        ->type_name("DIFF.png");
+    command
+        ->add_option_function<std::string>(
+            "--threshold", [request](const std::string& text) { request->threshold = share(text).value_or(0); },
+            "The share of pixels that may differ: 0.005 or 0.5%")
+        ->check([](const std::string& text) {
+            return share(text) ? std::string() : "\"" + text + "\" is not a share: a number from 0 to 1, or from 0% to 100%";
+        })
+        ->type_name("SHARE")
+        ->default_str("0");
+    command
+        ->add_option("--tolerance", request->tolerance,
+                     "How far two colours may be apart and count as the same: 0 not at all, 1 as far as any two")
+        ->check([](const std::string& text) {
+            return number_within(text, 0, 1) ? std::string() : "\"" + text + "\" is not a number from 0 to 1";
+        })
+        ->type_name("T")
+        ->capture_default_str();
+    command
+        ->add_option("--dpi", request->dpi,
+                     "Resolution at which an SVG is compared, dots per inch, 20 to 1200; else that of the PNG, or 150")
+        ->check(resolution_fits)
+        ->type_name("N");
+    command->callback([&action, request] { action = [request] { return diff_command(*request); }; });
+}
+
 Status print(const std::string& text) {
     if (const auto failure = write_all({{"-", text}})) {
         say("standard output", "cannot be written: " + failure->why);
@@ -107,6 +159,7 @@ Status run(int count, char** arguments) {
     Action action;
     add_solve(program, action);
     add_check(program, action);
+    add_diff(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {

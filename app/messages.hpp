@@ -8,13 +8,14 @@
 
 namespace kinegraph::app {
 
-/// Exit statuses, as docs/format.md fixes them. (1 is kept for a comparison that finds a difference.)
+/// Exit statuses, as docs/format.md fixes them.
 enum class Status {
     done = 0,
-    bad_input = 2,  ///< the command line or the file is wrong: nothing is written
-    unsolved = 3,   ///< no unique answer here: what could be found is written
-    output = 4,     ///< the output can't be written, or the font is missing
-    fault = 70,     ///< our own
+    difference = 1,  ///< of two pictures
+    bad_input = 2,   ///< the command line or the file is wrong: nothing is written
+    unsolved = 3,    ///< no unique answer here: what could be found is written
+    output = 4,      ///< the output can't be written, or the font is missing
+    fault = 70,      ///< our own
 };
 
 /// Control characters as \n, \t or \x1b, so that a line stays one.

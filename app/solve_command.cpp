@@ -126,7 +126,7 @@ Status solve_command(const SolveRequest& request) {
         say("kinegraph", targets.error());
         return Status::bad_input;
     }
-    const auto text = read_whole(request.file);
+    const auto text = read_whole(request.file, "mechanism file");
     if (!text) {
         say(name, text.error());
         return Status::bad_input;
