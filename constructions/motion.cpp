@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "engine/assert.hpp"
 
@@ -53,7 +54,30 @@ public:
         return std::move(motion_);
     }
 
+    /// Velocities with all drivers at rest and one assumption moved.
+    Track<Plane::velocity> response(std::size_t assumed) {
+        hand_ = Hand::silent;
+        drivers_rest_ = true;
+        moved_ = &plan_.steps[assumed];
+        Track<Plane::velocity> track;
+        start(track);
+        for (const Step& step : plan_.steps) carry_out(track, step);
+        return track;
+    }
+
+    bool is_broken(Track<Plane::velocity> response, const Closing& condition) {
+        hand_ = Hand::silent;
+        drivers_rest_ = true;
+        if (!condition.locus) return !board_.is_zero(mismatch_of_spins(response, condition));
+        if (!ready(response, *condition.locus, condition.locus->node)) return false;
+        const auto missed = miss(response, *condition.locus);
+        return !board_.is_zero(missed) && !board_.parallel(board_.direction(missed), condition.locus->direction);
+    }
+
 private:
+    /// Who draws: the solution itself, one of the two trials of an assumption, or a trial within a trial, which leaves no mark.
+    enum class Hand { solution, first_trial, second_trial, silent };
+
     const Node& node(NodeIndex index) const { return structure_.node(index); }
     bool at_rest(NodeIndex index) const { return node(index).bodies.front() == frame; }
     /// The body whose colour a node's vector has.
@@ -90,12 +114,16 @@ private:
 
     template <Plane plane>
     int begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        if (hand_ != Hand::solution) return -1;
         Statement statement;
         statement.message = {sentence, std::move(arguments)};
         statement.section = is_velocity<plane> ? "velocity" : "acceleration";
         statement.source = std::move(source);
         return board_.state(std::move(statement));
     }
+    /// The sentence begun, to complete it; in a trial nothing is said, and what is written here is forgotten.
+    Statement& said(int statement) { return statement < 0 ? unsaid_ : board_.statement(statement); }
+    int trial() const { return hand_ == Hand::first_trial ? 1 : hand_ == Hand::second_trial ? 2 : 0; }
     template <Plane plane>
     static Sentence either(Sentence velocity, Sentence acceleration) {
         return is_velocity<plane> ? velocity : acceleration;
@@ -105,7 +133,9 @@ private:
     template <Plane plane>
     void draw_vector(const Track<plane>& track, Symbol symbol, PointOn<plane> tail, PointOn<plane> tip, BodyIndex body_of,
                      DrawnVector::Role role) {
+        if (hand_ == Hand::silent) return;
         DrawnVector drawn;
+        drawn.trial = trial();
         drawn.symbol = std::move(symbol);
         drawn.polygon = track.polygon;
         drawn.tail = tail.element;
@@ -117,7 +147,9 @@ private:
 
     template <Plane plane>
     void draw_line(const Track<plane>& track, LineOn<plane> line, LineReason reason, std::vector<int> points) {
+        if (hand_ == Hand::silent) return;
         DrawnLine drawn;
+        drawn.trial = trial();
         drawn.line = line.element;
         drawn.polygon = track.polygon;
         drawn.reason = std::move(reason);
@@ -129,7 +161,9 @@ private:
     void set_tip(Track<plane>& track, NodeIndex index, PointOn<plane> tip, bool draw_absolute) {
         track.tips.resize(structure_.nodes().size());
         track.tips[at(index)] = tip;
+        if (hand_ == Hand::silent) return;
         Image label;
+        label.trial = trial();
         label.symbol = image<plane>(index);
         label.polygon = track.polygon;
         label.point = tip.element;
@@ -143,8 +177,6 @@ private:
     // --- the plan, step by step --------------------------------------------------------------------------------------------
     template <Plane plane>
     void draw(Track<plane>& track, const char* id) {
-        track.tips.resize(structure_.nodes().size());
-        track.spins.resize(mechanism_.bodies.size());
         Polygon polygon;
         polygon.plane = plane;
         polygon.id = id;
@@ -155,9 +187,17 @@ private:
         pole.point = board_.pole<plane>().element;
         pole.body = frame;
         board_.label(std::move(pole));
+        start(track);
+        for (const Step& step : plan_.steps) carry_out(track, step);
+    }
+
+    /// The frame rests.
+    template <Plane plane>
+    void start(Track<plane>& track) {
+        track.tips.resize(structure_.nodes().size());
+        track.spins.resize(mechanism_.bodies.size());
         track.spins[frame] = board_.given(0);
         for (const NodeIndex index : structure_.nodes_of(frame)) set_tip(track, index, board_.pole<plane>(), false);
-        for (const Step& step : plan_.steps) carry_out(track, step);
     }
 
     template <Plane plane>
@@ -179,7 +219,16 @@ private:
                 return draw_auxiliary(track, step);
             case Step::Kind::spin_from_parallels:
                 return spin_from_parallels(track, step);
+            case Step::Kind::assume:
+                return assume(track, step);
         }
+    }
+
+    /// What a driver asks of this plane; nothing where only the effect of an assumption is wanted.
+    template <Plane plane>
+    ScalarHandle driven(const Exact& velocity, const Exact& acceleration) {
+        if (drivers_rest_) return board_.given(0);
+        return board_.given(is_velocity<plane> ? velocity : acceleration);
     }
 
     /// A sleeve or a weld lets no relative rotation: ω_i = ω_j, always, so α_i = α_j too.
@@ -197,12 +246,11 @@ private:
     void spin_by_driver(Track<plane>& track, const Step& step) {
         if (!track.turns(step.other)) return;
         const auto& driver = std::get<SpinDriver>(mechanism_.drivers[at(step.driver)]);
-        const Exact& value = is_velocity<plane> ? driver.omega : driver.alpha;
         if (step.other != frame) {
             begin<plane>(either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
                          {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other)}, "");
         }
-        const ScalarHandle given = board_.given(value);
+        const ScalarHandle given = driven<plane>(driver.omega, driver.alpha);
         ScalarHandle& spin = track.spins[at(step.body)].emplace(given);
         if (step.other != frame)
             spin = step.inverse ? board_.difference(track.spin(step.other), given) : board_.sum(track.spin(step.other), given);
@@ -226,8 +274,7 @@ private:
             if (const auto coriolis = coriolis_of(step.joint, slider, guide)) links.push_back(*coriolis);
         }
         Link<plane> slide;
-        slide.vector = board_.scale<plane>(board_.given(is_velocity<plane> ? driver.speed : driver.acceleration),
-                                           board_.guide_unit(step.joint));
+        slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(step.joint));
         slide.term.symbol = relative<plane>(slider, guide, is_velocity<plane> ? "" : "rel");
         slide.role = DrawnVector::Role::sliding;
         links.push_back(slide);
@@ -266,9 +313,8 @@ private:
         bool parts_drawn = false;
         if constexpr (is_velocity<plane>) {
             if (!rest && board_.is_zero(track.spin(step.body))) {
-                board_.statement(statement).message = {
-                    Sentence::translating_velocity,
-                    {body(step.body), PointName{node(step.node).label}, absolute<plane>(step.node)}};
+                said(statement).message = {Sentence::translating_velocity,
+                                           {body(step.body), PointName{node(step.node).label}, absolute<plane>(step.node)}};
             } else {
                 const auto turned = board_.scale<plane>(track.spin(step.body), board_.turn(join));
                 tip = board_.carry(tip, turned);
@@ -302,10 +348,10 @@ private:
         const Chain<plane> second = chain(track, step.second, step.node);
         const auto met = board_.meet(first.line, second.line);
         KG_ASSERT(met && !board_.is_at_infinity(*met), "the plan lets only lines meet that are not parallel");
-        board_.statement(statement).message.arguments = {image<plane>(step.node), first.reason, second.reason};
-        board_.statement(statement).equation = equation(step.node, first, second);
+        said(statement).message.arguments = {image<plane>(step.node), first.reason, second.reason};
+        said(statement).equation = equation(step.node, first, second);
         const bool slides = step.first.kind != Locus::Kind::rotation || step.second.kind != Locus::Kind::rotation;
-        board_.statement(statement).source = !is_velocity<plane> && slides ? "Coriolis" : "Rivals";
+        said(statement).source = !is_velocity<plane> && slides ? "Coriolis" : "Rivals";
         bool absolute_drawn = false;
         for (const Chain<plane>* drawn : {&first, &second}) {
             draw_line(track, drawn->line, drawn->reason, {drawn->end.element, met->element});
@@ -336,8 +382,15 @@ private:
             if constexpr (!is_velocity<plane>)
                 tangential = board_.subtract(tangential, normal_of(step.body, step.base, step.node));
             if (!board_.is_zero(tangential) && !board_.parallel(board_.direction(tangential), board_.direction(turned))) {
-                if (is_velocity<plane>) motion_.contradictions.push_back({step.body, step.base, step.node});
-                return;
+                if (hand_ == Hand::solution) {
+                    if (is_velocity<plane>) motion_.contradictions.push_back({step.body, step.base, step.node});
+                    return;
+                }
+                // A trial need not close: ω comes from the part ⟂ to the join, and the other part tells how far off it is.
+                const auto foot = board_.meet(board_.through(board_.pole<plane>(), board_.direction(turned)),
+                                              board_.through(board_.carry(board_.pole<plane>(), tangential),
+                                                             board_.perpendicular(board_.direction(turned))));
+                tangential = board_.vector(board_.pole<plane>(), *foot);
             }
         }
         track.spins[at(step.body)] = board_.ratio(tangential, turned);
@@ -367,8 +420,8 @@ private:
         const auto met = board_.meet(lines[0], lines[1]);
         KG_ASSERT(met && !board_.is_at_infinity(*met), "the loci of an auxiliary point are not parallel");
         for (int i = 0; i < 2; ++i) draw_line(track, lines[i], reasons[i], {ends[i].element, met->element});
-        board_.statement(statement).message.arguments = {Symbol{Symbol::Letter::point, node(step.node).label, {}},
-                                                         body(step.body), reasons[0], reasons[1]};
+        said(statement).message.arguments = {Symbol{Symbol::Letter::point, node(step.node).label, {}}, body(step.body),
+                                             reasons[0], reasons[1]};
         set_tip(track, step.node, *met, true);
     }
 
@@ -393,6 +446,177 @@ private:
         track.spins[at(step.body)] = board_.ratio(board_.vector(from, *met), turned);
     }
 
+    // --- trials ------------------------------------------------------------------------------------------------------------
+    /// Where a trial's tip lies, seen from the place on its locus that the trial offers it.
+    template <Plane plane>
+    VectorOn<plane> miss(Track<plane>& track, const Locus& locus) {
+        const Chain<plane> drawn = chain(track, locus, locus.node);
+        return board_.vector(drawn.end, track.tip(locus.node));
+    }
+
+    /// By how much two angular velocities that must agree do not.
+    template <Plane plane>
+    ScalarHandle mismatch_of_spins(const Track<plane>& track, const Closing& closing) {
+        const ScalarHandle relative = board_.difference(track.spin(closing.body), track.spin(closing.other));
+        if (closing.driver < 0) return relative;
+        const auto& driver = std::get<SpinDriver>(mechanism_.drivers[at(closing.driver)]);
+        return board_.difference(relative, driven<plane>(driver.omega, driver.alpha));
+    }
+
+    /// An unknown with its two trial values: the tip of a node on its line, or a body's ω (α).
+    template <Plane plane>
+    struct Assumed {
+        std::optional<Chain<plane>> line;
+        PointOn<plane> tips[2];
+        ScalarHandle spins[2];
+    };
+
+    /// The last rule: one unknown is given two values, the polygon is drawn from each as far as a condition that closes it, and
+    /// since all is linear the true value follows from how far the two drawings miss.
+    template <Plane plane>
+    void assume(Track<plane>& track, const Step& step) {
+        if (step.node >= 0 && !ready(track, step.first, step.node)) return;
+        if (!step.closing.found()) return set_assumed(track, step, assumed_of(track, step), &step == moved_ ? 1 : 0);
+        begin<plane>(step.node >= 0 ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments<plane>(step), "");
+        const Assumed<plane> assumed = assumed_of(track, step);
+        VectorOn<plane> missed[2];
+        ScalarHandle mismatch[2];
+        std::optional<PointOn<plane>> ends[2];
+        const Hand hand = hand_;
+        for (const int i : {0, 1}) {
+            hand_ = hand != Hand::solution ? Hand::silent : i == 0 ? Hand::first_trial : Hand::second_trial;
+            Track<plane> drawn = track;
+            set_assumed(drawn, step, assumed, i);
+            for (const Step& inner : step.trial) carry_out(drawn, inner);
+            if (!can_close(drawn, step.closing)) {
+                hand_ = hand;
+                return;
+            }
+            if (step.closing.locus) {
+                missed[i] = miss(drawn, *step.closing.locus);
+                ends[i] = drawn.tip(step.closing.locus->node);
+            } else {
+                mismatch[i] = mismatch_of_spins(drawn, step.closing);
+            }
+        }
+        hand_ = hand;
+        begin<plane>(step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
+                     closing_arguments<plane>(step), "");
+        const ScalarHandle share = step.closing.locus ? share_by_line(missed, step.closing.locus->direction)
+                                                      : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
+        if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {
+            draw_line(track, board_.join(*ends[0], *ends[1]), LineReason{}, {ends[0]->element, ends[1]->element});
+        }
+        settle(track, step, assumed, share);
+    }
+
+    template <Plane plane>
+    bool can_close(const Track<plane>& track, const Closing& closing) const {
+        if (!closing.locus) return track.turns(closing.body) && track.turns(closing.other);
+        if (!track.has(closing.locus->node) || !ready(track, *closing.locus, closing.locus->node)) return false;
+        return closing.locus->kind != Locus::Kind::image || track.turns(closing.locus->body);
+    }
+
+    template <Plane plane>
+    Assumed<plane> assumed_of(Track<plane>& track, const Step& step) {
+        Assumed<plane> assumed;
+        if (step.node < 0) {
+            assumed.spins[0] = board_.given(0);
+            assumed.spins[1] = board_.given(1);
+            return assumed;
+        }
+        assumed.line = chain(track, step.first, step.node);
+        assumed.tips[0] = assumed.line->end;
+        assumed.tips[1] = board_.carry(
+            assumed.line->end, board_.scale<plane>(board_.given(reach(track, step.first.direction)), step.first.direction));
+        return assumed;
+    }
+
+    template <Plane plane>
+    void set_assumed(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, int which) {
+        if (step.node < 0) {
+            track.spins[at(step.body)] = assumed.spins[which];
+            return;
+        }
+        const PointOn<plane> tip = assumed.tips[which];
+        draw_chain(track, *assumed.line, tip, colour_of(step.node));
+        remember_tangential(track, step.first, step.node, *assumed.line, tip);
+        set_tip(track, step.node, tip, !assumed.line->absolute);
+    }
+
+    /// The true value: so many parts of the way from the first trial to the second.
+    template <Plane plane>
+    void settle(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, ScalarHandle share) {
+        if (step.node < 0) {
+            track.spins[at(step.body)] = board_.product(share, assumed.spins[1]);
+            return;
+        }
+        const auto way = board_.vector(assumed.tips[0], assumed.tips[1]);
+        const PointOn<plane> tip = board_.carry(assumed.tips[0], board_.scale<plane>(share, way));
+        draw_line(track, assumed.line->line, assumed.line->reason, {assumed.line->end.element, tip.element});
+        draw_chain(track, *assumed.line, tip, colour_of(step.node));
+        remember_tangential(track, step.first, step.node, *assumed.line, tip);
+        set_tip(track, step.node, tip, !assumed.line->absolute);
+    }
+
+    /// The two misses set off from one point: the line of their ends meets the line through it ∥ to the locus where nothing is
+    /// missed.
+    template <Plane plane>
+    ScalarHandle share_by_line(const VectorOn<plane> (&missed)[2], DirectionHandle direction) {
+        const PointOn<plane> pole = board_.pole<plane>();
+        const PointOn<plane> first = board_.carry(pole, missed[0]), second = board_.carry(pole, missed[1]);
+        const auto met = board_.meet(board_.join(first, second), board_.through(pole, direction));
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "the plan closes only with a condition that the assumption moves");
+        return board_.ratio(board_.vector(first, *met), board_.vector(first, second));
+    }
+
+    /// How many times a direction the second trial is set off: free to choose, so about as long as the longest vector drawn yet,
+    /// in one figure.
+    template <Plane plane>
+    Exact reach(const Track<plane>& track, DirectionHandle direction) const {
+        if (hand_ == Hand::silent) return 1;
+        double longest = 0;
+        for (const auto& tip : track.tips) {
+            if (tip) longest = std::max(longest, length(board_.value(*tip).place()));
+        }
+        const double unit = length(board_.protocol().vector(direction.element));
+        if (longest <= 0 || unit <= 0) return 1;
+        const double exponent = std::floor(std::log10(longest / unit));
+        Exact power = 1;
+        for (int i = 0; i < std::abs(static_cast<int>(exponent)); ++i) power = power * Exact(10);
+        return exponent < 0 ? Exact(1) / power : power;
+    }
+
+    template <Plane plane>
+    std::vector<Argument> assumption_arguments(const Step& step) {
+        if (step.node < 0) return {spin_symbol<plane>(step.body)};
+        return {image<plane>(step.node), reason_of(step.first)};
+    }
+
+    template <Plane plane>
+    std::vector<Argument> closing_arguments(const Step& step) {
+        const Symbol assumed = step.node >= 0 ? image<plane>(step.node) : spin_symbol<plane>(step.body);
+        if (!step.closing.locus) return {spin_symbol<plane>(step.closing.body), spin_symbol<plane>(step.closing.other), assumed};
+        return {image<plane>(step.closing.locus->node), reason_of(*step.closing.locus), assumed};
+    }
+
+    LineReason reason_of(const Locus& locus) const {
+        switch (locus.kind) {
+            case Locus::Kind::rotation:
+                return {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
+            case Locus::Kind::image:
+                return {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
+            case Locus::Kind::component:
+                return {LineReason::Kind::driver_component, node(locus.node).label, {}};
+            case Locus::Kind::sleeve:
+            case Locus::Kind::slot:
+                return along_guide(mechanism_, locus.joint, false);
+            case Locus::Kind::driven_slide:
+                return along_guide(mechanism_, locus.joint, true);
+        }
+        return {};
+    }
+
     // --- loci --------------------------------------------------------------------------------------------------------------
     template <Plane plane>
     bool ready(const Track<plane>& track, const Locus& locus, NodeIndex sought) const {
@@ -403,7 +627,7 @@ private:
             if (locus.kind == Locus::Kind::rotation || locus.node != sought) {
                 if (!before.turns(rotating_body(locus))) return false;
             }
-            if (locus.kind == Locus::Kind::sleeve || locus.kind == Locus::Kind::slot) {
+            if (locus.kind == Locus::Kind::sleeve || locus.kind == Locus::Kind::slot || locus.kind == Locus::Kind::driven_slide) {
                 if (!before.turns(mechanism_.joints[at(locus.joint)].bodies[1])) return false;
                 if (!has_velocity(locus.node) || !has_velocity(locus.base)) return false;
             }
@@ -434,6 +658,12 @@ private:
                 break;
             case Locus::Kind::component:
                 start_component(track, locus, result);
+                break;
+            case Locus::Kind::image:
+                start_image(track, locus, result);
+                break;
+            case Locus::Kind::driven_slide:
+                start_driven_slide(track, locus, result);
                 break;
         }
         result.end = result.start;
@@ -520,11 +750,43 @@ private:
         result.from_rest = true;
         result.reason = {LineReason::Kind::driver_component, node(locus.node).label, {}};
         Link<plane> component;
-        component.vector = board_.scale<plane>(board_.given(is_velocity<plane> ? driver.speed : driver.acceleration),
-                                               board_.driver_unit(locus.driver));
+        component.vector =
+            board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.driver_unit(locus.driver));
         component.term = {absolute<plane>(locus.node, "∥"), true, true, {LineReason::Kind::known, {}, {}}, locus.body};
         result.known.push_back(component);
         result.sought = {absolute<plane>(locus.node, "⟂"), false, true, result.reason, locus.body};
+    }
+
+    /// ω of the body known: the image of the node from the base, and the line along the join on which it lies.
+    template <Plane plane>
+    void start_image(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
+        const auto join = board_.vector(node(locus.base).place, node(locus.node).place);
+        result.base = locus.base;
+        result.start = track.tip(locus.base);
+        result.reason = {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
+        Link<plane> turned;
+        turned.vector = board_.scale<plane>(track.spin(locus.body), board_.turn(join));
+        result.known.push_back(turned);
+        if constexpr (!is_velocity<plane>) {
+            Link<plane> normal;
+            normal.vector = normal_of(locus.body, locus.base, locus.node);
+            result.known.push_back(normal);
+        }
+    }
+
+    /// A driven slide: its component along the guide is given.
+    template <Plane plane>
+    void start_driven_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
+        const auto& driver = std::get<SlideDriver>(mechanism_.drivers[at(locus.driver)]);
+        result.base = locus.base;
+        result.start = track.tip(locus.base);
+        result.reason = along_guide(mechanism_, locus.joint, true);
+        Link<plane> slide;
+        slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(locus.joint));
+        result.known.push_back(slide);
+        if constexpr (!is_velocity<plane>) {
+            if (const auto coriolis = coriolis_of(locus.joint, locus.node, locus.base)) result.known.push_back(*coriolis);
+        }
     }
 
     /// The locus of another node of a body whose spin is known, carried to the node sought: + ω ∧ YX (and −ω² YX).
@@ -679,6 +941,10 @@ private:
     const Mechanism& mechanism_;
     Motion motion_;
     std::map<BodyIndex, ScalarHandle> squares_;
+    Hand hand_ = Hand::solution;
+    bool drivers_rest_ = false;
+    const Step* moved_ = nullptr;
+    Statement unsaid_;
 };
 
 }  // namespace
@@ -701,6 +967,14 @@ LineReason along_guide(const Mechanism& mechanism, JointIndex index, bool perpen
 
 Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations) {
     return Recipes(structure, board, plan).run(with_accelerations);
+}
+
+Track<Plane::velocity> draw_response(Structure& structure, Board& board, const Plan& plan, std::size_t assumed) {
+    return Recipes(structure, board, plan).response(assumed);
+}
+
+bool is_broken(Structure& structure, Board& board, const Track<Plane::velocity>& response, const Closing& condition) {
+    return Recipes(structure, board, {}).is_broken(response, condition);
 }
 
 }  // namespace kinegraph

@@ -4,7 +4,8 @@
 // computes.
 //
 // Sources: Rivals 1853; Burmester, Lehrbuch der Kinematik (1888), velocity and acceleration images; Assur (1914) for the
-// auxiliary point.
+// auxiliary point; the trial values ("regula falsi" of graphical kinematics) as in Rosenauer and Willis, Kinematics of Mechanisms
+// (1953).
 #pragma once
 
 #include <map>
@@ -49,6 +50,12 @@ struct Motion {
 
 /// Draws the velocity polygon and, where `with_accelerations`, the acceleration polygon.
 Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations);
+
+/// The velocities that the assumption `plan.steps[assumed]` alone would give: it is moved by one, all drivers and the other open
+/// assumptions rest. Nothing is drawn and nothing said; it tells the planner which condition the assumption moves.
+Track<Plane::velocity> draw_response(Structure& structure, Board& board, const Plan& plan, std::size_t assumed);
+/// Whether such velocities break a condition.
+bool is_broken(Structure& structure, Board& board, const Track<Plane::velocity>& response, const Closing& condition);
 
 /// Name of a relative quantity's subscript: of X relative to A → "XA", with a comma where names would run together.
 std::string relative_name(const std::string& of, const std::string& to);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
+#include "constructions/motion.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -12,10 +14,76 @@ namespace {
 constexpr BodyIndex frame = 0;
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+/// Trials within trials: three unknowns at once are 27 drawings, and no mechanism met so far needs more.
+constexpr int deepest_nesting = 3;
+
+/// What a step draws from, or draws: tips of nodes and angular velocities of bodies.
+struct Quantities {
+    std::set<NodeIndex> tips;
+    std::set<BodyIndex> spins;
+};
+
+void add_inputs(const Locus& locus, NodeIndex sought, Quantities& inputs) {
+    if (locus.base >= 0) inputs.tips.insert(locus.base);
+    if (locus.node != sought || locus.kind == Locus::Kind::image) inputs.spins.insert(locus.body);
+}
+
+void add_inputs(const Closing& closing, Quantities& inputs) {
+    if (closing.locus) {
+        inputs.tips.insert(closing.locus->node);
+        add_inputs(*closing.locus, closing.locus->node, inputs);
+    } else {
+        inputs.spins.insert({closing.body, closing.other});
+    }
+}
+
+void add_inputs(const Step& step, Quantities& inputs) {
+    switch (step.kind) {
+        case Step::Kind::spin_by_joint:
+        case Step::Kind::spin_by_driver:
+            inputs.spins.insert(step.other);
+            return;
+        case Step::Kind::slide_by_driver:
+            inputs.tips.insert(step.base);
+            return;
+        case Step::Kind::image:
+            inputs.tips.insert(step.base);
+            inputs.spins.insert(step.body);
+            return;
+        case Step::Kind::meet:
+            add_inputs(step.first, step.node, inputs);
+            add_inputs(step.second, step.node, inputs);
+            return;
+        case Step::Kind::spin_from_pair:
+            inputs.tips.insert({step.base, step.node});
+            return;
+        case Step::Kind::auxiliary:
+        case Step::Kind::spin_from_parallels:
+            add_inputs(step.first, step.first.node, inputs);
+            add_inputs(step.second, step.second.node, inputs);
+            return;
+        case Step::Kind::assume:
+            if (step.node >= 0) add_inputs(step.first, step.node, inputs);
+            for (const Step& inner : step.trial) add_inputs(inner, inputs);
+            add_inputs(step.closing, inputs);
+            return;
+    }
+}
+
+bool gives_spin(const Step& step) {
+    return step.kind == Step::Kind::spin_by_joint || step.kind == Step::Kind::spin_by_driver ||
+           step.kind == Step::Kind::spin_from_pair || step.kind == Step::Kind::spin_from_parallels ||
+           (step.kind == Step::Kind::assume && step.node < 0);
+}
+
+bool gives_any(const Step& step, const Quantities& wanted) {
+    return gives_spin(step) ? wanted.spins.contains(step.body) : wanted.tips.contains(step.node);
+}
+
 class Planner {
 public:
-    Planner(Structure& structure, Board& board, const std::vector<bool>& drivers)
-        : structure_(structure), board_(board), mechanism_(structure.mechanism()), use_driver_(drivers) {
+    Planner(Structure& structure, Board& board, const std::vector<bool>& drivers, const std::vector<bool>& determined)
+        : structure_(structure), board_(board), mechanism_(structure.mechanism()), use_driver_(drivers), determined_(determined) {
         plan_.bodies.assign(mechanism_.bodies.size(), false);
         plan_.spins.assign(mechanism_.bodies.size(), false);
         plan_.bodies[frame] = plan_.spins[frame] = true;
@@ -24,14 +92,27 @@ public:
     Plan run() {
         sync();
         for (const NodeIndex node : structure_.nodes_of(frame)) plan_.nodes[at(node)] = true;
-        do {
-            propagate();
-        } while (slide_by_driver() || meet_some_node() || find_auxiliary());
+        advance();
+        while (!complete() && assume_something()) {
+        }
         sync();
         return std::move(plan_);
     }
 
 private:
+    void advance() {
+        do {
+            propagate();
+        } while (slide_by_driver() || meet_some_node() || find_auxiliary());
+    }
+
+    bool complete() const {
+        for (std::size_t body = 1; body < determined_.size(); ++body) {
+            if (determined_[body] && !plan_.bodies[body]) return false;
+        }
+        return true;
+    }
+
     bool known(NodeIndex node) const { return at(node) < plan_.nodes.size() && plan_.nodes[at(node)]; }
     bool body_known(BodyIndex body) const { return plan_.bodies[at(body)]; }
     bool spin_known(BodyIndex body) const { return plan_.spins[at(body)]; }
@@ -432,10 +513,238 @@ private:
         return false;
     }
 
+    // --- trials ------------------------------------------------------------------------------------------------------------
+    struct State {
+        Plan plan;
+        std::vector<std::size_t> parallel_at;
+        Structure::Mark mark;
+    };
+    State state() const { return {plan_, parallel_at_, structure_.mark()}; }
+    void restore(const State& state) {
+        structure_.rewind(state.mark);
+        const auto gone = [&](const auto& entry) { return at(entry.first.second) >= state.mark.nodes; };
+        std::erase_if(apart_, gone);
+        std::erase_if(joins_, gone);
+        plan_ = state.plan;
+        parallel_at_ = state.parallel_at;
+        sync();
+    }
+
+    /// The last rule, with as few unknowns at once as will do.
+    bool assume_something() {
+        for (int depth = 1; depth <= deepest_nesting; ++depth) {
+            if (assume_something(depth)) return true;
+        }
+        return false;
+    }
+
+    /// Of all unknowns whose trial closes, the one that needs the shortest drawing.
+    bool assume_something(int depth) {
+        const State before = state();
+        std::optional<Step> best;
+        std::size_t shortest = 0;
+        for (const Step& guess : guesses()) {
+            const std::size_t first = plan_.steps.size();
+            if (attempt(guess, depth)) {
+                const std::size_t length = plan_.steps[first].trial.size();
+                if (!best || length < shortest) {
+                    best = guess;
+                    shortest = length;
+                }
+            }
+            restore(before);
+            if (best && depth > 1) break;
+        }
+        return best && attempt(*best, depth);
+    }
+
+    bool attempt(const Step& guess, int depth) {
+        const std::size_t assumed = plan_.steps.size();
+        add_step(guess);
+        if (guess.node >= 0) {
+            plan_.nodes[at(guess.node)] = true;
+        } else {
+            plan_.spins[at(guess.body)] = true;
+        }
+        advance();
+        while (!close(assumed)) {
+            if (depth == 1 || !assume_something(depth - 1)) return false;
+        }
+        return true;
+    }
+
+    /// Unknowns that a trial may take: a node whose line is known, then the ω of a body.
+    std::vector<Step> guesses() {
+        std::vector<Step> found;
+        thrifty_ = true;
+        const std::vector<NodeIndex> nodes = candidates();
+        for (const NodeIndex node : nodes) {
+            const std::vector<Locus> loci = loci_of(node);
+            if (loci.empty()) continue;
+            Step guess;
+            guess.kind = Step::Kind::assume;
+            guess.node = node;
+            guess.first = loci.front();
+            found.push_back(std::move(guess));
+        }
+        for (std::size_t body = 1; body < plan_.spins.size(); ++body) {
+            if (plan_.spins[body] || base_of(static_cast<BodyIndex>(body), -1) >= 0) continue;
+            Step guess;
+            guess.kind = Step::Kind::assume;
+            guess.body = static_cast<BodyIndex>(body);
+            found.push_back(std::move(guess));
+        }
+        return found;
+    }
+
+    /// Looks for a condition that the assumption moves; finds what must be drawn from it to the condition.
+    bool close(std::size_t assumed) {
+        const Track<Plane::velocity> moved = draw_response(structure_, board_, plan_, assumed);
+        std::optional<Closing> closing = moved_condition(moved);
+        for (JointIndex joint = 0; !closing && at(joint) < mechanism_.joints.size(); ++joint) {
+            closing = moved_condition_at(joint, assumed);
+        }
+        if (!closing) return false;
+        Quantities wanted;
+        add_inputs(*closing, wanted);
+        std::vector<Step> trial;
+        for (std::size_t i = plan_.steps.size(); i-- > assumed + 1;) {
+            if (!gives_any(plan_.steps[i], wanted)) continue;
+            add_inputs(plan_.steps[i], wanted);
+            trial.push_back(plan_.steps[i]);
+        }
+        std::reverse(trial.begin(), trial.end());
+        plan_.steps[assumed].trial = std::move(trial);
+        plan_.steps[assumed].closing = *closing;
+        return true;
+    }
+
+    /// Of the conditions that the drawing breaks, one whose line stays where it is, else the first.
+    std::optional<Closing> moved_condition(const Track<Plane::velocity>& moved) {
+        std::optional<Closing> first;
+        for (const Closing& condition : conditions(moved)) {
+            if (!is_broken(structure_, board_, moved, condition)) continue;
+            const bool line_at_rest =
+                condition.locus && (condition.locus->base < 0 || board_.is_zero(board_.vector(board_.pole<Plane::velocity>(),
+                                                                                              moved.tip(condition.locus->base))));
+            if (line_at_rest) return condition;
+            if (!first) first = condition;
+        }
+        return first;
+    }
+
+    /// The same at a slide whose place is not seen yet on both of its bodies, though both are known.
+    std::optional<Closing> moved_condition_at(JointIndex index, std::size_t assumed) {
+        const Joint& joint = mechanism_.joints[at(index)];
+        const bool slides = joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot;
+        if (!slides || !body_known(joint.bodies[0]) || !body_known(joint.bodies[1])) return std::nullopt;
+        const State before = state();
+        const std::size_t steps = plan_.steps.size();
+        if (known_on(joint.point, joint.bodies[0]) >= 0 && known_on(joint.point, joint.bodies[1]) >= 0 &&
+            plan_.steps.size() > steps) {
+            if (auto closing = moved_condition(draw_response(structure_, board_, plan_, assumed))) return closing;
+        }
+        restore(before);
+        return std::nullopt;
+    }
+
+    /// All that the bodies reached must fulfil; most of it does by the way it was drawn.
+    std::vector<Closing> conditions(const Track<Plane::velocity>& moved) {
+        std::vector<Closing> found;
+        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
+        for (BodyIndex body = 1; body < bodies; ++body) {
+            add_rigidity(body, moved, found);
+            if (moved.turns(body)) add_equal_spins(body, moved, found);
+        }
+        thrifty_ = true;
+        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+            if (!moved.has(node) || structure_.node(node).bodies.front() == frame) continue;
+            std::vector<Locus> loci;
+            own_loci(node, -1, loci);
+            for (Locus& locus : loci) {
+                if (locus.kind == Locus::Kind::rotation || (locus.base >= 0 && !moved.has(locus.base))) continue;
+                Closing condition;
+                condition.locus = std::move(locus);
+                found.push_back(std::move(condition));
+            }
+        }
+        add_driven_slides(moved, found);
+        return found;
+    }
+
+    /// Two points of a body: equal projections on their join and, where ω is known, the image ⟂ to it.
+    void add_rigidity(BodyIndex body, const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
+        NodeIndex base = -1;
+        const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
+        for (const NodeIndex node : nodes) {
+            if (!moved.has(node)) continue;
+            if (base < 0) {
+                base = node;
+                continue;
+            }
+            if (!apart(base, node)) continue;
+            Locus locus;
+            locus.kind = Locus::Kind::rotation;
+            locus.body = body;
+            locus.node = node;
+            locus.base = base;
+            locus.direction = perpendicular_to_join(base, node);
+            Closing projections;
+            projections.locus = locus;
+            found.push_back(projections);
+            if (!moved.turns(body)) continue;
+            locus.kind = Locus::Kind::image;
+            locus.direction = perpendicular_to(locus.direction);
+            Closing image;
+            image.locus = locus;
+            found.push_back(image);
+        }
+    }
+
+    void add_driven_slides(const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
+        for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+            const auto* slide = std::get_if<SlideDriver>(&mechanism_.drivers[d]);
+            if (slide == nullptr || !use_driver_[d]) continue;
+            const Joint& joint = mechanism_.joints[at(slide->joint)];
+            Locus locus;
+            locus.kind = Locus::Kind::driven_slide;
+            locus.node = structure_.find(joint.point, joint.bodies[0]);
+            locus.base = structure_.find(joint.point, joint.bodies[1]);
+            if (locus.node < 0 || locus.base < 0 || !moved.has(locus.node) || !moved.has(locus.base)) continue;
+            locus.body = joint.bodies[0];
+            locus.joint = slide->joint;
+            locus.driver = static_cast<int>(d);
+            locus.direction = perpendicular_to(board_.guide(slide->joint));
+            Closing condition;
+            condition.locus = locus;
+            found.push_back(condition);
+        }
+    }
+
+    void add_equal_spins(BodyIndex body, const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
+        Closing condition;
+        condition.body = body;
+        for (const auto& [other, joint] : structure_.same_spin(body)) {
+            if (other > body || !moved.turns(other)) continue;
+            condition.other = other;
+            condition.joint = joint;
+            found.push_back(condition);
+        }
+        condition.joint = -1;
+        for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+            const auto* spin = std::get_if<SpinDriver>(&mechanism_.drivers[d]);
+            if (spin == nullptr || !use_driver_[d] || spin->body != body || !moved.turns(spin->relative_to)) continue;
+            condition.other = spin->relative_to;
+            condition.driver = static_cast<int>(d);
+            found.push_back(condition);
+        }
+    }
+
     Structure& structure_;
     Board& board_;
     const Mechanism& mechanism_;
     std::vector<bool> use_driver_;
+    std::vector<bool> determined_;
     Plan plan_;
     bool thrifty_ = false;                  ///< no places beyond those that bodies carry
     std::vector<std::size_t> parallel_at_;  ///< by NodeIndex: how many loci it had when all were found parallel
@@ -447,8 +756,8 @@ private:
 
 }  // namespace
 
-Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers) {
-    return Planner(structure, board, drivers).run();
+Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers, const std::vector<bool>& determined) {
+    return Planner(structure, board, drivers, determined).run();
 }
 
 }  // namespace kinegraph

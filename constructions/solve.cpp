@@ -114,7 +114,9 @@ private:
     void draw_motion_of_bodies() {
         std::vector<bool> use(mechanism_.drivers.size(), true);
         for (const int idle : solution_.mobility.idle_drivers) use[at(idle)] = false;
-        plan_ = plan_motion(structure_, board_, use);
+        // Against a dead point or a lock nothing is tried: what is not reached then has no motion to be found.
+        const bool tries = !mechanism_.drivers.empty() && solution_.mobility.idle_drivers.empty();
+        plan_ = plan_motion(structure_, board_, use, tries ? solution_.mobility.determined : std::vector<bool>());
         motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
         for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
     }
@@ -302,7 +304,7 @@ private:
                    " of them driven; give one driver more";
         }
         if (!mobility.idle_drivers.empty()) return "dead point: it can only stand still here, and no driver moves it";
-        return "it is determined, but no driven body, dyad or triad leads to it, and this version draws no further groups yet";
+        return "it is determined, but neither a driven body, dyad or triad nor a trial of up to three unknowns at once leads to it";
     }
 
     bool carries(NodeIndex node, BodyIndex body) const {

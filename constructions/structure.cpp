@@ -135,6 +135,16 @@ NodeIndex Structure::on(PointIndex point, BodyIndex body, bool of_interest) {
     return add(std::move(node));
 }
 
+void Structure::rewind(const Mark& mark) {
+    while (nodes_.size() > mark.nodes) {
+        const Node& last = nodes_.back();
+        if (last.point >= 0) nodes_at_[at(last.point)].pop_back();
+        for (const BodyIndex body : last.bodies) nodes_of_[at(body)].pop_back();
+        nodes_.pop_back();
+    }
+    auxiliaries_ = mark.auxiliaries;
+}
+
 NodeIndex Structure::add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body) {
     Node node;
     node.bodies = {body};

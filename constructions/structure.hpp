@@ -40,6 +40,13 @@ public:
     NodeIndex find(PointIndex point, BodyIndex body) const;
     /// The same, made (not carried) where the body does not carry the point.
     NodeIndex on(PointIndex point, BodyIndex body, bool of_interest = false);
+    /// How much has been added since the file was read; `rewind` takes back what came after, where a plan led nowhere.
+    struct Mark {
+        std::size_t nodes = 0;
+        int auxiliaries = 0;
+    };
+    Mark mark() const { return {nodes_.size(), auxiliaries_}; }
+    void rewind(const Mark& mark);
     /// An auxiliary point carried by one body.
     NodeIndex add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body);
     const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[static_cast<std::size_t>(body)]; }

@@ -130,6 +130,7 @@ struct DrawnVector {
         internal
     } role = Role::absolute;
     int statement = -1;
+    int trial = 0;  ///< 1, 2: drawn from the first, the second trial value of an assumption; 0: the solution
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
 struct Image {
@@ -137,6 +138,7 @@ struct Image {
     int polygon = 0;
     int point = -1;  ///< element
     BodyIndex body = -1;
+    int trial = 0;  ///< as DrawnVector::trial
 };
 /// A construction line of a polygon or of the drawing worth showing, with its direction in words and the places it was drawn
 /// between.
@@ -146,6 +148,7 @@ struct DrawnLine {
     LineReason reason;
     std::vector<int> points;  ///< point elements it passes (support, meet)
     int statement = -1;
+    int trial = 0;  ///< as DrawnVector::trial
 };
 
 /// A sentence of the solution with its equation and strokes.

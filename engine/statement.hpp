@@ -62,6 +62,10 @@ enum class Sentence {
     centre_from_velocities,  ///< {0} centre, {1} {2} points whose relative velocities were used
     centre_at_infinity,      ///< {0} centre: the lines are parallel; {1} {2} bodies have the same ω
     second_way,              ///< {0} omega, {1} centre, {2} centre, {3} centre, {4} omega of the driver body
+    trial_on_line,           ///< {0} image, {1} its line's reason: no rule leads on, so it is tried at two places of its line
+    trial_of_spin,           ///< {0} ω or α: the same for an angular velocity
+    trial_closes_on_line,    ///< {0} image, {1} reason of the line it must lie on, {2} image or ω: the true value in proportion
+    trial_closes_by_spin,    ///< {0} {1} ω that must agree, {2} image or ω: the true value in proportion
     relative_transport_velocity,      ///< {0} point, {1} observer body, {2} v_tr, {3} v_rel
     relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel
     relative_translating_velocity,    ///< {0} point, {1} origin, {2} v_tr, {3} v_rel
