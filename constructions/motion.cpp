@@ -505,9 +505,18 @@ private:
         const ScalarHandle share = step.closing.locus ? share_by_line(missed, step.closing.locus->direction)
                                                       : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
         if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {
-            draw_line(track, board_.join(*ends[0], *ends[1]), LineReason{}, {ends[0]->element, ends[1]->element});
+            draw_line_of_ends(track, *ends[0], *ends[1]);
         }
         settle(track, step, assumed, share);
+    }
+
+    /// The line on which the tip moves from trial to trial, and on which the true one lies.
+    template <Plane plane>
+    void draw_line_of_ends(const Track<plane>& track, PointOn<plane> first, PointOn<plane> second) {
+        if (hand_ != Hand::solution) return;
+        hand_ = Hand::second_trial;
+        draw_line(track, board_.join(first, second), LineReason{}, {first.element, second.element});
+        hand_ = Hand::solution;
     }
 
     template <Plane plane>

@@ -355,11 +355,13 @@ int Board::add_polygon(Polygon polygon) {
 
 void Board::draw(DrawnVector vector) {
     vector.statement = current_statement_;
+    if (vector.trial != 0) return protocol_.trials.vectors.push_back(std::move(vector));
     protocol_.polygons[position(vector.polygon)].vectors.push_back(static_cast<int>(protocol_.vectors.size()));
     protocol_.vectors.push_back(std::move(vector));
 }
 
 void Board::label(Image image) {
+    if (image.trial != 0) return protocol_.trials.images.push_back(std::move(image));
     protocol_.polygons[position(image.polygon)].images.push_back(static_cast<int>(protocol_.images.size()));
     protocol_.images.push_back(std::move(image));
 }
@@ -368,6 +370,7 @@ void Board::add_face(int polygon, Face face) { protocol_.polygons[position(polyg
 
 void Board::draw(DrawnLine line) {
     line.statement = current_statement_;
+    if (line.trial != 0) return protocol_.trials.lines.push_back(std::move(line));
     protocol_.lines.push_back(std::move(line));
 }
 

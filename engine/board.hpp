@@ -130,7 +130,7 @@ struct DrawnVector {
         internal
     } role = Role::absolute;
     int statement = -1;
-    int trial = 0;  ///< 1, 2: drawn from the first, the second trial value of an assumption; 0: the solution
+    int trial = 0;  ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
 struct Image {
@@ -160,6 +160,13 @@ struct Statement {
     int first_stroke = 0, last_stroke = 0;  ///< [first, last)
 };
 
+/// What was drawn from trial values on the way, apart from the solution: thin broken lines of the same polygons.
+struct Trials {
+    std::vector<DrawnVector> vectors;
+    std::vector<Image> images;
+    std::vector<DrawnLine> lines;
+};
+
 /// The finished board.
 struct Protocol {
     std::vector<Statement> statements;
@@ -170,6 +177,7 @@ struct Protocol {
     std::vector<DrawnVector> vectors;
     std::vector<Image> images;
     std::vector<DrawnLine> lines;
+    Trials trials;
 
     const ProjectivePoint& point(int element) const {
         return std::get<ProjectivePoint>(values[static_cast<std::size_t>(element)]);
