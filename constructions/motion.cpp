@@ -328,10 +328,9 @@ private:
             const PointOn<plane> end = board_.carry(middle, tangential);
             if (rest) {  // a crank: its normal and tangential parts are the first vectors of the figure
                 parts_drawn = board_.is_zero(tangential);
-                draw_vector(track, absolute<plane>(step.node, "n"), tip, middle, colour_of(step.node), DrawnVector::Role::normal);
+                draw_vector(track, absolute<plane>(step.node, "n"), tip, middle, step.body, DrawnVector::Role::normal);
                 if (!parts_drawn)
-                    draw_vector(track, absolute<plane>(step.node, "t"), middle, end, colour_of(step.node),
-                                DrawnVector::Role::tangential);
+                    draw_vector(track, absolute<plane>(step.node, "t"), middle, end, step.body, DrawnVector::Role::tangential);
                 parts_drawn = false;
             }
             tip = end;

@@ -95,6 +95,7 @@ public:
         advance();
         while (!complete() && assume_something()) {
         }
+        prune();
         sync();
         return std::move(plan_);
     }
@@ -102,8 +103,51 @@ public:
 private:
     void advance() {
         do {
+            do {
+                propagate();
+            } while (slide_by_driver() || meet_some_node());
+        } while (advance_by_auxiliaries());
+    }
+
+    /// Auxiliary points are drawn only where they lead to a point or a body of the mechanism.
+    bool advance_by_auxiliaries() {
+        const State before = state();
+        const std::size_t reached = gains();
+        while (find_auxiliary()) {
             propagate();
-        } while (slide_by_driver() || meet_some_node() || find_auxiliary());
+            while (meet_some_node()) propagate();
+            if (gains() > reached) return true;
+        }
+        restore(before);
+        return false;
+    }
+
+    std::size_t gains() const {
+        std::size_t count = 0;
+        for (std::size_t node = 0; node < plan_.nodes.size(); ++node) {
+            const bool of_mechanism = structure_.node(static_cast<NodeIndex>(node)).carried;
+            count += of_mechanism && plan_.nodes[node] ? 1 : 0;
+        }
+        for (const bool spin : plan_.spins) count += spin ? 1 : 0;
+        return count;
+    }
+
+    /// Leaves out what leads to nothing: auxiliary points and places seen on a body that no later step uses.
+    void prune() {
+        Quantities wanted;
+        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+            if (structure_.node(node).carried || structure_.node(node).of_interest) wanted.tips.insert(node);
+        }
+        for (BodyIndex body = 0; at(body) < plan_.spins.size(); ++body) wanted.spins.insert(body);
+        std::vector<Step> kept;
+        for (std::size_t i = plan_.steps.size(); i-- > 0;) {
+            Step& step = plan_.steps[i];
+            if (!gives_any(step, wanted)) continue;
+            add_inputs(step, wanted);
+            kept.push_back(std::move(step));
+        }
+        std::reverse(kept.begin(), kept.end());
+        plan_.steps = std::move(kept);
     }
 
     bool complete() const {
@@ -581,10 +625,15 @@ private:
         for (const NodeIndex node : nodes) {
             const std::vector<Locus> loci = loci_of(node);
             if (loci.empty()) continue;
+            // A line that a point at rest gives is the easiest to see.
+            const auto at_rest = [&](const Locus& locus) {
+                return locus.base >= 0 && structure_.node(locus.base).bodies.front() == frame;
+            };
+            const auto best = std::find_if(loci.begin(), loci.end(), at_rest);
             Step guess;
             guess.kind = Step::Kind::assume;
             guess.node = node;
-            guess.first = loci.front();
+            guess.first = best == loci.end() ? loci.front() : *best;
             found.push_back(std::move(guess));
         }
         for (std::size_t body = 1; body < plan_.spins.size(); ++body) {
