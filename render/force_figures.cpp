@@ -20,8 +20,6 @@ void Sketch::draw_alone(BodyIndex body) {
     const double width = 0.9 * theme_.link, edge = theme_.outline;
     const Colour colour = line_colour(body), tint = tint_colour(body);
     bodies.emplace_back(GroupBegin{"link", id("link", m_.bodies[at_index(body)].name), m_.bodies[at_index(body)].name, {}});
-    if (const auto& wheel = m_.bodies[at_index(body)].circle)
-        bodies.emplace_back(disc(spot(wheel->centre), wheel->radius.to_double() / scale_, tint));
     std::vector<Mark> profiles;
     draw_profiles(body, profiles);
     construction.clear();
@@ -35,9 +33,7 @@ void Sketch::draw_alone(BodyIndex body) {
     for (const bool outside : {true, false}) {
         const Pen pen{outside ? width + 2 * edge : width, outside ? colour : tint, {}, true};
         if (!outside && !shape.plate.empty()) bodies.emplace_back(filled(shape.plate, tint));
-        if (!shape.plate.empty()) bodies.emplace_back(polyline(shape.plate, pen, true));
-        for (const Bar& bar : shape.bars)
-            if (length(bar.to - bar.from) > 1e-6) bodies.emplace_back(line(bar.from, bar.to, pen));
+        draw_strokes(shape, pen, bodies);
         for (const Mark& mark : profiles)
             if (is_heavy(mark)) {
                 Path path = std::get<Path>(mark);
@@ -769,6 +765,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     };
     if (body.body >= 0) {
         for (const PointIndex p : mechanism.bodies[at_index(body.body)].points) show(p);
+        for (const Mass& mass : mechanism.masses)
+            if (mass.body == body.body) show(mass.centre);
         for (const Joint& joint : mechanism.joints)
             if (std::find(joint.bodies.begin(), joint.bodies.end(), body.body) != joint.bodies.end()) show(joint.point);
     } else {

@@ -29,9 +29,20 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
     figure.id = std::move(figure_id);
     figure.scale = scale_;
     figure.unit = std::move(unit_name);
-    for (std::vector<Mark>* layer : {&tints, &construction, &ground, &bodies, &pins, &arrows, &centres, &type}) {
-        for (Mark& mark : *layer) figure.marks.push_back(std::move(mark));
-        layer->clear();
+    // Each layer is a group that says what role its marks play; links, joints, centres and vectors have groups of their own
+    // within.
+    struct Layer {
+        const char* role;
+        std::vector<Mark>& marks;
+    };
+    for (const auto& [role, marks] :
+         {Layer{"tint", tints}, Layer{"construction", construction}, Layer{"ground", ground}, Layer{"links", bodies},
+          Layer{"joints", pins}, Layer{"arrows", arrows}, Layer{"centres", centres}, Layer{"dimensions", dimensions}}) {
+        if (marks.empty()) continue;
+        figure.marks.emplace_back(GroupBegin{role, {}, {}, {}});
+        for (Mark& mark : marks) figure.marks.push_back(std::move(mark));
+        figure.marks.emplace_back(GroupEnd{});
+        marks.clear();
     }
     figure.labels = std::move(labels);
     figure.box = box_of(figure.marks);

@@ -85,9 +85,12 @@ Subject::Subject(const Solution& s) : solution(s), mechanism(s.mechanism) {
     guides = units(s.pose.guides, mechanism.joints.size());
     normals = units(s.pose.normals, mechanism.joints.size());
     mass_centre.assign(points.size(), false);
-    for (const Mass& mass : mechanism.masses)
-        if (mass.centre >= 0) mass_centre[at_index(mass.centre)] = true;
     shown.assign(points.size(), false);
+    for (const Mass& mass : mechanism.masses)
+        if (mass.centre >= 0) mass_centre[at_index(mass.centre)] = shown[at_index(mass.centre)] = true;
+    for (const Load& load : mechanism.loads)
+        if (const auto* spring = std::get_if<SpringLoad>(&load))
+            for (const PointIndex end : spring->between) shown[at_index(end)] = true;
     corners.resize(mechanism.bodies.size());
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
         for (const PointIndex p : mechanism.bodies[b].points) {
@@ -159,7 +162,77 @@ Sketch::Sketch(const Subject& subject, const DrawingContext& context, double sca
       scale_(scale),
       prefix_(std::move(prefix)) {
     for (const Spot point : s_.points) spots_.push_back((1 / scale_) * point);
+    for (const Joint& joint : m_.joints)
+        for (const auto& [body, profile] : joint.profiles)
+            if (const auto* round = std::get_if<CircleProfile>(&profile); round && joint.kind == JointKind::gear)
+                module_ = std::min(module_, length(spot(joint.point) - spot(round->centre)) / 6);
+    find_cylinders();
     for (std::size_t b = 0; b < m_.bodies.size(); ++b) shapes_.push_back(shape_of(static_cast<int>(b)));
+}
+
+/// Driven slides between two moving bodies whose pins all lie on the axis: those that look like a cylinder.
+void Sketch::find_cylinders() {
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2 || joint.bodies[0] == 0 || joint.bodies[1] == 0)
+            continue;
+        const auto driven = [&](const auto& listed) {
+            return std::any_of(listed.begin(), listed.end(), [&](const auto& one) {
+                const auto* slide = std::get_if<SlideDriver>(&one);
+                return slide && at_index(slide->joint) == j;
+            });
+        };
+        const bool pushed = std::any_of(m_.efforts.begin(), m_.efforts.end(), [&](const Effort& effort) {
+            const auto* actuator = std::get_if<ActuatorEffort>(&effort);
+            return actuator && at_index(actuator->joint) == j;
+        });
+        if (!driven(m_.drivers) && !pushed) continue;
+        const Spot at = spot(joint.point), along = s_.guides[j];
+        const auto farthest = [&](BodyIndex body) -> std::optional<double> {
+            std::optional<double> found;
+            for (const int corner : s_.corners[at_index(body)]) {
+                const Spot d = spot(corner) - at;
+                if (std::abs(cross(along, d)) > 0.3) return std::nullopt;
+                if (!found || std::abs(dot(along, d)) > std::abs(*found) + 1e-9) found = dot(along, d);
+            }
+            return found;
+        };
+        const auto rod = farthest(joint.bodies[0]), barrel = farthest(joint.bodies[1]);
+        if (!rod || !barrel) continue;
+        const double sense = *rod > *barrel ? 1 : -1, whole = sense * (*rod - *barrel);
+        if (whole < 24 * shrink_) continue;
+        // The piston is the joint's point, where that lies well within.
+        const double wanted = -sense * *barrel;
+        const double piston = wanted > 0.25 * whole && wanted < 0.75 * whole ? wanted : 0.5 * whole;
+        const double open_end = std::min(piston + 0.2 * whole, whole - 5 * shrink_),
+                     closed_end = std::min(5.0 * shrink_, piston - 2);
+        const Spot foot = at + *barrel * along, onward = sense * along;
+        cylinders_.push_back(
+            {j, at + *rod * along, foot + piston * onward, {foot + closed_end * onward, foot + open_end * onward}});
+    }
+}
+
+const Cylinder* Sketch::cylinder_of(std::size_t joint) const {
+    const auto found =
+        std::find_if(cylinders_.begin(), cylinders_.end(), [&](const Cylinder& cylinder) { return cylinder.joint == joint; });
+    return found == cylinders_.end() ? nullptr : &*found;
+}
+
+/// A bar that ends in a tip is cut short and pointed.
+void Sketch::cut_knife_edges(Shape& shape, BodyIndex body) const {
+    for (const Joint& joint : m_.joints) {
+        if (std::find(joint.bodies.begin(), joint.bodies.end(), body) == joint.bodies.end() || !Subject::is_tip(joint, body))
+            continue;
+        const Spot tip = spot(joint.point);
+        const double edge = 4.5 * shrink_;
+        for (Bar& bar : shape.bars)
+            for (Spot Bar::*end : {&Bar::from, &Bar::to}) {
+                const Spot other = end == &Bar::from ? bar.to : bar.from;
+                if (length(bar.*end - tip) > same_place || length(other - tip) < 2 * edge) continue;
+                bar.*end = tip + edge * unit(other - tip);
+                shape.edges.push_back({bar.*end, tip});
+            }
+    }
 }
 
 std::string Sketch::id(std::string_view kind, std::string_view name) {
@@ -179,6 +252,8 @@ Sketch::CurvedSlot Sketch::curved_slot(const Joint& joint) const {
 
 Shape Sketch::shape_of(BodyIndex body) const {
     Shape shape;
+    shape.rims = rims_of(body);
+    shape.flats = flats_of(body);
     if (body == 0) return shape;
     std::vector<Spot> corners;
     for (const int p : s_.corners[at_index(body)]) {
@@ -199,6 +274,7 @@ Shape Sketch::shape_of(BodyIndex body) const {
         const bool slides = (joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot) &&
                             joint.bodies.size() == 2 && joint.bodies[1] == body && length(s_.guides[j]) > 0;
         if (!slides) continue;
+        if (cylinder_of(j)) continue;
         const bool slot = joint.kind == JointKind::pin_slot;
         const double reach = slot ? slot_half_ : sleeve_half_ + rod_beyond_;
         rods.push_back({spots_[at_index(joint.point)], s_.guides[j], -reach, reach, slot});
@@ -255,6 +331,28 @@ Shape Sketch::shape_of(BodyIndex body) const {
         if (const double whole = length(nearest.to - nearest.from); whole > slot_side_ + 0.5)
             shape.bars.push_back({nearest.from, nearest.to - slot_side_ * unit(nearest.to - nearest.from)});
     }
+    // A flat face reaches to the points that lie on it, else it hangs on the nearest by an arm at right angles.
+    for (Flat& flat : shape.flats) {
+        const Spot along = unit(flat.bar.to - flat.bar.from), start = flat.bar.from;
+        double from = 0, to = length(flat.bar.to - start);
+        std::optional<Bar> arm;
+        bool carries_corner = false;
+        for (const Spot corner : corners) {
+            const double t = dot(corner - start, along);
+            if (std::abs(cross(along, corner - start)) < 0.6) {
+                carries_corner = true;
+                from = std::min(from, t);
+                to = std::max(to, t);
+            }
+            const Spot foot = start + std::clamp(t, from, to) * along + (flat.rack ? module_ : flat.depth) * flat.inward;
+            if (!arm || length(foot - corner) < length(arm->to - arm->from) - 1e-9) arm = Bar{corner, foot};
+        }
+        flat.bar = {start + from * along, start + to * along};
+        if (carries_corner)
+            flat.depth = 0;
+        else if (arm && length(arm->to - arm->from) > theme_.link / 2 + 0.3)
+            shape.bars.push_back(*arm);
+    }
     // A body of two guides and no pin (Oldham, trammel cross): the guides are one piece.
     if (corners.empty() && rods.size() >= 2)
         for (std::size_t i = 1; i < rods.size(); ++i) {
@@ -267,6 +365,19 @@ Shape Sketch::shape_of(BodyIndex body) const {
             for (const Rod& rod : {rods[0], rods[i]})
                 if (length(meet - rod.at) > same_place) shape.bars.push_back({rod.at, meet});
         }
+    // Of a cylinder one carries the barrel, the other the rod; both hang on pins in line.
+    for (const Cylinder& cylinder : cylinders_) {
+        const Joint& joint = m_.joints[cylinder.joint];
+        if (joint.bodies[0] == body) {
+            shape.bars.push_back({cylinder.rod_end, cylinder.piston});
+            off_guide.clear();
+        } else if (joint.bodies[1] == body) {
+            const Spot along = unit(cylinder.barrel.to - cylinder.barrel.from);
+            for (const Spot corner : corners)
+                if (dot(corner - cylinder.barrel.from, along) < -1e-9) shape.bars.push_back({corner, cylinder.barrel.from});
+            off_guide.clear();
+        }
+    }
     // The rest is a line or a plate through all corners (those on a guide too, or the plate would not hold together).
     if (!off_guide.empty() && corners.size() >= 2) {
         const Chord chord = longest_chord(corners);
@@ -274,7 +385,9 @@ Shape Sketch::shape_of(BodyIndex body) const {
             shape.bars.push_back({chord.from, chord.to});
         else
             shape.plate = hull_of(corners);
+        shape.solid = !shape.plate.empty() && chord.deviation < 1.8 * theme_.link;
     }
+    cut_knife_edges(shape, body);
     if (!shape.plate.empty()) {
         for (const Spot spot : shape.plate) shape.middle = shape.middle + (1.0 / static_cast<double>(shape.plate.size())) * spot;
     } else if (!shape.bars.empty()) {
@@ -284,6 +397,10 @@ Shape Sketch::shape_of(BodyIndex body) const {
         shape.middle = 0.5 * (longest.from + longest.to);
     } else if (!corners.empty()) {
         shape.middle = corners.front();
+    } else if (!shape.rims.empty()) {
+        shape.middle = shape.rims.front().centre;
+    } else if (!shape.flats.empty()) {
+        shape.middle = 0.5 * (shape.flats.front().bar.from + shape.flats.front().bar.to);
     }
     return shape;
 }
@@ -317,6 +434,9 @@ double Sketch::crowding(Spot spot, Spot besides) const {
         for (const Bar& bar : shape.bars) crowd += distance(spot, bar) < theme_.link / 2 + 1;
         for (std::size_t i = 0; i < shape.plate.size(); ++i)
             crowd += distance(spot, {shape.plate[i], shape.plate[(i + 1) % shape.plate.size()]}) < theme_.link / 2 + 1;
+        for (const Flat& flat : shape.flats) crowd += distance(spot, flat.bar) < theme_.link + 1;
+        for (const Rim& rim : shape.rims)
+            if (rim.form != Rim::Form::arc) crowd += std::abs(length(spot - rim.centre) - rim.radius) < theme_.link / 2 + 1;
     }
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];

@@ -40,12 +40,46 @@ struct Bar {
 };
 double distance(Spot spot, const Bar& bar);
 
+/// Where a body is touched by another: the joint, and who touches.
+struct Touch {
+    std::size_t joint;
+    BodyIndex other;
+};
+/// A round profile: a wheel, a gear, a cam, a roller, or only the arc on which another body slides.
+struct Rim {
+    enum class Form { wheel, gear, cam, roller, arc } form = Form::wheel;
+    Spot centre;
+    double radius = 0;
+    bool hollow = false;         // the material lies outside
+    std::vector<Touch> touches;  // none: a plain disc
+};
+/// A straight profile from end to end.
+struct Flat {
+    Bar bar;
+    Spot inward;       // unit, into the material
+    double depth = 1;  // from the profile to the middle of the stroke: its edge is what touches
+    bool rack = false;
+    std::vector<Touch> touches;
+};
+
+/// Piston in a barrel: a slide between two bodies that something drives, in line with the pins that hold it.
+struct Cylinder {
+    std::size_t joint;
+    Spot rod_end;  // the pin of the rod
+    Spot piston;   // on the axis
+    Bar barrel;    // its axis, closed end first
+};
+
 /// What a body is drawn of, mm.
 struct Shape {
     std::vector<Bar> bars;
+    std::vector<Bar> edges;   // knife edges, from the end of the bar to the tip
     std::vector<Spot> plate;  // hull; empty: none
+    bool solid = false;       // the plate is too slender to show its tint
     std::vector<Bar> slots;   // centre lines of straight slots
-    Spot middle;              // somewhere on it
+    std::vector<Rim> rims;
+    std::vector<Flat> flats;
+    Spot middle;  // somewhere on it
 };
 
 /// What the figure takes from the solution, once, in metres with y downwards; scales are tried on it.
@@ -85,7 +119,7 @@ class Sketch {
 public:
     Sketch(const Subject& subject, const DrawingContext& context, double scale, std::string prefix);
 
-    std::vector<Mark> tints, construction, ground, bodies, pins, arrows, centres, type;
+    std::vector<Mark> tints, construction, ground, bodies, pins, arrows, centres, dimensions;
     std::vector<LabelRequest> labels;
 
     Spot spot(PointIndex point) const { return spots_[at_index(point)]; }
@@ -118,14 +152,37 @@ private:
     };
     CurvedSlot curved_slot(const Joint& joint) const;
     Shape shape_of(BodyIndex body) const;
+    void cut_knife_edges(Shape& shape, BodyIndex body) const;
+    bool covered_by_block(const Joint& hinge) const;
+    void draw_crossings(BodyIndex body, const std::vector<BodyIndex>& below, std::vector<Mark>& marks);
+    void draw_strokes(const Shape& shape, const Pen& stroke, std::vector<Mark>& marks) const;
+    void draw_barrel(const Cylinder& cylinder, BodyIndex body, std::vector<Mark>& marks) const;
+    void draw_piston(const Cylinder& cylinder, BodyIndex body, std::vector<Mark>& marks) const;
+    void draw_spring(const SpringLoad& spring);
+    void find_cylinders();
+    const Cylinder* cylinder_of(std::size_t joint) const;
+    std::vector<Rim> rims_of(BodyIndex body) const;
+    std::vector<Flat> flats_of(BodyIndex body) const;
+    Spot bulk_of(BodyIndex body, const Joint& joint) const;
+    std::vector<double> tooth_spaces(const std::vector<Touch>& touches, Spot origin, double radius, bool hollow,
+                                     BodyIndex body) const;
+    void draw_rim(const Rim& rim, BodyIndex body, std::vector<Mark>& marks);
+    void draw_gear(const Rim& rim, BodyIndex body, std::vector<Mark>& marks);
+    void draw_arc_profile(const Rim& rim, BodyIndex body, std::vector<Mark>& marks);
+    bool turns_about(Spot centre, BodyIndex body) const;
+    void draw_hub(const Rim& rim, BodyIndex body, std::vector<Mark>& marks);
+    void draw_rack(const Flat& flat, BodyIndex body, std::vector<Mark>& marks);
+    void draw_fixed_rim(const Rim& rim, double radius, bool outside);
+    void draw_bare_contacts(BodyIndex body);
     Symbol symbol_of(const InstantCentre& centre) const;
     std::vector<Spot> leaving(PointIndex point) const;
     double crowding(Spot spot, Spot besides) const;
     bool lies_on(BodyIndex body, BodyIndex longer) const;
     std::vector<BodyIndex> drawing_order() const;
-    void draw_body(BodyIndex body);
+    void draw_body(BodyIndex body, const std::vector<BodyIndex>& below);
     void draw_block(const Joint& joint, std::size_t index, std::vector<Mark>& marks);
     void draw_profiles(BodyIndex body, std::vector<Mark>& marks);
+    void hatch_arc(Spot centre, double radius, double from, double to, bool outwards);
     void draw_wall(Spot from, Spot to, Spot away);
     void draw_fixed_pin(PointIndex point);
     void draw_guides();
@@ -147,6 +204,7 @@ private:
     double slider_half_ = 8.0 * shrink_, slider_side_ = 4.4 * shrink_, sleeve_half_ = 7.5 * shrink_, sleeve_side_ = 3.6 * shrink_;
     double wall_beyond_ = 9.0 * shrink_, axis_beyond_ = 14.0 * shrink_, rod_beyond_ = 9.0 * shrink_;
     double slot_half_ = 10.0 * shrink_, slot_side_ = 2.2 * shrink_;
+    double module_ = 1.25;  // of all gears: height of a tooth above the pitch circle
 
     const Subject& s_;
     const Mechanism& m_;
@@ -157,6 +215,7 @@ private:
     std::set<std::string> ids_;
     std::vector<Spot> spots_;
     std::vector<Shape> shapes_;
+    std::vector<Cylinder> cylinders_;
     std::vector<std::pair<Spot, Spot>> arcs_of_drivers_;  // pivot and where the arrow is: ground turns away from it
 };
 

@@ -50,6 +50,21 @@ void Sketch::draw_wall(Spot from, Spot to, Spot away) {
     ground.emplace_back(line(from, to, edge));
 }
 
+/// Hatching of the ground along an arc.
+void Sketch::hatch_arc(Spot centre, double radius, double from, double to, bool outwards) {
+    Path hatching;
+    hatching.stroked = true;
+    hatching.pen = {theme_.thin, theme_.text, {}, false};
+    const double depth = (outwards ? 1 : -1) * std::min(hatch_depth_, 0.4 * radius);
+    const int count = std::max(4, static_cast<int>((to - from) * radius / hatch_pitch_));
+    for (int i = 0; i < count; ++i) {
+        const double angle = from + (to - from) * i / count, lean = angle + std::abs(depth) / radius;
+        hatching.segments.emplace_back(MoveTo{centre + radius * polar_spot(angle)});
+        hatching.segments.emplace_back(LineTo{centre + (radius + depth) * polar_spot(lean)});
+    }
+    ground.emplace_back(std::move(hatching));
+}
+
 void Sketch::draw_fixed_pin(PointIndex point) {
     const Spot at = spot(point);
     std::vector<Spot> links = leaving(point);
@@ -135,7 +150,7 @@ void Sketch::draw_guides() {
             const double half = slider_half_ + axis_beyond_;
             construction.emplace_back(
                 line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
-            walls(slot_side_, slot_half_ + 3, true);
+            walls(slot_side_, slot_half_ + 3, false);
         }
     }
 }
@@ -143,6 +158,7 @@ void Sketch::draw_guides() {
 void Sketch::draw_block(const Joint& joint, std::size_t index, std::vector<Mark>& marks) {
     const BodyIndex body = joint.bodies[0];
     if (body == 0) return;
+    if (const Cylinder* cylinder = cylinder_of(index)) return draw_piston(*cylinder, body, marks);
     const bool on_frame = joint.bodies[1] == 0;
     const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
     const Spot at = spot(joint.point), u = half * s_.guides[index], w = side * turned(s_.guides[index]);
@@ -181,99 +197,134 @@ void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
     path.stroked = true;
     const BodyIndex body = joint.bodies[1];
     path.pen = {body == 0 ? theme_.outline : theme_.vector, line_colour(body), {}, true};
+    if (body == 0) {
+        hatch_arc(centre, radius + slot_side_, from, to, true);
+        if (radius > 3 * slot_side_) hatch_arc(centre, radius - slot_side_, from, to, false);
+    }
     (body == 0 ? ground : marks).emplace_back(std::move(path));
 }
 
-/// Wheels, cams and flat faces.
-void Sketch::draw_profiles(BodyIndex body, std::vector<Mark>& marks) {
-    const Body& data = m_.bodies[at_index(body)];
-    const Pen pen{theme_.vector, line_colour(body), {}, false};
-    bool geared = false;
-    for (const Joint& joint : m_.joints)
-        if (joint.kind == JointKind::gear && std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end())
-            geared = true;
-    std::vector<std::pair<Spot, double>> circles;
-    const auto add_circle = [&](Spot centre, double radius) {
-        for (const auto& [c, r] : circles)
-            if (length(c - centre) < same_place && std::abs(r - radius) < same_place) return;
-        circles.emplace_back(centre, radius);
-        Pen edge = pen;
-        if (geared && body != 0) edge.dashes = dash_dot();
-        (body == 0 ? ground : marks).emplace_back(circle(centre, radius, edge));
-        if (body == 0) {
-            // Hatch the rim on the side where nothing rolls: inside, unless the wheels are within.
-            bool inner = true;
-            for (std::size_t other = 1; other < m_.bodies.size(); ++other)
-                if (const auto& wheel = m_.bodies[other].circle)
-                    if (length(spot(wheel->centre) - centre) + wheel->radius.to_double() / scale_ < radius + 0.5) inner = false;
-            Path rim;
-            rim.stroked = true;
-            rim.pen = {theme_.thin, theme_.text, {}, false};
-            const int count = std::max(8, static_cast<int>(2 * pi_number * radius / 3.0));
-            for (int i = 0; i < count; ++i) {
-                const double angle = 2 * pi_number * i / count, lean = angle + 1.5 / radius;
-                rim.segments.emplace_back(MoveTo{centre + radius * polar_spot(angle)});
-                rim.segments.emplace_back(LineTo{centre + (radius + (inner ? -1.6 : 1.6)) * polar_spot(lean)});
-            }
-            ground.emplace_back(std::move(rim));
-        }
-    };
-    if (data.circle) add_circle(spot(data.circle->centre), data.circle->radius.to_double() / scale_);
-    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
-        const Joint& joint = m_.joints[j];
-        if (joint.kind != JointKind::rolling && joint.kind != JointKind::contact && joint.kind != JointKind::gear) continue;
-        const auto in = std::find(joint.bodies.begin(), joint.bodies.end(), body);
-        if (in == joint.bodies.end()) continue;
-        const auto profile = joint.profiles.find(body);
-        const Spot at = spot(joint.point);
-        const Spot tangent = turned(s_.normals[j]);
-        const bool first = in == joint.bodies.begin();
-        if (profile != joint.profiles.end() && std::holds_alternative<CircleProfile>(profile->second)) {
-            const Spot centre = spot(std::get<CircleProfile>(profile->second).centre);
-            add_circle(centre, length(at - centre));
-        } else if (profile != joint.profiles.end() && std::holds_alternative<LineProfile>(profile->second)) {
-            if (length(tangent) == 0) continue;
-            const double half = 16;
-            if (body == 0) {
-                // Hatched away from what stands on it.
-                const BodyIndex other = joint.bodies[first ? 1 : 0];
-                Spot away = s_.normals[j];
-                const Spot across = is_wheel(other) ? spot(m_.bodies[at_index(other)].circle->centre) : shape(other).middle;
-                if (dot(across - at, away) > 0) away = -1.0 * away;
-                draw_wall(at - half * tangent, at + half * tangent, away);
-            } else {
-                marks.emplace_back(line(at - half * tangent, at + half * tangent, {theme_.link, line_colour(body), {}, true}));
-                const std::vector<int>& corners = s_.corners[at_index(body)];
-                if (!corners.empty()) {
-                    const Spot from = spot(corners.front());
-                    const double t = dot(from - at, tangent);
-                    marks.emplace_back(
-                        line(from, at + std::clamp(t, -half, half) * tangent, {theme_.link, line_colour(body), {}, true}));
-                }
-            }
-        } else if (!data.circle && profile == joint.profiles.end() && length(tangent) > 0 && joint.profiles.empty() &&
-                   joint.kind == JointKind::contact && joint.bodies.size() == 2 &&
-                   (joint.bodies[0] == 0 || joint.bodies[1] == 0)) {
-            // A point that the frame bears, whatever its form: a roller on a wall.
-            if (body != 0) continue;
-            Spot away = s_.normals[j];
-            if (joint.pushes)
-                away = (joint.bodies[0] == 0 ? 1.0 : -1.0) * paper_direction(*joint.pushes);
-            else if (dot(shape(joint.bodies[0] == 0 ? joint.bodies[1] : joint.bodies[0]).middle - at, away) > 0)
-                away = -1.0 * away;
-            const double radius = 1.6 * shrink_;
-            ground.emplace_back(
-                ring(at + (radius + theme_.link / 2) * away, radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
-            const Spot foot = at + (2 * radius + theme_.link / 2) * away;
-            draw_wall(foot + base_half_ * tangent, foot - base_half_ * tangent, away);
-        } else if (!data.circle && profile == joint.profiles.end() && length(tangent) > 0 && first) {
-            construction.emplace_back(
-                line(at - 10.0 * tangent, at + 10.0 * tangent, {theme_.thin, theme_.secondary, dash_dot(), false}));
-        }
+/// Plate, bars and knife edges in one pen.
+void Sketch::draw_strokes(const Shape& shape, const Pen& stroke, std::vector<Mark>& marks) const {
+    if (shape.solid) marks.emplace_back(filled(shape.plate, stroke.colour));
+    if (!shape.plate.empty()) marks.emplace_back(polyline(shape.plate, stroke, true));
+    for (const Bar& bar : shape.bars)
+        if (length(bar.to - bar.from) > 1e-6) marks.emplace_back(line(bar.from, bar.to, stroke));
+    for (const Bar& edge : shape.edges) {
+        const Spot across = (stroke.width / 2) * turned(unit(edge.to - edge.from));
+        marks.emplace_back(filled({edge.from + across, edge.to, edge.from - across}, stroke.colour));
     }
 }
 
-void Sketch::draw_body(BodyIndex body) {
+/// Where a link passes over others that it does not join: the lower one is interrupted on both sides of it.
+void Sketch::draw_crossings(BodyIndex body, const std::vector<BodyIndex>& below, std::vector<Mark>& marks) {
+    constexpr double gap = 0.7, least_sine = 0.25;
+    const auto strokes_of = [&](BodyIndex of) {
+        std::vector<Bar> strokes = shape(of).bars;
+        const std::vector<Spot>& plate = shape(of).plate;
+        for (std::size_t i = 0; i < plate.size(); ++i) strokes.push_back({plate[i], plate[(i + 1) % plate.size()]});
+        return strokes;
+    };
+    // A pin or a block says by itself what is joined.
+    const auto is_joined = [&](Spot at) {
+        for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+            const Spot d = at - spot(m_.joints[j].point);
+            if (length(d) < pin_radius_ + theme_.link) return true;
+            if (m_.joints[j].kind == JointKind::prismatic && std::abs(dot(d, s_.guides[j])) < slider_half_ + theme_.link &&
+                std::abs(cross(d, s_.guides[j])) < slider_side_ + theme_.link)
+                return true;
+        }
+        return false;
+    };
+    const std::vector<Bar> own = strokes_of(body);
+    for (const BodyIndex lower : below) {
+        std::vector<Path> gaps;
+        for (const Bar& under : strokes_of(lower))
+            for (const Bar& over : own) {
+                const Spot u = over.to - over.from, v = under.to - under.from, d = under.from - over.from;
+                const double whole_u = length(u), whole_v = length(v), turn = cross(u, v);
+                if (std::abs(turn) < least_sine * whole_u * whole_v) continue;
+                const double t = cross(d, v) / turn * whole_u, w = cross(d, u) / turn * whole_v;
+                const double margin = theme_.link;
+                if (t < margin || t > whole_u - margin || w < margin || w > whole_v - margin) continue;
+                const Spot at = over.from + (t / whole_u) * u;
+                if (is_joined(at)) continue;
+                const double sine = std::abs(turn) / (whole_u * whole_v), cosine = std::abs(dot(u, v)) / (whole_u * whole_v);
+                const double half = (0.5 * theme_.link + (0.5 * theme_.link + gap) * cosine) / sine + 0.1;
+                const Spot along = half * unit(u);
+                gaps.push_back(line(at - along, at + along, {theme_.link + 2 * gap, theme_.paper, {}, false}));
+            }
+        if (gaps.empty()) continue;
+        const std::string names = m_.bodies[at_index(lower)].name + "." + m_.bodies[at_index(body)].name;
+        marks.emplace_back(GroupBegin{"crossing", id("crossing", names), {}, {}});
+        for (Path& path : gaps) marks.emplace_back(std::move(path));
+        marks.emplace_back(GroupEnd{});
+    }
+}
+
+/// Barrel of the body that carries the guide, open at the rod's end but for its wall.
+void Sketch::draw_barrel(const Cylinder& cylinder, BodyIndex body, std::vector<Mark>& marks) const {
+    const Spot along = unit(cylinder.barrel.to - cylinder.barrel.from), w = sleeve_side_ * turned(along);
+    const auto& [from, to] = cylinder.barrel;
+    Path barrel = polyline({from + w, to + w, to - w, from - w}, {theme_.vector, line_colour(body), {}, false}, true);
+    barrel.filled = true;
+    barrel.fill = tint_colour(body);
+    marks.emplace_back(std::move(barrel));
+}
+
+void Sketch::draw_piston(const Cylinder& cylinder, BodyIndex body, std::vector<Mark>& marks) const {
+    const Spot along = unit(cylinder.barrel.to - cylinder.barrel.from);
+    const Spot u = 1.2 * along, w = (sleeve_side_ - theme_.vector / 2 - 0.25) * turned(along);
+    const Spot at = cylinder.piston;
+    marks.emplace_back(filled({at + u + w, at + u - w, at - u - w, at - u + w}, line_colour(body)));
+}
+
+/// A coil between two points; where they are too near for one, a line (a rope looks so, too).
+void Sketch::draw_spring(const SpringLoad& spring) {
+    const Spot from = spot(spring.between[0]), to = spot(spring.between[1]);
+    const Pen pen{theme_.outline, theme_.text, {}, false};
+    const Spot along = unit(to - from), across = turned(along);
+    const double whole = length(to - from), straight = std::clamp(0.15 * whole, 2.5, 8.0);
+    constexpr double pitch = 2.4, amplitude = 2.0;
+    std::vector<Spot> spots{from};
+    if (const double coiled = whole - 2 * straight; coiled > 2 * pitch) {
+        const int turns = static_cast<int>(coiled / pitch);
+        const double step = coiled / turns;
+        spots.push_back(from + straight * along);
+        for (int i = 0; i < turns; ++i) {
+            spots.push_back(from + (straight + (i + 0.25) * step) * along + amplitude * across);
+            spots.push_back(from + (straight + (i + 0.75) * step) * along - amplitude * across);
+        }
+        spots.push_back(to - straight * along);
+    }
+    spots.push_back(to);
+    ground.emplace_back(GroupBegin{"spring", id("spring", spring.name), spring.name, {}});
+    ground.emplace_back(polyline(spots, pen));
+    ground.emplace_back(GroupEnd{});
+    for (const std::size_t end : {0U, 1U}) {
+        const Spot at = end == 0 ? from : to, away = end == 0 ? -1.0 * along : along;
+        const bool pinned = std::any_of(m_.joints.begin(), m_.joints.end(), [&](const Joint& joint) {
+            return Subject::is_fixed_pin(joint) && length(spot(joint.point) - at) < same_place;
+        });
+        if (spring.bodies[end] == 0 && !pinned) draw_wall(at + base_half_ * turned(away), at - base_half_ * turned(away), away);
+    }
+}
+
+/// A pin of the body that a block slides on, not of the block itself: the block hides it.
+bool Sketch::covered_by_block(const Joint& hinge) const {
+    const auto holds = [&](BodyIndex body) {
+        return std::find(hinge.bodies.begin(), hinge.bodies.end(), body) != hinge.bodies.end();
+    };
+    for (std::size_t j = 0; j < m_.joints.size(); ++j) {
+        const Joint& joint = m_.joints[j];
+        if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2 || joint.bodies[0] == 0 || cylinder_of(j)) continue;
+        if (length(spot(joint.point) - spot(hinge.point)) < same_place && !holds(joint.bodies[0]) && holds(joint.bodies[1]))
+            return true;
+    }
+    return false;
+}
+
+void Sketch::draw_body(BodyIndex body, const std::vector<BodyIndex>& below) {
     const Body& data = m_.bodies[at_index(body)];
     const Shape& shape = shapes_[at_index(body)];
     // Of two links in line (a dead point) the shorter one lies on top, narrower, so that both are seen.
@@ -283,12 +334,11 @@ void Sketch::draw_body(BodyIndex body) {
     const Pen stroke{on_another ? 0.5 * theme_.link : theme_.link, line_colour(body), {}, true};
     std::vector<Mark> marks;
     draw_profiles(body, marks);
-    if (!shape.plate.empty()) {
-        tints.emplace_back(filled(shape.plate, tint_colour(body)));
-        marks.emplace_back(polyline(shape.plate, stroke, true));
-    }
-    for (const Bar& bar : shape.bars)
-        if (length(bar.to - bar.from) > 1e-6) marks.emplace_back(line(bar.from, bar.to, stroke));
+    draw_crossings(body, below, marks);
+    if (!shape.plate.empty() && !shape.solid) tints.emplace_back(filled(shape.plate, tint_colour(body)));
+    draw_strokes(shape, stroke, marks);
+    for (const Cylinder& cylinder : cylinders_)
+        if (m_.joints[cylinder.joint].bodies[1] == body) draw_barrel(cylinder, body, marks);
     // The block covers the end of its own rod: they are one piece.
     for (std::size_t j = 0; j < m_.joints.size(); ++j)
         if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies.size() == 2 && m_.joints[j].bodies[0] == body)
@@ -367,10 +417,16 @@ void Sketch::draw_clamp(const Joint& joint) {
     const Spot along = links.empty() ? Spot{1, 0} : links.front();
     const bool fixed = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
     if (fixed) draw_wall(at + base_half_ * turned(along), at - base_half_ * turned(along), -1.0 * along);
-    const double half = 1.7;
+    if (fixed) return;
+    // The corner between two links filled; in line, a patch over both.
+    const BodyIndex body = joint.bodies[0];
+    const auto other = std::find_if(links.begin(), links.end(), [&](Spot link) { return std::abs(cross(link, along)) > 0.2; });
+    constexpr double leg = 5, half = 1.7;
     const Spot u = half * along, w = half * turned(along);
-    const BodyIndex body = joint.bodies[0] != 0 ? joint.bodies[0] : joint.bodies.back();
-    if (!fixed) pins.emplace_back(filled({at + u + w, at + u - w, at - u - w, at - u + w}, line_colour(body)));
+    if (other != links.end())
+        pins.emplace_back(filled({at, at + leg * along, at + leg * *other}, line_colour(body)));
+    else
+        pins.emplace_back(filled({at + u + w, at + u - w, at - u - w, at - u + w}, line_colour(body)));
 }
 
 void Sketch::draw_in_colour() {
@@ -380,12 +436,16 @@ void Sketch::draw_in_colour() {
         if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies[1] == 0) draw_curved_slot(joint, ground);
     }
     draw_guides();
-    {
-        std::vector<Mark> frame;
-        draw_profiles(0, frame);
+    std::vector<Mark> none;  // all that the frame has is ground
+    draw_profiles(0, none);
+    for (const Load& load : m_.loads)
+        if (const auto* spring = std::get_if<SpringLoad>(&load)) draw_spring(*spring);
+    std::vector<BodyIndex> below;
+    for (const BodyIndex body : drawing_order()) {
+        if (body == 0) continue;
+        draw_body(body, below);
+        below.push_back(body);
     }
-    for (const BodyIndex body : drawing_order())
-        if (body != 0) draw_body(body);
     for (std::size_t b = 1; b < m_.bodies.size(); ++b) balloon(static_cast<int>(b));
 
     // Joints: one group each; a pin where bodies turn about each other, a dot where they touch.
@@ -397,7 +457,9 @@ void Sketch::draw_in_colour() {
         pins.emplace_back(GroupBegin{"joint", id("joint", joint.name), title, {}});
         const bool already = std::any_of(pinned.begin(), pinned.end(), [&](Spot p) { return length(p - at) < same_place; });
         const bool hinge = joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot;
-        if (hinge && !already) {
+        if (hinge && !already && covered_by_block(joint)) {
+            pins.emplace_back(circle(at, pin_radius_, {theme_.outline, theme_.text, {0.9, 0.5}, false}));
+        } else if (hinge && !already) {
             pins.emplace_back(ring(at, pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
             pinned.push_back(at);
         } else if (joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear) {
