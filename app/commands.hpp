@@ -17,6 +17,9 @@ struct SolveRequest {
     std::string format;                ///< svg, png, pdf, json: for outputs whose name does not say; may be empty
     render::Language language = render::Language::en;
     render::Paper paper = render::Paper::a4;
+    render::Orientation orientation = render::Orientation::landscape;
+    std::string author, date;  ///< in the title block, where given
+    std::string figure;        ///< this one alone; empty: the sheet
     double dpi = 150;
     bool exact = false;
     std::vector<std::string> with;  ///< figures on request: "joukowsky"

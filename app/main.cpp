@@ -61,6 +61,7 @@ void add_solve(CLI::App& program, Action& action) {
     auto request = std::make_shared<SolveRequest>();
     auto language = std::make_shared<std::string>("en");
     auto paper = std::make_shared<std::string>("A4");
+    auto orientation = std::make_shared<std::string>("landscape");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
     command
         ->add_option("-o,--output", request->outputs,
@@ -79,6 +80,17 @@ void add_solve(CLI::App& program, Action& action) {
         ->transform(CLI::IsMember({"A4", "A3", "letter"}, CLI::ignore_case))
         ->type_name("PAPER")
         ->capture_default_str();
+    command->add_option("--orientation", *orientation, "How the sheet lies: landscape or portrait")
+        ->transform(CLI::IsMember({"landscape", "portrait"}, CLI::ignore_case))
+        ->type_name("HOW")
+        ->capture_default_str();
+    command
+        ->add_option("--figure", request->figure,
+                     "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
+                     "body-3 …; of a wrong name the message lists those there are")
+        ->type_name("NAME");
+    command->add_option("--date", request->date, "A date for the title block, as it is to be printed")->type_name("TEXT");
+    command->add_option("--author", request->author, "A name for the title block")->type_name("TEXT");
     command->add_option("--dpi", request->dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")
@@ -91,10 +103,11 @@ void add_solve(CLI::App& program, Action& action) {
         ->check(CLI::IsMember({"joukowsky"}))
         ->type_name("FIGURE");
     command->add_flag("--exact", request->exact, "Add exact values to the JSON results, as fractions");
-    command->callback([&action, request, language, paper] {
+    command->callback([&action, request, language, paper, orientation] {
         request->language = *language == "it" ? render::Language::it : render::Language::en;
         if (*paper == "A3") request->paper = render::Paper::a3;
         if (*paper == "letter") request->paper = render::Paper::letter;
+        if (*orientation == "portrait") request->orientation = render::Orientation::portrait;
         action = [request] { return solve_command(*request); };
     });
 }

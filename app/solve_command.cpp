@@ -7,6 +7,7 @@
 #include "app/files.hpp"
 #include "constructions/solve.hpp"
 #include "render/backends.hpp"
+#include "render/figure_alone.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -156,8 +157,21 @@ Status solve_command(const SolveRequest& request) {
             render::SheetOptions options;
             options.paper = request.paper;
             options.language = request.language;
-            options.joukowsky = wants_lever;
-            pages = render::lay_out(*solution, options, *fonts);
+            options.joukowsky = wants_lever || !request.figure.empty();
+            options.orientation = request.orientation;
+            options.author = request.author;
+            options.date = request.date;
+            if (request.figure.empty()) {
+                pages = render::lay_out(*solution, options, *fonts);
+            } else if (auto page = render::lay_out_alone(*solution, options, request.figure, *fonts)) {
+                pages.push_back(*std::move(page));
+            } else {
+                std::string names;
+                for (const std::string& each : render::figure_names(*solution, options, *fonts))
+                    names += (names.empty() ? "" : ", ") + each;
+                say(name, "--figure " + request.figure + ": there is no such figure; there are " + names);
+                return Status::bad_input;
+            }
         }
         outputs = outputs_of(*solution, *targets, request, pages, fonts, remarks);
     }
@@ -167,6 +181,7 @@ Status solve_command(const SolveRequest& request) {
         else if (!draws)
             remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
     }
+    if (!request.figure.empty() && !draws) remarks.emplace_back("--figure chooses what is drawn, and no drawing is asked for");
     if (request.exact &&
         std::none_of(targets->begin(), targets->end(), [](const Target& target) { return target.format == Format::json; }))
         remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");

@@ -24,7 +24,8 @@ class Layout {
 public:
     Layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
         : context_{solution, options.theme, fonts, options.language},
-          format_(format_of(options.paper)),
+          format_(format_of(options.paper, options.orientation)),
+          signature_{options.author, options.date},
           wanted_(context_, format_.measure, options.joukowsky) {}
 
     std::vector<Page> pages() {
@@ -88,7 +89,7 @@ private:
                                           format_.inner.max,
                                           {format_.inner.min.x, format_.inner.max.y}},
                                          pen, true));
-        draw_title_block(page.marks, context_, format_, figures_.drawn, index, count);
+        draw_title_block(page.marks, context_, format_, figures_.drawn, signature_, index, count);
         page.marks.insert(page.marks.end(), sheet.marks.begin(), sheet.marks.end());
         // A point's label says its name as the file has it, however it is set.
         std::map<std::string, std::string> names;
@@ -102,6 +103,7 @@ private:
 
     DrawingContext context_;
     SheetFormat format_;
+    Signature signature_;
     WantedFigures wanted_;
     FigurePages figures_;
     std::vector<Sheet> sheets_;

@@ -15,10 +15,12 @@
 namespace kinegraph::render {
 
 struct SheetOptions {
-    Paper paper = Paper::a4;  ///< landscape
+    Paper paper = Paper::a4;
     Language language = Language::en;
     Theme theme;
     bool joukowsky = false;  ///< with the lever figure, where forces and velocities are known
+    Orientation orientation = Orientation::landscape;
+    std::string author = "", date = "";  ///< in the title block as given, where given
 };
 
 /// The worked solution on one or more pages. All figures come first (page 1 as long as they can be read), then text and tables.

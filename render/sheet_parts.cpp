@@ -26,14 +26,17 @@ SheetFormat format(const char* name, double width, double height, Spot block, do
 
 }  // namespace
 
-SheetFormat format_of(Paper paper) {
+SheetFormat format_of(Paper paper, Orientation orientation) {
+    // Upright, the block is as wide as the frame, or stands under whole columns: none is cut for a corner of it.
+    const bool upright = orientation == Orientation::portrait;
     switch (paper) {
         case Paper::a4:
-            return format("A4", 297, 210, {112, 18}, 6, 3, false);
+            return upright ? format("A4", 210, 297, {180, 18}, 6, 2, false) : format("A4", 297, 210, {112, 18}, 6, 3, false);
         case Paper::a3:
-            return format("A3", 420, 297, {190, 22}, 7, 4, true);
+            return upright ? format("A3", 297, 420, {172, 22}, 7, 3, true) : format("A3", 420, 297, {190, 22}, 7, 4, true);
         case Paper::letter:
-            return format("letter", 279.4, 215.9, {112, 18}, 6, 3, false);
+            return upright ? format("letter", 215.9, 279.4, {185.9, 18}, 6, 2, false)
+                           : format("letter", 279.4, 215.9, {112, 18}, 6, 3, false);
     }
     KG_ASSERT(false, "a paper has a format");
 }

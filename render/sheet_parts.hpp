@@ -10,6 +10,7 @@
 namespace kinegraph::render {
 
 enum class Paper { a4, a3, letter };
+enum class Orientation { landscape, portrait };
 
 constexpr double gap = 7;      ///< between cells and between columns
 constexpr double clear = 3.5;  ///< round everything that text is set beside
@@ -28,7 +29,7 @@ struct SheetFormat {
     /// A column's free height, above the title block where it stands there.
     Box column(int k) const;
 };
-SheetFormat format_of(Paper paper);
+SheetFormat format_of(Paper paper, Orientation orientation);
 
 /// A column that text may flow into.
 struct Run {

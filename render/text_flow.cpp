@@ -106,7 +106,8 @@ private:
                 wide_drawn = block.height;
             }
             for (; next < late_rest.size(); ++next) {
-                const Box place = format_.column(format_.columns - 1 - (late_rest.size() > 1 && wide == 0 && next == 0 ? 1 : 0));
+                Box place = format_.column(format_.columns - 1 - (late_rest.size() > 1 && wide == 0 && next == 0 ? 1 : 0));
+                if (wide > 0 && format_.columns < 3) place.min.y += wide_drawn + section_gap;  // no column beside the wide one
                 const Block block = figure_block(late_rest[next], format_.measure, small);
                 set(sheets_.back().marks, block, place.min);
                 small_drawn = std::max(small_drawn, block.height);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "render/caption.hpp"
 #include "render/shapes.hpp"
@@ -11,13 +12,70 @@
 
 namespace kinegraph::render {
 
+namespace {
+
+/// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not enough.
+ShapedLine fitted(const Fonts& fonts, std::string words, Face face, double size, double least, double width) {
+    ShapedLine line = fonts.shape(one_piece(words, face), size);
+    while (line.width > width && size > least) line = fonts.shape(one_piece(words, face), size -= 0.5);
+    const std::string all = words;
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    if (line.width > width && words.size() > 1000) words.resize(1000);  // far more than any block holds
+    while (line.width > width && !words.empty()) {
+        while (words.size() > 1 && continues(words.back())) words.pop_back();
+        words.pop_back();
+        line = fonts.shape(one_piece(words + "…", face), size);
+        line.words = all;
+    }
+    return line;
+}
+
+/// The title on as many lines as the height holds.
+void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size, double small_print) {
+    constexpr double least = 5, leading = 1.15;
+    const std::string title = title_of(context.solution, context.language);
+    const auto lead = [&] { return millimetres(size) * leading; };
+    std::vector<ShapedLine> lines;
+    const auto most = [&] { return static_cast<std::size_t>(std::max(1.0, std::floor((room.height() - small_print) / lead()))); };
+    for (;; size -= 0.5) {
+        lines = context.fonts.wrap(one_piece(title, Face::bold), size, room.width());
+        const bool wide =
+            std::any_of(lines.begin(), lines.end(), [&](const ShapedLine& each) { return each.width > room.width(); });
+        if (size <= least || (!wide && lines.size() <= std::min<std::size_t>(most(), size > 8 ? 2 : 4))) break;
+    }
+    if (lines.size() > most()) {
+        lines.resize(most());
+        lines.back() = fitted(context.fonts, lines.back().words + " …", Face::bold, size, size, room.width());
+    }
+    double baseline = room.min.y + (lines.size() > 1 ? 0 : 1.3) + millimetres(size) * 0.72;
+    for (const ShapedLine& each : lines) {
+        const ShapedLine cut =
+            each.width > room.width() ? fitted(context.fonts, each.words, Face::bold, size, size, room.width()) : each;
+        set_text(marks, cut, {room.min.x, baseline}, context.theme.text, "text");
+        baseline += lead();
+    }
+}
+
+std::string subtitle_of(const Solution& solution, Language language) {
+    const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
+                                          [](const Polygon& p) { return p.plane == Plane::acceleration; });
+    return word(is_mixed(solution)                   ? "subtitle mixed"
+                : has_forces(solution)               ? "subtitle forces"
+                : solution.protocol.polygons.empty() ? "subtitle pose"
+                : acceleration                       ? "subtitle acceleration"
+                                                     : "subtitle velocity",
+                language);
+}
+
+}  // namespace
+
 std::string title_of(const Solution& solution, Language language) {
     const std::string& given = in(solution.mechanism.title, language);
     return given.empty() ? word("untitled", language) : given;
 }
 
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
-                      const std::vector<Figure>& figures, std::size_t index, std::size_t count) {
+                      const std::vector<Figure>& figures, const Signature& signature, std::size_t index, std::size_t count) {
     const Solution& solution = context.solution;
     const Theme& theme = context.theme;
     const Pen edge{theme.outline, theme.text, {}, false}, inner_pen{theme.thin, theme.text, {}, false};
@@ -38,8 +96,6 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     std::string scale = "–";
     for (const Figure& figure : figures)
         if (figure.kind == "mechanism") scale = ratio_words(figure.scale, context.language);
-    std::string file = solution.mechanism.source;
-    if (const std::size_t slash = file.find_last_of('/'); slash != std::string::npos) file = file.substr(slash + 1);
     const std::array<std::pair<std::string, std::string>, 6> cells{
         std::pair{word("block scale", context.language), scale},
         {word("block size", context.language), format.name},
@@ -59,36 +115,22 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         set_text(marks, value, {x, top + 0.82 * height}, theme.text, "text");
     }
 
-    const double left = format.block.min.x + 3.5, width = cells_left - left - 2;
-    double size = format.large ? theme.title : 13;
-    std::vector<ShapedLine> lines = context.fonts.wrap(one_piece(title_of(solution, context.language), Face::bold), size, width);
-    const auto too_wide = [&] {
-        return lines.size() > 2 || std::any_of(lines.begin(), lines.end(), [&](const ShapedLine& l) { return l.width > width; });
-    };
-    while (too_wide() && size > 4)
-        lines = context.fonts.wrap(one_piece(title_of(solution, context.language), Face::bold), size -= 0.5, width);
-    const double lead = millimetres(size) * 1.15;
-    double baseline = format.block.min.y + (lines.size() > 1 ? 1.5 : 2.8) + millimetres(size) * 0.72;
-    for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 2); ++i) {
-        set_text(marks, lines[i], {left, baseline}, theme.text, "text");
-        baseline += lead;
-    }
-    const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
-                                          [](const Polygon& p) { return p.plane == Plane::acceleration; });
-    const std::string subtitle = word(is_mixed(solution)                   ? "subtitle mixed"
-                                      : has_forces(solution)               ? "subtitle forces"
-                                      : solution.protocol.polygons.empty() ? "subtitle pose"
-                                      : acceleration                       ? "subtitle acceleration"
-                                                                           : "subtitle velocity",
-                                      context.language);
+    const double left = format.block.min.x + 3.5, right = cells_left - 2;
+    std::string origin = solution.mechanism.source;
+    if (const std::size_t slash = origin.find_last_of('/'); slash != std::string::npos) origin = origin.substr(slash + 1);
+    for (const std::string& each : {signature.author, signature.date})
+        if (!each.empty()) origin += (origin.empty() ? "" : "  ·  ") + each;
+    const double print = format.large ? theme.body_text : 7.5, line = 3.4;
     const auto small_print = [&](const std::string& words, double at) {
-        double print = format.large ? theme.body_text : 7.5;
-        ShapedLine shaped = context.fonts.shape(one_piece(words), print);
-        while (shaped.width > width && print > 3) shaped = context.fonts.shape(one_piece(words), print -= 0.5);
-        set_text(marks, shaped, {left, at}, theme.secondary, "text");
+        set_text(marks, fitted(context.fonts, words, Face::regular, print, 5, right - left), {left, at}, theme.secondary, "text");
     };
-    if (lines.size() == 1) small_print(subtitle, format.block.max.y - (file.empty() ? 3.2 : 5.4));
-    if (!file.empty()) small_print(file, format.block.max.y - 2.0);
+    const std::string title = title_of(solution, context.language);
+    const double size = format.large ? theme.title : 13;
+    const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
+    set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
+              origin.empty() ? 0 : line);
+    if (one_line) small_print(subtitle_of(solution, context.language), format.block.max.y - (origin.empty() ? 3.2 : 5.4));
+    if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
 }
 
 }  // namespace kinegraph::render

@@ -12,8 +12,13 @@ namespace kinegraph::render {
 /// The mechanism's title, or that it has none.
 std::string title_of(const Solution& solution, Language language);
 
+/// Who drew it and when, as given; empty: not said.
+struct Signature {
+    std::string author, date;
+};
+
 /// Drawn into the format's corner, on page `index` of `count`; the scale is that of the mechanism among the figures.
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
-                      const std::vector<Figure>& figures, std::size_t index, std::size_t count);
+                      const std::vector<Figure>& figures, const Signature& signature, std::size_t index, std::size_t count);
 
 }  // namespace kinegraph::render

@@ -28,6 +28,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     const double si = s.mechanism.units.force.si.to_double();
     first_of_forces = list.size();
     Wanted mechanism;
+    mechanism.name = "lines-of-action";
     double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
     const auto reach = [&](const Vector& at) {
         const double x = at.x.to_double(), y = at.y.to_double();
@@ -50,6 +51,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     list.push_back(std::move(mechanism));
     const auto add = [&](int polygon, const std::string& name, auto draw) {
         Wanted wanted;
+        wanted.name = polygon < 0 ? name : s.protocol.polygons[static_cast<std::size_t>(polygon)].id;
         const Box extent = extent_of_forces(s, polygon);
         wanted.extent_x = std::max(extent.width(), 1e-30);
         wanted.extent_y = std::max(extent.height(), 1e-30);
@@ -85,6 +87,9 @@ void WantedFigures::collect_forces(bool joukowsky) {
     });
     for (const std::size_t i : order) {
         Wanted body;
+        const FreeBody& free = s.free_bodies[i];
+        body.name = free.body >= 0 ? "body-" + s.mechanism.bodies[static_cast<std::size_t>(free.body)].name
+                                   : "pin-" + s.mechanism.points[static_cast<std::size_t>(free.pin)].name;
         const Box box = extent_of_free_body(s, i);
         body.extent_x = std::max(box.width(), 0.3 * box.height());
         body.extent_y = std::max(box.height(), 0.3 * box.width());
@@ -99,6 +104,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     }
     if (joukowsky && no_lever(s) == NoLever::none) {
         Wanted wanted;
+        wanted.name = "joukowsky";
         lever_table = joukowsky_block(context_, measure_);
         const Box extent = extent_of_lever(s);
         wanted.extent_x = std::max(extent.width(), 1e-30);
@@ -155,6 +161,7 @@ const DrawingContext& WantedFigures::unscaled() {
 void WantedFigures::collect_motion() {
     const Solution& s = context_.solution;
     Wanted mechanism;
+    mechanism.name = s.centres.empty() ? "mechanism" : "centres";
     double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
     const auto reach = [&](const Vector& at) {
         const double x = at.x.to_double(), y = at.y.to_double();
@@ -196,6 +203,7 @@ void WantedFigures::collect_motion() {
         if (polygon.plane == Plane::force) continue;
         const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
         Wanted wanted;
+        wanted.name = polygon.id;
         const double si = unit.si.to_double();
         double min_x = 0, max_x = 0, min_y = 0, max_y = 0;
         const auto add = [&](int element) {

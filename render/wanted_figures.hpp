@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "render/figure.hpp"
@@ -19,6 +20,7 @@ bool is_mixed(const Solution& solution);
 
 /// A drawing that wants a cell: what it measures and who draws it.
 struct Wanted {
+    std::string name;                   ///< by which it may be asked for alone
     double extent_x = 1, extent_y = 1;  ///< in the units of its scale
     double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
     std::optional<double> asked;

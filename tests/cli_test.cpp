@@ -55,6 +55,9 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"solve four_bar.json -o a.png --format gif", "kinegraph: --format.*"},
         {"solve four_bar.json -o a.svg --lang de", "kinegraph: --lang.*"},
         {"solve four_bar.json -o a.svg --paper A5", "kinegraph: --paper.*"},
+        {"solve four_bar.json -o a.svg --orientation askew", "kinegraph: --orientation.*"},
+        {"solve four_bar.json -o a.svg --figure forces",
+         "four_bar.json: --figure forces: there is no such figure; there are mechanism, centres, velocity, acceleration, .*"},
         {"solve four_bar.json -o a.png --dpi 0", "kinegraph: --dpi.*20 to 1200.*"},
         {"solve four_bar.json -o a.png --dpi 1e9", "kinegraph: --dpi.*"},
         {"solve four_bar.json -o a.png --dpi nan", "kinegraph: --dpi.*"},
@@ -182,6 +185,17 @@ TEST_F(CommandLine, PaperAndResolutionAreTaken) {
     };
     EXPECT_NEAR(width("small.png"), 297 / 25.4 * 40, 1);
     EXPECT_NEAR(width("large.png"), 420 / 25.4 * 80, 1);
+    ASSERT_EQ(run("solve four_bar.json --orientation portrait -o upright.png --dpi 40").status, 0);
+    EXPECT_NEAR(width("upright.png"), 210 / 25.4 * 40, 1);
+}
+
+TEST_F(CommandLine, AFigureMayStandAlone) {
+    ASSERT_EQ(run("solve four_bar.json --figure velocity -o v.svg -o v.png -o v.pdf").status, 0);
+    EXPECT_TRUE(is_there("v.png") && is_there("v.pdf") && !is_there("v-2.svg"));
+    const std::string svg = contents(folder_ / "v.svg");
+    EXPECT_NE(svg.find("id=\"velocity\""), std::string::npos);
+    EXPECT_EQ(svg.find("id=\"acceleration\""), std::string::npos);
+    EXPECT_TRUE(lines_are(run("solve four_bar.json --figure velocity").err, "four_bar.json: remark: --figure .*"));
 }
 
 TEST_F(CommandLine, ExactAddsFractions) {

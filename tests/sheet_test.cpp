@@ -124,6 +124,19 @@ TEST_P(EveryExample, NothingIsCutAndNoTextCoversAnother) {
         }
 }
 
+TEST_P(EveryExample, StandsUprightToo) {
+    const Solution solution = example(GetParam() + ".json");
+    for (const auto& [paper, language] :
+         {std::pair{Paper::a4, Language::it}, std::pair{Paper::a3, Language::en}, std::pair{Paper::letter, Language::en}}) {
+        SCOPED_TRACE("paper " + std::to_string(static_cast<int>(paper)));
+        SheetOptions options{paper, language, {}};
+        options.orientation = Orientation::portrait;
+        const auto pages = lay_out(solution, options, fonts());
+        for (const Page& page : pages) EXPECT_GT(page.height, page.width);
+        expect_clean(pages);
+    }
+}
+
 TEST_P(EveryExample, GroupsNestIdsAreUniqueAndAxesMeasureTheirValue) {
     const auto pages = lay_out(example(GetParam() + ".json"), {}, fonts());
     for (const Page& page : pages) {
@@ -206,6 +219,41 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
         "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on";
     const auto pages = lay_out(solution, {}, fonts());
     for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
+}
+
+TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
+    Solution solution = example("four_bar.json");
+    std::string words, one_word;
+    for (int i = 0; i < 20; ++i) words += "<b> & \"xy\" ", one_word += "Gelenk<&\">";
+    for (const std::string& title : {words, one_word})
+        for (const Orientation orientation : {Orientation::landscape, Orientation::portrait}) {
+            SCOPED_TRACE(title);
+            solution.mechanism.title.en = title;
+            SheetOptions options;
+            options.orientation = orientation;
+            options.author = one_word;
+            options.date = "21 November 2026";
+            const auto pages = lay_out(solution, options, fonts());
+            expect_clean(pages);
+            // Left of the cells of the block, above the frame's lower edge.
+            const Box block = format_of(Paper::a4, orientation).block;
+            for (const TextMark* text : texts_of(pages[0])) {
+                if (text->glyphs.empty() || text->words.find("Gelenk") == std::string::npos) continue;
+                EXPECT_LE(ink_of(*text).max.x, block.max.x - 3 * 17.5);
+                EXPECT_LE(ink_of(*text).max.y, block.max.y);
+                EXPECT_GE(ink_of(*text).min.y, block.min.y);
+            }
+        }
+}
+
+TEST(Sheet, DateAndAuthorStandInTheBlockOnlyWhereGiven) {
+    const Solution solution = example("four_bar.json");
+    SheetOptions options;
+    EXPECT_FALSE(says(lay_out(solution, options, fonts()), "four_bar.json  ·"));
+    options.date = "2026-11-21";
+    EXPECT_TRUE(says(lay_out(solution, options, fonts())[0], "four_bar.json  ·  2026-11-21"));
+    options.author = "A. Rossi";
+    EXPECT_TRUE(says(lay_out(solution, options, fonts())[0], "four_bar.json  ·  A. Rossi  ·  2026-11-21"));
 }
 
 TEST(Sheet, TheFilesScalesAreTaken) {
