@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "constructions/act_of_motion.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
@@ -31,9 +32,13 @@ Wanted wanted_of(const Mechanism& mechanism) {
     const Find& find = mechanism.find;
     const bool driven = !mechanism.drivers.empty();
     const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
+    if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
     if (!find.stated) return {true, driven, driven, loaded, false};
     Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true};
-    if (!find.relative_motion.empty()) wanted.velocities = wanted.accelerations = true;
+    if (!find.relative_motion.empty()) {
+        wanted.velocities = true;
+        wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
+    }
     return wanted;
 }
 
@@ -67,9 +72,22 @@ public:
         solution_.remarks = solution_.pose.remarks;
         remark_redundancies();
         add_nodes_of_interest(structure_);
+        solution_.bodies.resize(mechanism_.bodies.size());
+        if (mechanism_.motion) {
+            draw_act();
+        } else {
+            draw_mechanism();
+        }
+        collect_points();
+        if (wanted_.forces) collect_forces();
+        hold_against_check();
+        solution_.protocol = std::move(board_).finish();
+    }
+
+private:
+    void draw_mechanism() {
         InstantCentres centres(structure_, board_);
         if (wanted_.centres) centres.draw();
-        solution_.bodies.resize(mechanism_.bodies.size());
         if (wanted_.velocities || wanted_.accelerations) {
             draw_motion_of_bodies();
             if (wanted_.centres) {
@@ -81,15 +99,36 @@ public:
             collect_motion();
             explain_missing_motion();
         }
-        collect_points();
         if (wanted_.centres) collect_centres(centres);
-        if (wanted_.forces) collect_forces();
-        if (mechanism_.motion) unsolved("motion", "this version does not draw the act of motion of a single body yet");
-        hold_against_check();
-        solution_.protocol = std::move(board_).finish();
     }
 
-private:
+    /// One body's act of motion; of other bodies the file says nothing.
+    void draw_act() {
+        ActOfMotionResult act = draw_act_of_motion(
+            structure_, board_, {wanted_.centres, wanted_.velocities || wanted_.accelerations, wanted_.accelerations});
+        if (wanted_.velocities || wanted_.accelerations) motion_ = std::move(act.motion);
+        solution_.act_of_motion = std::move(act.figure);
+        if (motion_.velocity.polygon >= 0) {
+            solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            collect_motion();
+        }
+        for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
+        const BodyIndex moved = mechanism_.motion->body;
+        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
+            if (body != moved)
+                unsolved("motion of body " + body_name(body), "an act of motion is of one body, here " + body_name(moved));
+        }
+        if (!wanted_.centres) return;
+        for (BodyIndex first = 0; at(first) < mechanism_.bodies.size(); ++first) {
+            for (BodyIndex second = first + 1; at(second) < mechanism_.bodies.size(); ++second) {
+                InstantCentre centre;
+                centre.first = first;
+                centre.second = second;
+                solution_.centres.push_back(first == frame && second == moved ? act.centre : centre);
+            }
+        }
+    }
+
     const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
     void unsolved(std::string what, std::string why) { solution_.unsolved.push_back({std::move(what), std::move(why)}); }
 
@@ -199,7 +238,7 @@ private:
         for (std::size_t body = 0; body < mechanism_.bodies.size(); ++body) {
             const auto index = static_cast<BodyIndex>(body);
             if (motion_.velocity.turns(index)) solution_.bodies[body].omega = board_.value(motion_.velocity.spin(index));
-            if (wanted_.accelerations && motion_.acceleration.turns(index))
+            if (wanted_.accelerations && motion_.acceleration.polygon >= 0 && motion_.acceleration.turns(index))
                 solution_.bodies[body].alpha = board_.value(motion_.acceleration.spin(index));
         }
     }
@@ -330,7 +369,8 @@ private:
 
     // --- the check ---------------------------------------------------------------------------------------------------------
     void hold_against_check() {
-        if (!wanted_.velocities && !wanted_.accelerations && !wanted_.forces) return;
+        const bool moves = wanted_.velocities || wanted_.accelerations || (mechanism_.motion && wanted_.centres);
+        if (!moves && !wanted_.forces) return;
         const NumericMotion numeric = check_motion(mechanism_, solution_.pose);
         const auto row = [&](std::string quantity, double graphical, double independent) {
             solution_.checks.push_back({std::move(quantity), graphical, independent, graphical - independent});

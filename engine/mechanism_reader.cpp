@@ -1314,20 +1314,22 @@ private:
         motion.where = value.pointer();
         motion.body = moving_body(required(form, "body", "the body that moves"), "the frame does not move; name another body");
         if (const JsonValue velocities = required(form, "velocities", "what is known of the velocities of its points")) {
-            motion.velocities = given_motions(velocities, QuantityKind::velocity);
+            motion.velocities = given_motions(motion.body, velocities, QuantityKind::velocity);
         }
         if (const JsonValue accelerations = form["accelerations"]) {
-            motion.accelerations = given_motions(accelerations, QuantityKind::acceleration);
+            motion.accelerations = given_motions(motion.body, accelerations, QuantityKind::acceleration);
         }
         mechanism_.motion = std::move(motion);
     }
 
-    std::vector<GivenMotion> given_motions(JsonValue value, QuantityKind kind) {
+    /// The points named move with the body, listed there or not.
+    std::vector<GivenMotion> given_motions(BodyIndex on, JsonValue value, QuantityKind kind) {
         std::vector<GivenMotion> motions;
         if (!expect(value, Kind::object, "an object of vectors by point")) return motions;
         for (const JsonValue member : value) {
             GivenMotion given;
             given.point = look_up_point(member, member.key());
+            carry(on, given.point);
             if (member.is_object()) {
                 const Members form = members(member, {"along"}, "what is known of a vector");
                 given.value = bearing_or_default(required(form, "along", "the direction of the vector"));

@@ -177,6 +177,8 @@ public:
         file.emplace_back("bodies", bodies());
         file.emplace_back("sliding", sliding());
         file.emplace_back("instant centres", centres());
+        if (solution_.act_of_motion && solution_.act_of_motion->acceleration_centre)
+            file.emplace_back("acceleration centres", acceleration_centres());
         if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", relative_motion());
         if (forces_asked()) {
             file.emplace_back("forces", forces());
@@ -270,6 +272,13 @@ private:
             all.emplace_back(name_of_body(centre.first) + "," + name_of_body(centre.second), where.json());
         }
         return object_of_lines(all);
+    }
+
+    /// The place of a body whose acceleration vanishes.
+    std::string acceleration_centres() const {
+        Entry where = entry();
+        where.add("at", solution_.act_of_motion->acceleration_centre);
+        return object_of_lines({{name_of_body(solution_.act_of_motion->body), where.json()}});
     }
 
     std::string relative_motion() const {

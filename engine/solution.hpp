@@ -102,6 +102,28 @@ struct VirtualWork {
     std::vector<Entry> entries;
     Exact total;  ///< exactly zero on an exact pose
 };
+/// What a figure of one body's act of motion shows besides its velocities and centre.
+struct ActFigure {
+    BodyIndex body = -1;
+    enum class Found {
+        nothing,         ///< neither centre nor translation is known
+        perpendiculars,  ///< the perpendiculars at `points` meet in the centre
+        tips,            ///< parallel velocities at `points`: the join of their tips meets that of the points in the centre
+        point_at_rest,   ///< the one of `points` is the centre
+        translation,     ///< the perpendiculars at `points` are parallel
+        rest,            ///< the body does not move
+        contradiction    ///< no rigid motion has what is given at `points`
+    } found = Found::nothing;
+    std::vector<PointIndex> points;
+    /// Where two velocities project differently on the join of their points (first → second): the projections, m/s.
+    struct Projections {
+        PointIndex first = -1, second = -1;
+        Vector of_first, of_second;
+    };
+    std::optional<Projections> differing;
+    std::optional<Vector> acceleration_centre;  ///< the place of the body whose acceleration vanishes, m
+    std::string acceleration_centre_name;       ///< "K", or the first of K2, K3 … that no point of the file has
+};
 /// One scalar held against the check.
 struct CheckRow {
     std::string quantity;  ///< "omega 3", "velocity B x"
@@ -127,6 +149,7 @@ struct Solution {
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
     std::optional<VirtualWork> virtual_work;  ///< where forces and velocities are known
+    std::optional<ActFigure> act_of_motion;   ///< where the file gives one body's act of motion
     std::vector<CheckRow> checks;
     std::vector<Unsolved> unsolved;    ///< not empty: exit 3
     std::vector<std::string> remarks;  ///< redundant constraints, points moved onto curves …

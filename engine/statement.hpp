@@ -88,7 +88,25 @@ enum class Sentence {
     superposition_sum,  ///< the partial reactions are added
     trial,              ///< {0} symbol: one trial value, then in proportion
     resultant,          ///< {0} body: its loads are taken as one resultant
-    count_              ///< not a sentence
+    act_given,          ///< {0} v_A or a_A: given, set off from the pole
+    act_projections,    ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
+    act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
+    act_direction,                 ///< {0} image of B, {1} v_B, {2} segment AB, {3} v_A: projections are equal, so the lines meet
+    act_direction_acceleration,    ///< {0} image of B, {1} a_B, {2} segment AB, {3} a_A
+    act_unequal_projections,       ///< {0} segment AB, {1} v_A, {2} v_B, {3} {4} their measures on AB
+    act_unequal_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B: do not differ by ω²·AB
+    act_misses,                            ///< {0} v_D: is given otherwise than the motion of the others has it
+    act_agrees,                            ///< {0} v_D: was given too, and fits
+    act_perpendiculars,                    ///< {0} centre, {1} {2} points: the perpendiculars to their velocities meet
+    act_tips,                 ///< {0} centre, {1} {2} parallel velocities, {3} segment AB: the join of the tips meets AB
+    act_point_at_rest,        ///< {0} centre, {1} point
+    act_translation,          ///< {0} body, {1} {2} equal velocities: ω = 0
+    act_parallels,            ///< {0} body, {1} {2} points: directions alone, parallel perpendiculars: ω = 0
+    act_rest,                 ///< {0} body: nothing moves
+    act_rest_by_lines,        ///< {0} body, {1} point: its perpendicular misses the centre that the others want, so nothing moves
+    act_velocity,             ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
+    act_acceleration_centre,  ///< {0} the place K with no acceleration, {1} point
+    count_                    ///< not a sentence
 };
 
 /// One argument of a sentence.
@@ -110,12 +128,18 @@ struct LineReason {
         perpendicular_to_guide,
         known,
         driver_component,
-        parallel_to_locus
+        parallel_to_locus,
+        given_direction
     } kind = Kind::known;
-    std::string from, to;  ///< the segment's ends, or `from` the guide's joint
+    std::string from, to;  ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
     friend bool operator==(const LineReason&, const LineReason&) = default;
 };
-using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, std::string>;
+/// A value to be said, with its unit; rounded only then.
+struct Amount {
+    double value = 0;
+    std::string unit;
+};
+using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, Amount, std::string>;
 
 struct Message {
     Sentence sentence = Sentence::count_;

@@ -75,6 +75,10 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres.
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
+/// One body's act of motion: its points, velocities given (dark) and found (in the body's colour), the lines that meet in the
+/// centre; where no rigid body moves so, the two projections. Kind and id "mechanism"; velocities are groups of class "velocity"
+/// with a scale of their own, which the caption states. Only where the solution has one.
+Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y);
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
 /// One polygon of the protocol (by index): pole, vectors, images, construction lines.

@@ -23,7 +23,10 @@ struct Choice {
 std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
     const Solution& solution = context.solution;
     std::vector<Choice> all;
-    all.push_back({"mechanism", [&context](double x, double y) { return mechanism_figure(context, x, y, false); }});
+    all.push_back({"mechanism", [&context](double x, double y) {
+                       return context.solution.act_of_motion ? act_of_motion_figure(context, x, y)
+                                                             : mechanism_figure(context, x, y, false);
+                   }});
     for (Wanted& each : wanted.list)
         if (each.name != "mechanism") all.push_back({each.name, each.draw});
     if (has_velocities(solution))

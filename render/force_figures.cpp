@@ -84,8 +84,6 @@ constexpr double line_overshoot = 10;  // of a line of action past what it joins
 constexpr double coincident = 0.02;    // mm: drawn as one
 constexpr double label_reach = 7;      // what labels may add beyond the strokes on each side
 
-double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
-
 BodyColour colour_of(const Theme& theme, BodyIndex body) {
     if (body <= 0) return {theme.text, theme.paper, theme.text};
     return theme.body(body);
@@ -644,12 +642,6 @@ Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw)
         if (fixed || fits || tries == most_tries) return figure;
         scale = next_scale(scale);
     }
-}
-
-std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure) {
-    for (const AskedScale& scale : mechanism.scales)
-        if (scale.figure == figure) return scale.per_millimetre.to_double();
-    return std::nullopt;
 }
 
 }  // namespace

@@ -77,36 +77,7 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
 
 }  // namespace drawing
 
-namespace {
-
 using namespace drawing;
-
-std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure) {
-    for (const AskedScale& scale : mechanism.scales)
-        if (scale.figure == figure) return scale.per_millimetre.to_double();
-    return std::nullopt;
-}
-
-double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
-
-/// Draws at ever smaller scales until everything, labels too, is within the room. Names do not shrink: at half the scale at which
-/// the mechanism itself has room they must take what there is.
-template <class Draw>
-Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw) {
-    constexpr int most_tries = 12;
-    double scale = first, half = 0;
-    for (int tries = 0;; ++tries) {
-        const bool strict = half > 0 && scale > 0.99 * half, last = tries == most_tries;
-        Figure figure = draw(scale, last, strict);
-        const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
-        if (fixed || fits || strict || last) return figure;
-        const bool labelled = figure.labels.empty();
-        if (labelled && half == 0) half = 2 * scale;
-        scale = next_scale(scale);
-    }
-}
-
-}  // namespace
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres) {
     const Subject subject(context.solution);
@@ -125,7 +96,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
-    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) {
+    return fitted_figure(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) {
         Sketch sketch(subject, context, scale, "");
         sketch.draw_drivers();
         sketch.draw_compass();
@@ -172,7 +143,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
     const std::optional<double> asked = asked_scale(solution.mechanism, "body");
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    return fitted(first, false, room_x, room_y, [&](double scale, bool last, bool strict) {
+    return fitted_figure(first, false, room_x, room_y, [&](double scale, bool last, bool strict) {
         Sketch sketch(subject, context, scale, "velocities-");
         sketch.draw_in_grey();
         const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);

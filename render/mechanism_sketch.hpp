@@ -126,6 +126,7 @@ public:
     Spot spot(const Vector& place) const { return (1 / scale_) * paper_spot(place); }
     const Shape& shape(BodyIndex body) const { return shapes_[at_index(body)]; }
     double size() const { return s_.size() / scale_; }
+    double scale() const { return scale_; }  ///< m for each mm
     Box mechanism_box() const { return {(1 / scale_) * s_.box.min, (1 / scale_) * s_.box.max}; }
     /// Legal, and met once in the figure.
     std::string id(std::string_view kind, std::string_view name);
@@ -139,6 +140,7 @@ public:
     void draw_compass();
     void draw_centres();
     void draw_pole(const InstantCentre& centre);
+    Symbol symbol_of(const InstantCentre& centre) const;
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
     void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict = false);
 
@@ -174,7 +176,6 @@ private:
     void draw_rack(const Flat& flat, BodyIndex body, std::vector<Mark>& marks);
     void draw_fixed_rim(const Rim& rim, double radius, bool outside);
     void draw_bare_contacts(BodyIndex body);
-    Symbol symbol_of(const InstantCentre& centre) const;
     std::vector<Spot> leaving(PointIndex point) const;
     double crowding(Spot spot, Spot besides) const;
     bool lies_on(BodyIndex body, BodyIndex longer) const;
@@ -218,5 +219,31 @@ private:
     std::vector<Cylinder> cylinders_;
     std::vector<std::pair<Spot, Spot>> arcs_of_drivers_;  // pivot and where the arrow is: ground turns away from it
 };
+
+/// The scale that the file asks for a figure, SI units for each mm.
+inline std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure) {
+    for (const AskedScale& scale : mechanism.scales)
+        if (scale.figure == figure) return scale.per_millimetre.to_double();
+    return std::nullopt;
+}
+
+inline double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
+
+/// Draws at ever smaller scales until everything, labels too, is within the room. Names do not shrink: at half the scale at which
+/// the mechanism itself has room they must take what there is.
+template <class Draw>
+Figure fitted_figure(double first, bool fixed, double room_x, double room_y, Draw draw) {
+    constexpr int most_tries = 12;
+    double scale = first, half = 0;
+    for (int tries = 0;; ++tries) {
+        const bool strict = half > 0 && scale > 0.99 * half, last = tries == most_tries;
+        Figure figure = draw(scale, last, strict);
+        const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
+        if (fixed || fits || strict || last) return figure;
+        const bool labelled = figure.labels.empty();
+        if (labelled && half == 0) half = 2 * scale;
+        scale = next_scale(scale);
+    }
+}
 
 }  // namespace kinegraph::render::drawing

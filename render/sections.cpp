@@ -199,8 +199,9 @@ private:
         }
         {
             Section section;
-            section.rows.push_back(heading(word("mobility", context_.language)));
-            section.rows.push_back(paragraph(mobility_words()));
+            // Of a body alone there is nothing to count.
+            section.rows.push_back(heading(word(s.act_of_motion ? "conventions" : "mobility", context_.language)));
+            if (!s.act_of_motion) section.rows.push_back(paragraph(mobility_words()));
             section.rows.push_back(paragraph(axes_words()));
             if (s.protocol.polygons.empty() && s.mechanism.drivers.empty() && !s.mechanism.motion)
                 section.rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
@@ -311,8 +312,10 @@ private:
 
 bool has_circle(const Solution& solution) { return solution.mechanism.bodies.size() >= 3 && !solution.centres.empty(); }
 bool has_velocities(const Solution& solution) {
-    return std::any_of(solution.points.begin(), solution.points.end(),
-                       [](const PointMotion& m) { return m.point >= 0 && m.velocity && !m.velocity->is_zero(); });
+    // An act of motion has them in its own figure.
+    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
+        return m.point >= 0 && m.velocity && !m.velocity->is_zero();
+    });
 }
 
 double estimated_text(const Solution& s, const SheetFormat& format) {

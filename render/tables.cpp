@@ -135,6 +135,16 @@ std::string cell(double value, std::optional<int> decimals, Language language) {
     return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
 }
 
+/// Where a body does not turn at all, the rounding of a check that has it turn so slowly that across the whole drawing nothing
+/// moves by it; rad/s, or rad/s² where the group is of accelerations.
+double negligible_turn(const Solution& solution, const std::string& group) {
+    double largest = 0;
+    for (const PointMotion& motion : solution.points)
+        if (const auto& vector = group == "velocity" ? motion.velocity : motion.acceleration)
+            largest = std::max(largest, length(*vector));
+    return 1e-9 * largest / solution.pose.size.to_double();
+}
+
 }  // namespace
 
 std::string shortest(double value) {
@@ -294,7 +304,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
             row.name = name_of(row.symbol);
             row.drawing = value->to_double() / si;
             if (const auto numeric = checks.scalar(quantity + " " + solution.mechanism.bodies[b].name))
-                row.numeric = *numeric / si;
+                row.numeric = value->is_zero() && std::abs(*numeric) < negligible_turn(solution, group) ? 0 : *numeric / si;
             row.unit = unit.symbol;
             row.group = group;
             rows.push_back(std::move(row));

@@ -41,7 +41,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     mechanism.rim_x = 34;
     mechanism.rim_y = 40;
     mechanism.caption_width = 95;
-    mechanism.weight = 1.7;
+    mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
     mechanism.starts_page = true;
     mechanism.draw = [this](double x, double y) {
         Figure figure = mechanism_with_forces(context_, x, y);
@@ -161,14 +161,14 @@ const DrawingContext& WantedFigures::unscaled() {
 void WantedFigures::collect_motion() {
     const Solution& s = context_.solution;
     Wanted mechanism;
-    mechanism.name = s.centres.empty() ? "mechanism" : "centres";
+    mechanism.name = s.centres.empty() || s.act_of_motion ? "mechanism" : "centres";
     double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
     const auto reach = [&](const Vector& at) {
         const double x = at.x.to_double(), y = at.y.to_double();
         left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
     };
     for (const Vector& at : s.pose.points) reach(at);
-    const double near = 0.6 * std::max({right - left, high - low, 1e-30});
+    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({right - left, high - low, 1e-30});
     const Box body = rectangle(left - near, low - near, right + near, high + near);
     for (const InstantCentre& centre : s.centres) {
         if (!centre.at || centre.at->at_infinity()) continue;
@@ -183,12 +183,16 @@ void WantedFigures::collect_motion() {
     mechanism.rim_y = 26;
     mechanism.caption_width = 95;
     // Its symbols and letters do not shrink with it: drawn small, it is crowded.
-    mechanism.weight = 1.7;
-    mechanism.draw = [this](double x, double y) {
-        Figure figure = mechanism_figure(context_, x, y, !context_.solution.centres.empty());
+    mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
+    const auto draw = [](const DrawingContext& context, double x, double y) {
+        if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
+        return mechanism_figure(context, x, y, !context.solution.centres.empty());
+    };
+    mechanism.draw = [this, draw](double x, double y) {
+        Figure figure = draw(context_, x, y);
         if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
         // The scale that the file asks for is too large for the paper: ours, then.
-        return mechanism_figure(unscaled(), x, y, !context_.solution.centres.empty());
+        return draw(unscaled(), x, y);
     };
     list.push_back(std::move(mechanism));
 

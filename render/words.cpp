@@ -164,6 +164,52 @@ constexpr std::array sentences{
         "A {0} si dà un valore di prova; lo scarto di chiusura dice in quale proporzione va preso."},
     Row{Sentence::resultant, "The loads of body {0} are taken as one resultant.",
         "I carichi del corpo {0} si riducono alla risultante."},
+    Row{Sentence::act_given, "{0} is given: set it off from the pole.", "{0} è assegnata: si riporta dal polo."},
+    Row{Sentence::act_projections,
+        "{0} keeps its length, so the velocities of its ends must project alike on it: {1} and {2} do.",
+        "{0} non cambia lunghezza, quindi le velocità dei suoi estremi devono avere uguale proiezione su di esso: per {1} e {2} è così."},
+    Row{Sentence::act_projections_acceleration,
+        "On {0} the projections of {1} and {2} differ by the normal part, {3}² {0}, as a rigid body asks.",
+        "Su {0} le proiezioni di {1} e {2} differiscono della parte normale, {3}² {0}, come vuole il corpo rigido."},
+    Row{Sentence::act_direction,
+        "{3} and {1} project alike on {2}: the normal to {2} at the tip of {3} meets the given line of {1} in {0}.",
+        "{3} e {1} hanno uguale proiezione su {2}: la normale a {2} per l’estremo di {3} incontra la retta assegnata di {1} in {0}."},
+    Row{Sentence::act_direction_acceleration,
+        "From the tip of {3} set off ω² {2} along {2}, then the normal to {2}: it meets the given line of {1} in {0}.",
+        "Dall’estremo di {3} si porta ω² {2} lungo {2}, poi la normale a {2}: incontra la retta assegnata di {1} in {0}."},
+    Row{Sentence::act_unequal_projections,
+        "On {0} {1} projects to {3}, {2} to {4}: the length of {0} would change. No rigid body moves so.",
+        "Su {0} la proiezione di {1} è {3}, quella di {2} è {4}: la lunghezza di {0} cambierebbe. Nessun corpo rigido si muove così."},
+    Row{Sentence::act_unequal_projections_acceleration,
+        "On {0} the projections of {1} and {2} do not differ by ω² {0}: no rigid body has these accelerations.",
+        "Su {0} le proiezioni di {1} e {2} non differiscono di ω² {0}: nessun corpo rigido ha queste accelerazioni."},
+    Row{Sentence::act_misses, "{0} is given otherwise than the rest lets it be: no rigid body moves so.",
+        "{0} è assegnata diversa da quella che il resto impone: nessun corpo rigido si muove così."},
+    Row{Sentence::act_agrees, "{0} is given too, and is the one that follows from the others.",
+        "Anche {0} è assegnata, e coincide con quella che segue dalle altre."},
+    Row{Sentence::act_perpendiculars,
+        "A point moves normal to its join with the centre: the perpendiculars at {1} and {2} meet in {0}.",
+        "Ogni punto si muove normalmente alla congiungente con il CIR: le perpendicolari in {1} e {2} si incontrano in {0}."},
+    Row{Sentence::act_tips,
+        "{1} and {2} are parallel and normal to {3}; speeds grow with the distance from the centre, so the join of the tips meets {3} in {0}.",
+        "{1} e {2} sono parallele e normali a {3}; i moduli crescono con la distanza dal CIR: la congiungente gli estremi incontra {3} in {0}."},
+    Row{Sentence::act_point_at_rest, "{1} is at rest, so it is the centre {0}.", "{1} è fermo: è il centro {0}."},
+    Row{Sentence::act_translation, "{1} and {2} are equal, so ω = 0: body {0} translates and its centre is at infinity.",
+        "{1} e {2} sono uguali, quindi ω = 0: il corpo {0} trasla e il suo CIR è all’infinito."},
+    Row{Sentence::act_parallels,
+        "The perpendiculars at {1} and {2} are parallel: the centre is at infinity, body {0} translates and ω = 0.",
+        "Le perpendicolari in {1} e {2} sono parallele: il CIR è all’infinito, il corpo {0} trasla e ω = 0."},
+    Row{Sentence::act_rest, "Two points of body {0} are at rest, so all of it is: every point may serve as its centre.",
+        "Due punti del corpo {0} sono fermi, quindi è tutto fermo: ogni punto può fare da CIR."},
+    Row{Sentence::act_rest_by_lines,
+        "The perpendicular at {1} misses the centre that the other directions want: body {0} can only be at rest.",
+        "La perpendicolare in {1} non passa per il centro che le altre direzioni richiedono: il corpo {0} può solo essere fermo."},
+    Row{Sentence::act_velocity,
+        "{0} is normal to the ray from {2} to {1} and its size is {3} times the ray; the image gives the same.",
+        "{0} è normale al raggio da {2} a {1} e vale {3} per il raggio; l’immagine dà lo stesso."},
+    Row{Sentence::act_acceleration_centre,
+        "The point {0} has no acceleration; seen from it, every other one has the angle arctan(α/ω²) to its ray.",
+        "Il punto {0} ha accelerazione nulla; ogni altra forma con il proprio raggio l’angolo arctan(α/ω²)."},
 };
 
 struct FixedWords {
@@ -177,6 +223,7 @@ constexpr std::array fixed_words{
     FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
     FixedWords{"acceleration polygon", "Acceleration polygon", "Poligono delle accelerazioni"},
     FixedWords{"velocities on the mechanism", "Velocities on the mechanism", "Velocità sul meccanismo"},
+    FixedWords{"act of motion", "Act of motion", "Atto di moto"},
     FixedWords{"circle diagram", "Circle diagram of the centres", "Diagramma circolare dei centri"},
     FixedWords{"detail", "Detail", "Particolare"},
     FixedWords{"relative velocity of", "Motion relative to", "Moto relativo a"},
@@ -188,6 +235,7 @@ constexpr std::array fixed_words{
     FixedWords{"drive", "drive", "movente"},
     FixedWords{"locus", "locus", "luogo"},
     FixedWords{"known", "known", "nota"},
+    FixedWords{"given line", "given line", "retta data"},
     // headings
     FixedWords{"bodies", "Bodies", "Corpi"},
     FixedWords{"body", "body", "corpo"},
@@ -383,6 +431,8 @@ RichText argument(const Argument& arg, Language language) {
                 return text;
             } else if constexpr (std::is_same_v<T, std::string>) {
                 return {piece(value)};
+            } else if constexpr (std::is_same_v<T, Amount>) {
+                return {piece(number(value.value, 3, language) + " " + value.unit)};
             } else {
                 return typeset(value, language);
             }
@@ -563,6 +613,9 @@ RichText typeset(const LineReason& reason, Language language) {
             break;
         case Kind::parallel_to_locus:
             text.back().text += word("locus", language);
+            break;
+        case Kind::given_direction:
+            text.back().text += word("given line", language);
             break;
         case Kind::known:
             break;

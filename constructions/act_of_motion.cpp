@@ -1,0 +1,810 @@
+#include "constructions/act_of_motion.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr BodyIndex frame = 0;
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// What the file says of one point.
+template <Plane plane>
+struct Given {
+    NodeIndex node = -1;
+    bool whole = true;       ///< else `vector` is its direction only
+    VectorOn<plane> vector;  ///< not zero where it is a direction
+};
+
+/// A place of the body whose vector is known: a point of the file, or Assur's auxiliary one (node −1).
+template <Plane plane>
+struct Base {
+    NodeIndex node = -1;
+    std::string label;
+    PointOn<Plane::drawing> place;
+    PointOn<plane> tip;
+};
+
+/// What one plane has told so far.
+template <Plane plane>
+struct State {
+    Track<plane>& track;
+    std::vector<Given<plane>> given;
+    std::vector<bool> used;  ///< by `given`: a construction went on with it
+    std::optional<Base<plane>> base;
+    NodeIndex second = -1;  ///< the point that gave the spin together with the base
+    bool contradicted = false;
+
+    explicit State(Track<plane>& of) : track(of) {}
+};
+
+/// Four digits for a message.
+std::string measured(const Amount& measure) {
+    char digits[48];
+    const auto end = std::to_chars(digits, digits + sizeof digits, measure.value, std::chars_format::general, 4).ptr;
+    return std::string(digits, end) + " " + measure.unit;
+}
+
+class Act {
+public:
+    Act(Structure& structure, Board& board, const ActWishes& wishes)
+        : structure_(structure),
+          board_(board),
+          mechanism_(structure.mechanism()),
+          body_(mechanism_.motion->body),
+          wishes_(wishes) {
+        result_.figure.body = body_;
+        result_.centre.second = body_;
+    }
+
+    ActOfMotionResult run() {
+        State<Plane::velocity> velocities(result_.motion.velocity);
+        begin_polygon(velocities, mechanism_.motion->velocities);
+        settle(velocities);
+        if (!velocities.contradicted) {
+            locate_centre(velocities);
+            draw_images(velocities);
+            explain(velocities);
+        } else if (wishes_.centre) {
+            unsolved("instant centre " + structure_.body_name(frame) + "," + body().name, "the velocities contradict each other");
+        }
+        if (wishes_.accelerations) draw_accelerations(velocities);
+        return std::move(result_);
+    }
+
+private:
+    template <Plane plane>
+    static constexpr bool is_velocity = plane == Plane::velocity;
+    using Found = ActFigure::Found;
+
+    const Node& node(NodeIndex index) const { return structure_.node(index); }
+    BodyName body() const { return {structure_.body_name(body_)}; }
+    PointName name(NodeIndex index) const { return {node(index).label}; }
+    void unsolved(std::string what, std::string why) { result_.unsolved.push_back({std::move(what), std::move(why)}); }
+
+    // --- symbols -----------------------------------------------------------------------------------------------------------
+    template <Plane plane>
+    Symbol absolute(const std::string& label, std::string term = {}) const {
+        return {is_velocity<plane> ? Symbol::Letter::v : Symbol::Letter::a, label, std::move(term)};
+    }
+    template <Plane plane>
+    Symbol absolute(NodeIndex index) const {
+        return absolute<plane>(node(index).label);
+    }
+    template <Plane plane>
+    Symbol relative(NodeIndex of, const Base<plane>& to, std::string term = {}) const {
+        return absolute<plane>(relative_name(node(of).label, to.label), std::move(term));
+    }
+    template <Plane plane>
+    Symbol spin_symbol() const {
+        return {is_velocity<plane> ? Symbol::Letter::omega : Symbol::Letter::alpha, structure_.body_name(body_), {}};
+    }
+    template <Plane plane>
+    Symbol image(const std::string& label) const {
+        return {Symbol::Letter::image, label, is_velocity<plane> ? "" : "'"};
+    }
+    Symbol centre_symbol() const {
+        const std::string& first = structure_.body_name(frame);
+        const std::string& second = structure_.body_name(body_);
+        const bool short_names = first.size() == 1 && second.size() == 1;
+        const bool far = centre_ && board_.is_at_infinity(*centre_);
+        return {Symbol::Letter::centre, short_names ? first + second : first + "," + second, far ? "∞" : ""};
+    }
+    /// In what words the direction given at a point is named.
+    template <Plane plane>
+    LineReason reason_of(const Given<plane>& given) const {
+        return {LineReason::Kind::given_direction, node(given.node).label, {}};
+    }
+    template <Plane plane>
+    LineReason across(const Base<plane>& base, NodeIndex index) const {
+        return {LineReason::Kind::perpendicular_to_segment, base.label, node(index).label};
+    }
+
+    // --- drawing -----------------------------------------------------------------------------------------------------------
+    template <Plane plane>
+    int begin(Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
+        Statement statement;
+        statement.message = {sentence, std::move(arguments)};
+        statement.section = is_velocity<plane> ? "velocity" : "acceleration";
+        statement.source = std::move(source);
+        return board_.state(std::move(statement));
+    }
+    template <Plane plane>
+    static Sentence either(Sentence velocity, Sentence acceleration) {
+        return is_velocity<plane> ? velocity : acceleration;
+    }
+
+    template <Plane plane>
+    void draw_vector(const State<plane>& state, Symbol symbol, PointOn<plane> tail, PointOn<plane> tip, DrawnVector::Role role) {
+        DrawnVector drawn;
+        drawn.symbol = std::move(symbol);
+        drawn.polygon = state.track.polygon;
+        drawn.tail = tail.element;
+        drawn.tip = tip.element;
+        drawn.body = body_;
+        drawn.role = role;
+        board_.draw(std::move(drawn));
+    }
+    template <Plane plane>
+    void draw_line(const State<plane>& state, LineOn<plane> line, LineReason reason, std::vector<int> points) {
+        DrawnLine drawn;
+        drawn.line = line.element;
+        drawn.polygon = state.track.polygon;
+        drawn.reason = std::move(reason);
+        drawn.points = std::move(points);
+        board_.draw(std::move(drawn));
+    }
+    template <Plane plane>
+    void label_image(const State<plane>& state, const std::string& label, PointOn<plane> tip) {
+        Image drawn;
+        drawn.symbol = image<plane>(label);
+        drawn.polygon = state.track.polygon;
+        drawn.point = tip.element;
+        drawn.body = body_;
+        board_.label(std::move(drawn));
+    }
+    template <Plane plane>
+    void set_tip(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
+        state.track.tips[at(index)] = tip;
+        label_image(state, node(index).label, tip);
+        draw_vector(state, absolute<plane>(index), board_.pole<plane>(), tip, DrawnVector::Role::absolute);
+    }
+    template <Plane plane>
+    void set_base(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
+        state.base = {index, node(index).label, node(index).place, tip};
+    }
+    template <Plane plane>
+    bool turns(const State<plane>& state) const {
+        return state.track.turns(body_);
+    }
+
+    template <Plane plane>
+    void begin_polygon(State<plane>& state, const std::vector<GivenMotion>& list) {
+        state.track.tips.resize(structure_.nodes().size());
+        state.track.spins.resize(mechanism_.bodies.size());
+        Polygon polygon;
+        polygon.plane = plane;
+        polygon.id = is_velocity<plane> ? "velocity" : "acceleration";
+        state.track.polygon = board_.add_polygon(std::move(polygon));
+        Image pole;
+        pole.symbol = {Symbol::Letter::pole, is_velocity<plane> ? "v" : "a", {}};
+        pole.polygon = state.track.polygon;
+        pole.point = board_.pole<plane>().element;
+        pole.body = frame;
+        board_.label(std::move(pole));
+        state.track.spins[frame] = board_.given(0);
+        for (const NodeIndex index : structure_.nodes_of(frame)) {
+            state.track.tips[at(index)] = board_.pole<plane>();
+            label_image(state, node(index).label, board_.pole<plane>());
+        }
+        for (const GivenMotion& each : list) {
+            Given<plane> given;
+            given.node = structure_.find(each.point, body_);
+            KG_ASSERT(given.node >= 0, "the body carries the points of its act of motion");
+            if (const auto* bearing = std::get_if<Bearing>(&each.value)) {
+                given.whole = false;
+                given.vector =
+                    board_.given<plane>([bearing = *bearing](const Pose& pose) { return direction_of(bearing, pose); });
+            } else {
+                given.vector = board_.given<plane>([vector = std::get<Vector>(each.value)](const Pose&) { return vector; });
+            }
+            state.given.push_back(given);
+        }
+        state.used.assign(state.given.size(), false);
+    }
+
+    // --- two points of a rigid body ------------------------------------------------------------------------------------------
+    /// a_YX^n = −ω²·XY, for accelerations of a body that turns.
+    template <Plane plane>
+    std::optional<VectorOn<plane>> normal(PointOn<Plane::drawing> from, PointOn<Plane::drawing> to) {
+        if constexpr (is_velocity<plane>) {
+            return std::nullopt;
+        } else {
+            const ScalarHandle omega = result_.motion.velocity.spin(body_);
+            if (board_.is_zero(omega)) return std::nullopt;
+            return board_.scale<plane>(board_.product(omega, omega), board_.vector(to, from));
+        }
+    }
+    /// Where the tip of Y's vector would be but for the part ⟂ XY.
+    template <Plane plane>
+    PointOn<plane> without_tangential(const Base<plane>& base, PointOn<Plane::drawing> place) {
+        const auto part = normal<plane>(base.place, place);
+        return part ? board_.carry(base.tip, *part) : base.tip;
+    }
+    /// v_Y = v_X + ω ∧ XY; a_Y = a_X − ω² XY + α ∧ XY.
+    template <Plane plane>
+    PointOn<plane> image_of(const State<plane>& state, PointOn<Plane::drawing> place) {
+        const auto turned = board_.turn(board_.vector(state.base->place, place));
+        return board_.carry(without_tangential(*state.base, place), board_.scale<plane>(state.track.spin(body_), turned));
+    }
+    template <Plane plane>
+    PointOn<plane> tip_of(const Given<plane>& given) {
+        return board_.carry(board_.pole<plane>(), given.vector);
+    }
+    /// Whether two whole vectors differ by a part ⟂ to the join of their places, normal part aside.
+    template <Plane plane>
+    bool fits_rigid(const Base<plane>& base, PointOn<Plane::drawing> place, PointOn<plane> tip) {
+        const auto rest = board_.vector(without_tangential(base, place), tip);
+        if (board_.is_zero(rest)) return true;
+        const auto join = board_.vector(base.place, place);
+        return !board_.is_zero(join) && board_.parallel(board_.direction(rest), board_.perpendicular(board_.direction(join)));
+    }
+
+    // --- from what is given to one vector and the spin -------------------------------------------------------------------
+    template <Plane plane>
+    void settle(State<plane>& state) {
+        for (std::size_t i = 0; i < state.given.size() && !state.contradicted; ++i) {
+            if (state.given[i].whole) take_whole(state, i);
+        }
+        if (!state.contradicted && !state.base) combine_directions(state);
+        for (std::size_t i = 0; i < state.given.size() && !state.contradicted; ++i) {
+            if (!state.given[i].whole && !state.used[i]) take_direction(state, i);
+        }
+        // What was of no use yet must agree with what was found after it.
+        for (std::size_t i = 0; i < state.given.size() && !state.contradicted; ++i) {
+            if (!state.used[i] && state.base && turns(state)) verify(state, i);
+        }
+        if (state.contradicted) forget(state);
+    }
+
+    /// What contradicts itself is no result; the polygon keeps what was drawn of it.
+    template <Plane plane>
+    void forget(State<plane>& state) {
+        for (const NodeIndex index : structure_.nodes_of(body_)) state.track.tips[at(index)].reset();
+        state.track.spins[at(body_)].reset();
+    }
+
+    template <Plane plane>
+    void take_whole(State<plane>& state, std::size_t index) {
+        const Given<plane>& given = state.given[index];
+        if (!state.base) {
+            begin<plane>(Sentence::act_given, {absolute<plane>(given.node)});
+            const auto tip = tip_of(given);
+            set_base(state, given.node, tip);
+            set_tip(state, given.node, tip);
+            state.used[index] = true;
+        } else if (!turns(state) && !board_.coincide(state.base->place, node(given.node).place)) {
+            take_pair(state, index);
+        } else {
+            verify(state, index);
+        }
+    }
+
+    /// Two whole vectors: what remains of their difference, ⟂ to the join, is the spin's.
+    template <Plane plane>
+    void take_pair(State<plane>& state, std::size_t index) {
+        const Given<plane>& given = state.given[index];
+        const Base<plane>& base = *state.base;
+        begin<plane>(Sentence::act_given, {absolute<plane>(given.node)});
+        const auto tip = tip_of(given);
+        set_tip(state, given.node, tip);
+        state.used[index] = true;
+        if (!fits_rigid(base, node(given.node).place, tip)) return differ(state, base.node, given.node);
+        std::vector<Argument> arguments{Segment{base.label, node(given.node).label}, absolute<plane>(base.label),
+                                        absolute<plane>(given.node)};
+        if (!is_velocity<plane>) arguments.emplace_back(spin_symbol<Plane::velocity>());
+        begin<plane>(either<plane>(Sentence::act_projections, Sentence::act_projections_acceleration), std::move(arguments),
+                     "Rivals");
+        take_spin(state, given.node, tip);
+    }
+
+    /// ω = v_YX / XY, α = a_YX^t / XY; the parts are drawn from the base's tip.
+    template <Plane plane>
+    void take_spin(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
+        const Base<plane>& base = *state.base;
+        const PointOn<plane> middle = without_tangential(base, node(index).place);
+        const auto tangential = board_.vector(middle, tip);
+        const bool none = board_.is_zero(tangential);
+        if (!none || !is_velocity<plane>) {
+            if (middle.element != base.tip.element)
+                draw_vector(state, relative(index, base, "n"), base.tip, middle, DrawnVector::Role::normal);
+            draw_vector(state, relative(index, base, is_velocity<plane> ? "" : "t"), middle, tip,
+                        is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential);
+        }
+        if (none && is_velocity<plane>) {
+            state.track.spins[at(body_)] = board_.given(0);  // said with the centre: a translation, or rest
+        } else {
+            begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
+                         {spin_symbol<plane>(), relative(index, base, is_velocity<plane> ? "" : "t"),
+                          Segment{base.label, node(index).label}, body()},
+                         "Rivals");
+            state.track.spins[at(body_)] = board_.ratio(tangential, board_.turn(board_.vector(base.place, node(index).place)));
+        }
+        state.second = index;
+    }
+
+    /// A direction is of use beside a known vector: from its tip ⟂ to the join, from the pole along the direction.
+    template <Plane plane>
+    void take_direction(State<plane>& state, std::size_t index) {
+        const Given<plane>& given = state.given[index];
+        const auto place = node(given.node).place;
+        if (!state.base) {
+            if (turns(state)) take_second_direction(state, index);
+            return;
+        }
+        if (turns(state)) return;
+        const Base<plane>& base = *state.base;
+        const auto along = board_.direction(given.vector);
+        if (board_.coincide(base.place, place)) {
+            const auto known = board_.vector(board_.pole<plane>(), base.tip);
+            if (!board_.is_zero(known) && !board_.parallel(board_.direction(known), along)) miss(state, given.node, base.node);
+            state.used[index] = true;
+            return;
+        }
+        const auto across_join = board_.perpendicular(board_.direction(board_.vector(base.place, place)));
+        const PointOn<plane> start = without_tangential(base, place);
+        if (board_.parallel(across_join, along)) {
+            // Its projection on the join is zero whatever its size: it says nothing more, or what cannot be.
+            if (!board_.on_line(start, board_.through(board_.pole<plane>(), along))) differ(state, base.node, given.node);
+            return;
+        }
+        state.used[index] = true;
+        if (is_velocity<plane> && base.node < 0) return rest_by_lines(state, given.node);
+        const int statement = begin<plane>(either<plane>(Sentence::act_direction, Sentence::act_direction_acceleration),
+                                           {image<plane>(node(given.node).label), absolute<plane>(given.node),
+                                            Segment{base.label, node(given.node).label}, absolute<plane>(base.label)},
+                                           "Rivals");
+        const auto first = board_.through(start, across_join);
+        const auto second = board_.through(board_.pole<plane>(), along);
+        const auto met = board_.meet(first, second);
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "only lines that are not parallel are met");
+        board_.statement(statement).equation = equation(state, given, start.element != base.tip.element);
+        draw_line(state, first, across(base, given.node), {start.element, met->element});
+        draw_line(state, second, reason_of(given), {board_.pole<plane>().element, met->element});
+        set_tip(state, given.node, *met);
+        take_spin(state, given.node, *met);
+    }
+
+    /// v_Y = v_X + v_YX, a_Y = a_X + a_YX^n + a_YX^t, of v_Y the direction known.
+    template <Plane plane>
+    Equation equation(const State<plane>& state, const Given<plane>& given, bool has_normal) const {
+        const Base<plane>& base = *state.base;
+        const LineReason known{LineReason::Kind::known, {}, {}};
+        std::vector<Term> right{{absolute<plane>(base.label), true, true, known, body_}};
+        if (has_normal) {
+            const LineReason along{LineReason::Kind::parallel_to_segment, base.label, node(given.node).label};
+            right.push_back({relative(given.node, base, "n"), true, true, along, body_});
+        }
+        right.push_back(
+            {relative(given.node, base, is_velocity<plane> ? "" : "t"), false, true, across(base, given.node), body_});
+        return {{{{absolute<plane>(given.node), false, true, reason_of(given), body_}}, std::move(right)}};
+    }
+
+    /// Directions alone. Where the perpendiculars to two of them meet, a place of the body has both projections known: of
+    /// velocities it is the centre, at rest; of accelerations Assur's auxiliary point. Parallel ones give the spin.
+    template <Plane plane>
+    void combine_directions(State<plane>& state) {
+        const auto is_direction = [](const Given<plane>& given) { return !given.whole; };
+        const auto first = std::find_if(state.given.begin(), state.given.end(), is_direction);
+        if (first == state.given.end()) return;
+        const auto perpendicular = [&](const Given<plane>& given) {
+            return board_.through(node(given.node).place, board_.perpendicular(board_.direction(given.vector)));
+        };
+        const auto line = perpendicular(*first);
+        for (auto other = first + 1; other != state.given.end(); ++other) {
+            const auto met = board_.meet(line, perpendicular(*other));
+            if (!met) continue;
+            state.used[static_cast<std::size_t>(first - state.given.begin())] = true;
+            state.used[static_cast<std::size_t>(other - state.given.begin())] = true;
+            if (board_.is_at_infinity(*met)) return spin_from_parallels(state, *first, *other);
+            return auxiliary_place(state, *first, *other, *met);
+        }
+    }
+
+    template <Plane plane>
+    void auxiliary_place(State<plane>& state, const Given<plane>& first, const Given<plane>& second,
+                         PointOn<Plane::drawing> place) {
+        if constexpr (is_velocity<plane>) {
+            settle_centre(place, Found::perpendiculars, {first.node, second.node});
+            if (wishes_.centre)
+                begin<plane>(Sentence::act_perpendiculars, {centre_symbol(), name(first.node), name(second.node)},
+                             "Euler–Chasles");
+            state.base = {-1, {}, place, board_.pole<plane>()};
+        } else {
+            const std::string label = free_name("S");
+            const Symbol symbol{Symbol::Letter::point, label, {}};
+            begin<plane>(Sentence::auxiliary_point, {symbol, body(), reason_of(first), reason_of(second)}, "Assur");
+            LineOn<plane> lines[2];
+            PointOn<plane> ends[2];
+            const Given<plane>* sources[2] = {&first, &second};
+            for (int i = 0; i < 2; ++i) {
+                ends[i] = without_tangential(Base<plane>{-1, {}, node(sources[i]->node).place, board_.pole<plane>()}, place);
+                lines[i] = board_.through(ends[i], board_.direction(sources[i]->vector));
+            }
+            const auto met = board_.meet(lines[0], lines[1]);
+            KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that meet have directions that do");
+            for (int i = 0; i < 2; ++i) draw_line(state, lines[i], reason_of(*sources[i]), {ends[i].element, met->element});
+            label_image(state, label, *met);
+            draw_vector(state, absolute<plane>(label), board_.pole<plane>(), *met, DrawnVector::Role::absolute);
+            state.base = {-1, label, place, *met};
+        }
+    }
+
+    template <Plane plane>
+    void spin_from_parallels(State<plane>& state, const Given<plane>& first, const Given<plane>& second) {
+        parallel_base_ = first.node;
+        if constexpr (is_velocity<plane>) {
+            state.track.spins[at(body_)] = board_.given(0);
+            settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(first.vector))), Found::translation,
+                          {first.node, second.node});
+            begin<plane>(Sentence::act_parallels, {body(), name(first.node), name(second.node)}, "Rivals");
+        } else {
+            begin<plane>(Sentence::alpha_from_parallels,
+                         {spin_symbol<plane>(), Segment{node(first.node).label, node(second.node).label}, body()}, "Rivals");
+            // From a place of the first locus, the line ⟂ to the join meets the second.
+            const auto pole = board_.pole<plane>();
+            const auto along = board_.direction(first.vector);
+            const auto locus = board_.through(pole, along);
+            const PointOn<plane> from =
+                without_tangential(Base<plane>{-1, {}, node(first.node).place, pole}, node(second.node).place);
+            const auto turned = board_.turn(board_.vector(node(first.node).place, node(second.node).place));
+            const auto met = board_.meet(board_.through(from, board_.direction(turned)), locus);
+            KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that coincide are no two loci");
+            draw_line(state, locus, reason_of(first), {pole.element, met->element});
+            state.track.spins[at(body_)] = board_.ratio(board_.vector(from, *met), turned);
+        }
+    }
+
+    /// The spin is known from two parallel directions, a vector from a third that is not parallel to them.
+    template <Plane plane>
+    void take_second_direction(State<plane>& state, std::size_t index) {
+        const Given<plane>& given = state.given[index];
+        const auto first = std::find_if(state.given.begin(), state.given.end(),
+                                        [&](const Given<plane>& each) { return each.node == parallel_base_; });
+        const auto pole = board_.pole<plane>();
+        const auto along = board_.direction(given.vector), other = board_.direction(first->vector);
+        const Base<plane> from{first->node, node(first->node).label, node(first->node).place, pole};
+        const auto join = board_.vector(from.place, node(given.node).place);
+        const auto end = board_.carry(without_tangential(from, node(given.node).place),
+                                      board_.scale<plane>(state.track.spin(body_), board_.turn(join)));
+        state.used[index] = true;
+        const auto own = board_.through(pole, along);
+        if (board_.parallel(along, other)) {
+            if (!board_.on_line(end, own)) miss(state, given.node, first->node);
+            return;
+        }
+        if (is_velocity<plane>) return rest_by_lines(state, given.node);
+        begin<plane>(Sentence::two_lines_acceleration,
+                     {image<plane>(node(given.node).label), reason_of(*first), reason_of(given)}, "Rivals");
+        const auto shifted = board_.through(end, other);
+        const auto met = board_.meet(shifted, own);
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "only lines that are not parallel are met");
+        draw_line(state, shifted, reason_of(*first), {end.element, met->element});
+        draw_line(state, own, reason_of(given), {pole.element, met->element});
+        set_tip(state, given.node, *met);
+        set_base(state, given.node, *met);
+    }
+
+    /// A third perpendicular that does not pass through the centre of the first two: only rest has these directions.
+    template <Plane plane>
+    void rest_by_lines(State<plane>& state, NodeIndex index) {
+        begin<plane>(Sentence::act_rest_by_lines, {body(), name(index)});
+        set_base(state, index, board_.pole<plane>());
+        set_tip(state, index, board_.pole<plane>());
+        state.track.spins[at(body_)] = board_.given(0);
+        if constexpr (is_velocity<plane>) {
+            centre_.reset();
+            result_.centre = {};
+            result_.centre.second = body_;
+        }
+    }
+
+    // --- agreement -----------------------------------------------------------------------------------------------------------
+    /// What is given once more must be what the body has there.
+    template <Plane plane>
+    void verify(State<plane>& state, std::size_t index) {
+        const Given<plane>& given = state.given[index];
+        state.used[index] = true;
+        const PointOn<plane> tip =
+            turns(state) ? image_of(state, node(given.node).place) : state.base->tip;  // the same place, or known by the image
+        if (given.whole) {
+            if (!board_.coincide(tip, tip_of(given))) {
+                set_tip(state, given.node, tip_of(given));
+                return disagree(state, index);
+            }
+        } else {
+            const auto vector = board_.vector(board_.pole<plane>(), tip);
+            if (!board_.is_zero(vector) && !board_.parallel(board_.direction(vector), board_.direction(given.vector)))
+                return miss(state, given.node, state.base->node);
+        }
+        begin<plane>(Sentence::act_agrees, {absolute<plane>(given.node)}, "Rivals");
+        if (!state.track.has(given.node)) set_tip(state, given.node, tip);
+    }
+
+    /// With which of the points before does it disagree? One of them shows it by projections, unless all lie on one line.
+    template <Plane plane>
+    void disagree(State<plane>& state, std::size_t index) {
+        const Given<plane>& given = state.given[index];
+        for (std::size_t i = 0; i < index; ++i) {
+            const Given<plane>& other = state.given[i];
+            if (!other.whole || board_.coincide(node(other.node).place, node(given.node).place)) continue;
+            const Base<plane> from{other.node, node(other.node).label, node(other.node).place, tip_of(other)};
+            if (!fits_rigid(from, node(given.node).place, tip_of(given))) return differ(state, other.node, given.node);
+        }
+        miss(state, given.node, state.base->node);
+    }
+
+    /// The signed size of a projection, in the file's unit: to be said.
+    Amount measure_of(VectorOn<Plane::drawing> projection, VectorOn<Plane::drawing> join) {
+        const Unit& unit = mechanism_.units.velocity;
+        const Exact share = board_.value(board_.ratio(projection, join)) / unit.si;
+        return {share.to_double() * length(board_.value(join)), unit.symbol};
+    }
+
+    /// Two points whose vectors no rigid body has: their projections on the join differ (of accelerations by other than ω²·XY).
+    template <Plane plane>
+    void differ(State<plane>& state, NodeIndex first, NodeIndex second) {
+        if (first < 0) return miss(state, second, first);  // an auxiliary place is none of the file's
+        state.contradicted = true;
+        const Segment segment{node(first).label, node(second).label};
+        const std::string on = segment.from + " and " + segment.to;
+        if constexpr (is_velocity<plane>) {
+            result_.figure.found = Found::contradiction;
+            result_.figure.points = {node(first).point, node(second).point};
+            const int statement = begin<plane>(Sentence::act_unequal_projections, {}, "Rivals");
+            const auto from = node(first).place, to = node(second).place;
+            const auto line = board_.join(from, to);
+            const auto join = board_.vector(from, to);
+            const auto projection = [&](PointOn<Plane::drawing> place, NodeIndex index) {
+                // A second for the velocities' tips in the drawing; projections go with it.
+                const auto tip = board_.carry(place, board_.scale<Plane::drawing>(board_.given(1), vector_of(state, index)));
+                const auto foot = board_.meet(board_.through(tip, board_.perpendicular(board_.direction(join))), line);
+                KG_ASSERT(foot && !board_.is_at_infinity(*foot), "a perpendicular meets its line");
+                return board_.vector(place, *foot);
+            };
+            const auto of_first = projection(from, first), of_second = projection(to, second);
+            result_.figure.differing = {node(first).point, node(second).point, board_.value(of_first), board_.value(of_second)};
+            const Amount a = measure_of(of_first, join), b = measure_of(of_second, join);
+            board_.statement(statement).message.arguments = {segment, absolute<plane>(first), absolute<plane>(second), a, b};
+            unsolved("velocity of body " + body().name, "no rigid motion has these velocities: on " + segment.from + "–" +
+                                                            segment.to + " that of " + segment.from + " projects to " +
+                                                            measured(a) + ", that of " + segment.to + " to " + measured(b));
+        } else {
+            begin<plane>(Sentence::act_unequal_projections_acceleration,
+                         {segment, absolute<plane>(first), absolute<plane>(second)}, "Rivals");
+            unsolved("acceleration of body " + body().name,
+                     "no rigid motion has these accelerations: the projections of those of " + on +
+                         " on their join do not differ by ω² times their distance");
+        }
+    }
+
+    /// The vector given at a point; of a direction ⟂ to the join nothing projects.
+    VectorOn<Plane::velocity> vector_of(const State<Plane::velocity>& state, NodeIndex index) {
+        for (const auto& given : state.given)
+            if (given.node == index) return given.vector;
+        KG_ASSERT(false, "projections are of given velocities");
+    }
+
+    template <Plane plane>
+    void miss(State<plane>& state, NodeIndex index, NodeIndex against) {
+        state.contradicted = true;
+        begin<plane>(Sentence::act_misses, {absolute<plane>(index)}, "Rivals");
+        const std::string quantity = is_velocity<plane> ? "velocity" : "acceleration";
+        if constexpr (is_velocity<plane>) {
+            result_.figure.found = Found::contradiction;
+            result_.figure.points = {node(index).point};
+        }
+        const bool same_place = against >= 0 && board_.coincide(node(index).place, node(against).place);
+        unsolved(quantity + " of body " + body().name,
+                 same_place ? node(index).label + " and " + node(against).label +
+                                  " are at one place of the body and cannot have different " +
+                                  (is_velocity<plane> ? "velocities" : "accelerations")
+                            : "the " + quantity + " given at " + node(index).label +
+                                  " is not the one that the body has there by those of the other points");
+    }
+
+    // --- the centre ----------------------------------------------------------------------------------------------------------
+    void settle_centre(PointOn<Plane::drawing> place, Found found, const std::vector<NodeIndex>& by) {
+        result_.figure.found = found;
+        result_.figure.points.clear();
+        for (const NodeIndex index : by) result_.figure.points.push_back(node(index).point);
+        centre_ = place;
+        if (!wishes_.centre) return;
+        result_.centre.how = InstantCentre::How::velocities;
+        result_.centre.at = board_.value(place);
+        if (found == Found::perpendiculars) result_.centre.normals = result_.figure.points;
+    }
+
+    /// The place of the body that is at rest, by a construction that suits the velocities at hand.
+    void locate_centre(State<Plane::velocity>& state) {
+        if (!state.base || !wishes_.centre || (centre_ && !turns(state))) return;
+        const auto pole = board_.pole<Plane::velocity>();
+        const Base<Plane::velocity>& base = *state.base;
+        const auto v_base = board_.vector(pole, base.tip);
+        const bool base_rests = board_.is_zero(v_base);
+        const bool still = turns(state) && board_.is_zero(state.track.spin(body_));
+        if (still && base_rests) {
+            result_.figure.found = Found::rest;
+            result_.figure.points.clear();
+            result_.centre.everywhere = true;
+            result_.centre.how = InstantCentre::How::velocities;
+            begin<Plane::velocity>(Sentence::act_rest, {body()});
+            return;
+        }
+        if (base_rests) return centre_at_rest(base.node);
+        if (!turns(state)) return;
+        const NodeIndex second = state.second;
+        const auto v_second = board_.vector(pole, state.track.tip(second));
+        if (still) {
+            begin<Plane::velocity>(Sentence::act_translation,
+                                   {body(), absolute<Plane::velocity>(base.node), absolute<Plane::velocity>(second)}, "Rivals");
+            settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(v_base))), Found::translation,
+                          {base.node, second});
+            return;
+        }
+        if (board_.is_zero(v_second)) return centre_at_rest(second);
+        const auto place = node(second).place;
+        if (board_.parallel(board_.direction(v_base), board_.direction(v_second))) {
+            // Rigid and turning, they are ⟂ to the join: speeds go with the distance from the centre.
+            const int statement = begin<Plane::velocity>(Sentence::act_tips, {}, "Euler–Chasles");
+            const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
+                return board_.carry(from, board_.scale<Plane::drawing>(board_.given(1), velocity));
+            };
+            const auto met =
+                board_.meet(board_.join(tip(base.place, v_base), tip(place, v_second)), board_.join(base.place, place));
+            KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities of different size have no parallel joins");
+            settle_centre(*met, Found::tips, {base.node, second});
+            board_.statement(statement).message.arguments = {centre_symbol(), absolute<Plane::velocity>(base.node),
+                                                             absolute<Plane::velocity>(second),
+                                                             Segment{base.label, node(second).label}};
+            return;
+        }
+        const int statement = begin<Plane::velocity>(Sentence::act_perpendiculars, {}, "Euler–Chasles");
+        const auto perpendicular = [&](PointOn<Plane::drawing> at_place, VectorOn<Plane::velocity> velocity) {
+            return board_.through(at_place, board_.perpendicular(board_.direction(velocity)));
+        };
+        const auto met = board_.meet(perpendicular(base.place, v_base), perpendicular(place, v_second));
+        KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities that are not parallel have perpendiculars that meet");
+        settle_centre(*met, Found::perpendiculars, {base.node, second});
+        board_.statement(statement).message.arguments = {centre_symbol(), name(base.node), name(second)};
+    }
+
+    void centre_at_rest(NodeIndex index) {
+        settle_centre(node(index).place, Found::point_at_rest, {index});
+        begin<Plane::velocity>(Sentence::act_point_at_rest, {centre_symbol(), name(index)}, "Euler–Chasles");
+    }
+
+    // --- all other points ----------------------------------------------------------------------------------------------------
+    template <Plane plane>
+    void draw_images(State<plane>& state) {
+        if (!state.base || !turns(state)) return;
+        for (const NodeIndex index : structure_.nodes_of(body_)) {
+            if (state.track.has(index)) continue;
+            say_image(state, index);
+            set_tip(state, index, image_of(state, node(index).place));
+        }
+    }
+
+    template <Plane plane>
+    void say_image(const State<plane>& state, NodeIndex index) {
+        if constexpr (is_velocity<plane>) {
+            if (result_.figure.found == Found::rest) return;
+            if (board_.is_zero(state.track.spin(body_))) {
+                begin<plane>(Sentence::translating_velocity, {body(), name(index), absolute<plane>(index)});
+            } else if (centre_) {
+                begin<plane>(Sentence::act_velocity, {absolute<plane>(index), name(index), centre_symbol(), spin_symbol<plane>()},
+                             "Rivals");
+            } else {
+                begin<plane>(Sentence::image_velocity,
+                             {name(index), body(), absolute<plane>(index), PointName{state.base->label}}, "Rivals");
+            }
+        } else {
+            begin<plane>(Sentence::image_acceleration,
+                         {name(index), body(), absolute<plane>(index), PointName{state.base->label}}, "Rivals");
+        }
+    }
+
+    /// What the velocities leave open, and what would close it.
+    void explain(State<Plane::velocity>& state) {
+        const std::string what = "velocity of body " + body().name;
+        const std::string centre = "instant centre " + structure_.body_name(frame) + "," + body().name;
+        const bool located = centre_.has_value() || result_.figure.found == Found::rest;
+        if (state.base && turns(state)) return;
+        if (wishes_.centre && !located) {
+            unsolved(centre, state.given.empty()
+                                 ? "no velocity is given"
+                                 : "it lies on the perpendicular to the velocity of " + node(state.given.front().node).label +
+                                       ", and nothing given says where on it");
+        }
+        if (!wishes_.velocities) return;
+        if (located && turns(state)) {
+            unsolved(what, "directions alone say that it translates, not how fast; give the velocity of one point");
+        } else if (located) {
+            // Where the centre is a point of the file, that one is known.
+            for (const NodeIndex index : structure_.nodes_of(body_)) {
+                if (!state.track.has(index) && board_.coincide(node(index).place, *centre_))
+                    set_tip(state, index, board_.pole<Plane::velocity>());
+            }
+            unsolved(what, "centre and directions are known, no size; give the velocity of a point that moves");
+        } else if (state.given.empty()) {
+            unsolved(what, "no velocity is given");
+        } else {
+            unsolved(what,
+                     "what is given leaves the turning of the body free; give the velocity of another point, or its direction");
+        }
+    }
+
+    // --- accelerations -------------------------------------------------------------------------------------------------------
+    void draw_accelerations(const State<Plane::velocity>& velocities) {
+        const std::string what = "acceleration of body " + body().name;
+        if (velocities.contradicted) return unsolved(what, "the velocities contradict each other");
+        if (!turns(velocities)) return unsolved(what, "the angular velocity, which the normal parts ω²·r want, is not known");
+        if (mechanism_.motion->accelerations.empty()) return unsolved(what, "no acceleration is given");
+        State<Plane::acceleration> state(result_.motion.acceleration);
+        begin_polygon(state, mechanism_.motion->accelerations);
+        settle(state);
+        if (state.contradicted) return;
+        draw_images(state);
+        if (!state.base || !turns(state)) {
+            unsolved(what, "what is given leaves it free; give the acceleration of another point, or its direction");
+            return;
+        }
+        locate_acceleration_centre(state);
+    }
+
+    /// The place K without acceleration: AK = (ω² a_A + α z∧a_A) : (ω⁴ + α²).
+    void locate_acceleration_centre(const State<Plane::acceleration>& state) {
+        const ScalarHandle omega = result_.motion.velocity.spin(body_), alpha = state.track.spin(body_);
+        const ScalarHandle square = board_.product(omega, omega);
+        const ScalarHandle whole = board_.sum(board_.product(square, square), board_.product(alpha, alpha));
+        if (board_.is_zero(whole)) return;
+        result_.figure.acceleration_centre_name = free_name("K");
+        begin<Plane::acceleration>(Sentence::act_acceleration_centre,
+                                   {PointName{result_.figure.acceleration_centre_name}, PointName{state.base->label}},
+                                   "Burmester");
+        const auto a = board_.vector(board_.pole<Plane::acceleration>(), state.base->tip);
+        const auto along = board_.scale<Plane::drawing>(board_.quotient(square, whole), a);
+        const auto aside = board_.scale<Plane::drawing>(board_.quotient(alpha, whole), board_.turn(a));
+        result_.figure.acceleration_centre = board_.value(board_.carry(board_.carry(state.base->place, along), aside)).place();
+    }
+
+    /// A name that no point of the file has: S, S2, …
+    std::string free_name(const std::string& letter) const {
+        std::string candidate = letter;
+        for (int n = 2; mechanism_.point_named(candidate); ++n) candidate = letter + std::to_string(n);
+        return candidate;
+    }
+
+    Structure& structure_;
+    Board& board_;
+    const Mechanism& mechanism_;
+    BodyIndex body_;
+    ActWishes wishes_;
+    ActOfMotionResult result_;
+    std::optional<PointOn<Plane::drawing>> centre_;
+    NodeIndex parallel_base_ = -1;  ///< the first of two parallel directions
+};
+
+}  // namespace
+
+ActOfMotionResult draw_act_of_motion(Structure& structure, Board& board, const ActWishes& wishes) {
+    return Act(structure, board, wishes).run();
+}
+
+}  // namespace kinegraph
