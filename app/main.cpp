@@ -91,6 +91,11 @@ void add_solve(CLI::App& program, Action& action) {
         ->type_name("NAME");
     command->add_option("--date", request->date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command->add_option("--author", request->author, "A name for the title block")->type_name("TEXT");
+    command
+        ->add_option("--theme", request->theme,
+                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
+        ->type_name("THEME")
+        ->capture_default_str();
     command->add_option("--dpi", request->dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")

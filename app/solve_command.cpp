@@ -103,6 +103,21 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
     return outputs;
 }
 
+/// A built-in theme, or that of a file; else it has been said what is wrong.
+tl::expected<render::Theme, Status> theme_of(const std::string& name) {
+    if (auto built_in = render::built_in_theme(name)) return *std::move(built_in);
+    const auto text = read_whole(name, "theme file");
+    if (!text) {
+        std::string known;
+        for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
+        say(spoken(name), text.error() + " (--theme is one of " + known + ", or the path of a theme file)");
+        return tl::unexpected(Status::bad_input);
+    }
+    auto theme = render::read_theme(*text);
+    if (!theme) return tl::unexpected(say(spoken(name), theme.error()));
+    return *std::move(theme);
+}
+
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
 const char* why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
@@ -127,6 +142,12 @@ Status solve_command(const SolveRequest& request) {
         say("kinegraph", targets.error());
         return Status::bad_input;
     }
+    if (request.theme == "-" && request.file == "-") {
+        say("kinegraph", "standard input can be the mechanism file or the theme, not both");
+        return Status::bad_input;
+    }
+    const auto theme = theme_of(request.theme);
+    if (!theme) return theme.error();
     const auto text = read_whole(request.file, "mechanism file");
     if (!text) {
         say(name, text.error());
@@ -161,6 +182,7 @@ Status solve_command(const SolveRequest& request) {
             options.orientation = request.orientation;
             options.author = request.author;
             options.date = request.date;
+            options.theme = *theme;
             if (request.figure.empty()) {
                 pages = render::lay_out(*solution, options, *fonts);
             } else if (auto page = render::lay_out_alone(*solution, options, request.figure, *fonts)) {

@@ -39,7 +39,7 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
         Path arc;
         arc.segments = {MoveTo{radius * Spot{std::cos(from), std::sin(from)}}, ArcTo{{0, 0}, radius, from, to}};
         arc.stroked = true;
-        arc.pen = {theme.thin, {0xC4, 0xC4, 0xCA}, {}, false};
+        arc.pen = {theme.thin, theme.faint, {}, false};
         marks.emplace_back(std::move(arc));
     }
 

@@ -187,6 +187,25 @@ Path ring(Spot centre, double radius, Colour fill, Pen pen) {
     return path;
 }
 
+void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme) {
+    if (body.dashes.empty()) return;
+    std::vector<Path> heavy;
+    for (std::size_t i = first; i < marks.size(); ++i)
+        if (const auto* path = std::get_if<Path>(&marks[i]);
+            path && path->stroked && path->pen.width >= least && path->pen.colour == body.line)
+            heavy.push_back(*path);
+    for (const bool ground : {true, false}) {
+        for (Path path : heavy) {
+            path.filled = false;
+            path.pen.width -= 2 * std::min(theme.outline, 0.25 * path.pen.width);
+            path.pen.round_ends = ground;
+            path.pen.colour = ground ? body.tint : body.line;
+            if (!ground) path.pen.dashes = body.dashes;
+            marks.emplace_back(std::move(path));
+        }
+    }
+}
+
 void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour) {
     const Head head{3.2, 1.15};
     const double turn = to > from ? 1 : -1;
@@ -308,7 +327,7 @@ std::string legal_id(std::string_view name) {
     return id;
 }
 
-void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, bool dashed) {
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, const std::vector<double>& dashes) {
     const double whole = length(tip - tail);
     if (!(whole > 0)) return;
     Head head = head_for(width);
@@ -317,9 +336,7 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
     head = {head.length * shrink, head.width * std::max(shrink, 0.35)};
     const double shaft = std::min(width, 0.5 * head.width);
     const Spot along = unit(tip - tail);
-    Pen pen{shaft, colour, {}, false};
-    if (dashed) pen.dashes = dashes();
-    marks.emplace_back(line(tail, tip - (head.length * (1 - notch - 0.1)) * along, std::move(pen)));
+    marks.emplace_back(line(tail, tip - (head.length * (1 - notch - 0.1)) * along, {shaft, colour, dashes, false}));
     draw_head(marks, tip, along, head, colour);
 }
 

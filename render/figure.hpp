@@ -69,7 +69,9 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room =
 
 /// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
 /// Appended to `marks`; a vector shorter than its head gets a smaller head.
-void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, bool dashed = false);
+/// `dashes` (mm) are those of its shaft.
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
+                const std::vector<double>& dashes = {});
 
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres);

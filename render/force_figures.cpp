@@ -283,7 +283,7 @@ private:
                                           {{"data-name", name}, {"data-value", shortest(value)}}});
             marks.emplace_back(Axis{tail, tip});
             if (!internal)
-                draw_arrow(marks, tail, tip, theme.vector, colour.line);
+                draw_arrow(marks, tail, tip, theme.vector, colour.line, colour.dashes);
             else if (same == drawn.end())
                 marks.emplace_back(line(tail, tip, {theme.outline, colour.line, dashes(), false}));
             marks.emplace_back(GroupEnd{});
@@ -857,7 +857,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                                                   unique + " = " + shortest(value) + " " + unit.symbol,
                                                   {{"data-name", unique}, {"data-value", shortest(value)}}});
             sketch.arrows.emplace_back(Axis{best.tail, best.tip});
-            draw_arrow(sketch.arrows, best.tail, best.tip, theme.vector, colour.line);
+            draw_arrow(sketch.arrows, best.tail, best.tip, theme.vector, colour.line, colour.dashes);
             sketch.arrows.emplace_back(GroupEnd{});
             LabelRequest label;
             label.text = typeset(applied.symbol, context.language);
@@ -981,7 +981,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                         if (applied.kind == AppliedForce::Kind::reaction && pulls) price += 0.15;
                         if (price < least_price - 1e-9) least_price = price, tail = a, tip = b;
                     }
-                draw_arrow(sketch.arrows, tail, tip, theme.vector, colour.line);
+                draw_arrow(sketch.arrows, tail, tip, theme.vector, colour.line, colour.dashes);
                 clutter.add(tail, tip);
                 LabelRequest label;
                 label.text = typeset(applied.symbol, context.language);

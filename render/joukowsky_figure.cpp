@@ -205,7 +205,7 @@ private:
                                                   {"data-scale", shortest(force_scale_)},
                                                   {"data-unit", force_.symbol}}});
             figure.marks.emplace_back(Axis{arrows[i].tail, arrows[i].tip});
-            draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line);
+            draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line, colour.dashes);
             figure.marks.emplace_back(GroupEnd{});
             LabelRequest label;
             label.text = typeset(entry.symbol, context_.language);

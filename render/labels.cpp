@@ -800,13 +800,12 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     if (grouped) figure.marks.pop_back();
     const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
     if (!boxed) figure.box = box_of(figure.marks);
-    const Pen leader{0.18, Colour{0x6B, 0x6B, 0x73}, {}, false};
     for (std::size_t i = 0; i < figure.labels.size(); ++i) {
         const LabelRequest& request = figure.labels[i];
         const Candidate& place = placing.chosen(i);
         const ShapedLine& shaped = placing.shaped(i);
         if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-        if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, leader));
+        if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
         const Spot centre = place.box.centre;
         if (request.balloon > 0) figure.marks.emplace_back(circle(centre, request.balloon, {0.35, request.colour, {}, false}));
         const std::size_t first = figure.marks.size();

@@ -181,7 +181,8 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
             const RichText text = typeset(symbol, context.language);
             sketch.arrows.emplace_back(GroupBegin{
                 "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(one.value)}}});
-            draw_arrow(sketch.arrows, at, tip, theme.vector, line_colour);
+            draw_arrow(sketch.arrows, at, tip, theme.vector, line_colour,
+                       one.body > 0 ? theme.body(one.body).dashes : std::vector<double>{});
             sketch.arrows.emplace_back(Axis{at, tip});
             sketch.arrows.emplace_back(GroupEnd{});
             LabelRequest request;

@@ -193,6 +193,10 @@ private:
     void draw_clamp(const Joint& joint);
     void balloon(BodyIndex body);
     Colour line_colour(BodyIndex body) const { return body == 0 ? theme_.text : theme_.body(body).line; }
+    /// A thin pen of the body's, in its line kind.
+    Pen pen_of(BodyIndex body, double width) const {
+        return {width, line_colour(body), body == 0 ? std::vector<double>{} : theme_.body(body).dashes, false};
+    }
     Colour letter_colour(BodyIndex body) const { return body == 0 ? theme_.text : theme_.body(body).letter; }
     Colour tint_colour(BodyIndex body) const { return body == 0 ? theme_.paper : theme_.body(body).tint; }
     bool is_wheel(BodyIndex body) const { return m_.bodies[at_index(body)].circle.has_value(); }

@@ -162,7 +162,7 @@ void Sketch::draw_block(const Joint& joint, std::size_t index, std::vector<Mark>
     const bool on_frame = joint.bodies[1] == 0;
     const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
     const Spot at = spot(joint.point), u = half * s_.guides[index], w = side * turned(s_.guides[index]);
-    Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, {theme_.vector, line_colour(body), {}, false}, true);
+    Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, pen_of(body, theme_.vector), true);
     block.filled = true;
     block.fill = tint_colour(body);
     marks.emplace_back(std::move(block));
@@ -337,6 +337,7 @@ void Sketch::draw_body(BodyIndex body, const std::vector<BodyIndex>& below) {
     draw_crossings(body, below, marks);
     if (!shape.plate.empty() && !shape.solid) tints.emplace_back(filled(shape.plate, tint_colour(body)));
     draw_strokes(shape, stroke, marks);
+    if (body != 0) draw_line_kind(marks, 0, 0.5 * theme_.link, theme_.body(body), theme_);
     for (const Cylinder& cylinder : cylinders_)
         if (m_.joints[cylinder.joint].bodies[1] == body) draw_barrel(cylinder, body, marks);
     // The block covers the end of its own rod: they are one piece.
@@ -482,7 +483,7 @@ void Sketch::draw_in_colour() {
 
 /// The same mechanism as a thin grey skeleton, under vectors.
 void Sketch::draw_in_grey() {
-    const Pen thin{theme_.outline, {0x9A, 0x9A, 0xA2}, {}, true};
+    const Pen thin{theme_.outline, theme_.skeleton, {}, true};
     for (const BodyIndex body : drawing_order()) {
         if (body == 0) continue;
         const Shape& shape = shapes_[at_index(body)];

@@ -322,7 +322,7 @@ void Sketch::draw_rim(const Rim& rim, BodyIndex body, std::vector<Mark>& marks) 
     if (rim.form == Rim::Form::gear) return draw_gear(rim, body, marks);
     if (rim.form == Rim::Form::arc) return draw_arc_profile(rim, body, marks);
     if (body == 0) return draw_fixed_rim(rim, rim.radius, rim.hollow);
-    const Pen edge{theme_.vector, line_colour(body), {}, false};
+    const Pen edge = pen_of(body, theme_.vector);
     if (rim.hollow) {
         const double outer = rim.radius + 3.2;
         tints.emplace_back(annulus(rim.centre, rim.radius, outer, tint_colour(body)));

@@ -202,7 +202,7 @@ private:
                                                  name + " = " + shortest(value) + " " + unit_,
                                                  {{"data-name", name}, {"data-value", shortest(value)}}});
             figure.marks.emplace_back(Axis{tail, tip});
-            draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line);
+            draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line, colour.dashes);
             figure.marks.emplace_back(GroupEnd{});
 
             // Two that fall together have one label: a_A = a_A^n.

@@ -35,6 +35,10 @@ Path circle(Spot centre, double radius, Pen pen);
 Path disc(Spot centre, double radius, Colour fill);
 /// A circle filled and stroked: pins, balloons, poles.
 Path ring(Spot centre, double radius, Colour fill, Pen pen);
+/// Overlays the heavy strokes of `marks` (`least` wide or wider, from the mark `first` on) with the line kind of a body that has
+/// one: an edge in its colour, dashes in it on the paper's ground.
+void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme);
+
 /// An arc with an arrowhead at its end `to` (radians, clockwise on paper), head 3.2 × 1.15.
 void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour);
 

@@ -647,6 +647,7 @@ std::vector<Block> body_lines(const DrawingContext& context, double width) {
         Block block;
         const BodyColour colour = theme.body(static_cast<int>(b));
         block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
+        draw_line_kind(block.marks, 0, theme.link, colour, theme);
         const ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.bodies[b].name), theme.body_text);
         set_text(block.marks, name, {11, 3.2}, colour.letter, "text");
         const double x = 11 + std::max(4.5, name.width + 2);
