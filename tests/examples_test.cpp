@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "constructions/solve.hpp"
 
@@ -114,7 +115,8 @@ TEST(Examples, AreAllSolved) {
         }
         for (const JointForce& action : solution.forces) EXPECT_TRUE(action.force && action.couple) << name;
         for (const EffortValue& effort : solution.efforts) EXPECT_TRUE(effort.value) << name << ": " << effort.name;
-        const std::map<std::string, int> freedoms{{"scara", 2}, {"beam", 0}, {"four_force_body", 0}};
+        const std::map<std::string, int> freedoms{
+            {"scara", 2}, {"beam", 0}, {"four_force_body", 0}, {"five_bar", 2}, {"slider_on_moving_guide", 3}};
         const int free_body = solution.mechanism.motion ? 3 : 1;
         EXPECT_EQ(solution.mobility.gruebler, freedoms.count(name) > 0 ? freedoms.at(name) : free_body) << name;
         EXPECT_EQ(solution.mobility.effective, solution.mobility.gruebler) << name;
@@ -466,6 +468,150 @@ TEST(Examples, WattSixBarHasFifteenCentres) {
         const ProjectivePoint& centre = read.centre("1", body);
         ASSERT_FALSE(centre.at_infinity());
         expect_near(read.v(point, body), i * read.omega(body) * (read.at(point) - complex(centre.place())), point);
+    }
+}
+
+TEST(Examples, ExamOf2001MovesAsTheNotesSay) {
+    const Solution solution = solved("exam_2001");
+    const Reading read{solution};
+    EXPECT_EQ(read.exact_omega("4"), Exact(0)) << "v_B and v_C are parallel";
+    EXPECT_EQ(read.exact_omega("2"), Exact(0));
+    EXPECT_EQ(read.exact_v("B", "4"), read.exact_v("C", "4"));
+    EXPECT_EQ(read.exact_v("B", "4"), read.exact_v("A", "4")) << "the transport velocity at A";
+    EXPECT_EQ(read.exact_v("B", "3").y, Exact(0));
+    // Printed to three figures, read off a drawing: 1 %. Then what this geometry gives.
+    const auto both = [](double found, double notes, double geometry, const char* what) {
+        EXPECT_NEAR(found, notes, 0.01 * std::abs(notes)) << what << " of the notes";
+        EXPECT_NEAR(found, geometry, 5e-7 * std::max(1.0, std::abs(geometry))) << what;
+    };
+    both(std::abs(read.v("A", "1")), 0.318, 0.318, "v_A");
+    both(-read.v("B", "3").real(), 0.55, 0.550792, "v_B, towards −x");
+    both(std::abs(complex(read.sliding("D").velocity.value())), 0.64, 0.636, "sliding");
+    both(read.omega("3"), 3.67, 3.671948, "omega 3");
+    both(read.a("A", "1").real(), 0.318, 0.318, "a_A");
+    both(read.omega("3") * read.omega("3") * 0.15, 2.02, 2.022480, "normal acceleration of B");
+    both(read.alpha("4"), -3.12, -3.113812, "alpha 4");
+    both(read.alpha("3"), 2.00, 2.000, "alpha 3");
+    both(read.a("C", "5").real(), -1.46, -1.467679, "a_C");
+    EXPECT_EQ(read.exact_a("C", "5"), read.exact_a("M", "5")) << "the slider translates";
+}
+
+TEST(Examples, ExamOf2001IsDrawnInTheOrderOfTheNotes) {
+    // ω₄ from two parallel directions, then the polygon at A: in velocities and in accelerations.
+    const Solution solution = solved("exam_2001");
+    const auto first = [&solution](Sentence sentence) {
+        for (std::size_t s = 0; s < solution.protocol.statements.size(); ++s)
+            if (solution.protocol.statements[s].message.sentence == sentence) return static_cast<int>(s);
+        return -1;
+    };
+    const auto image_of_a = [&solution](const std::string& section) {
+        for (std::size_t s = 0; s < solution.protocol.statements.size(); ++s) {
+            const Statement& statement = solution.protocol.statements[s];
+            if (statement.section != section || !statement.equation) continue;
+            for (const auto& side : statement.equation->sides)
+                for (const Term& term : side)
+                    if (name_of(term.symbol).find("AA*") != std::string::npos) return static_cast<int>(s);
+        }
+        return -1;
+    };
+    EXPECT_GE(first(Sentence::omega_from_parallels), 0);
+    EXPECT_LT(first(Sentence::omega_from_parallels), image_of_a("velocity"));
+    EXPECT_LT(first(Sentence::omega_from_parallels), first(Sentence::alpha_from_parallels));
+    EXPECT_LT(first(Sentence::alpha_from_parallels), image_of_a("acceleration"));
+}
+
+TEST(Examples, PeaucelliersPointMovesAlongItsLineExactly) {
+    const Solution solution = solved("peaucellier");
+    const Reading read{solution};
+    ASSERT_TRUE(solution.pose.exact);
+    const Vector OP = read.place("P") - read.place("O"), OR = read.place("R") - read.place("O");
+    const Vector OQ = read.place("Q") - read.place("O");
+    EXPECT_EQ(cross(OP, OR), Exact(0)) << "O, P, R are on one line";
+    EXPECT_EQ(squared_length(OP - OQ), squared_length(OQ)) << "the crank is as long as the frame";
+    EXPECT_EQ(dot(read.exact_v("R", "7"), OQ), Exact(0)) << "v_R ⟂ OQ";
+    EXPECT_EQ(dot(read.exact_a("R", "7"), OQ), Exact(0)) << "a_R ⟂ OQ";
+    // With θ the crank's angle at Q, the ray OP has θ/2 and R the height x_R tan(θ/2) over O.
+    const double half = std::atan2(OP.y.to_double(), OP.x.to_double()), x = OR.x.to_double(), rate = 2.0 / 2, growth = 1.0 / 2;
+    const double secant = 1 / (std::cos(half) * std::cos(half));
+    expect_near(read.v("R", "7"), i * x * secant * rate, "v_R");
+    expect_near(read.a("R", "7"), i * x * secant * (growth + 2 * std::tan(half) * rate * rate), "a_R");
+    EXPECT_TRUE(read.centre("6", "7").at_infinity()) << "opposite sides of a rhombus translate against each other";
+}
+
+TEST(Examples, OldhamsDiscTurnsAsTheShaftsAndItsMiddleCirclesTwiceAsFast) {
+    const Solution solution = solved("oldham_coupling");
+    const Reading read{solution};
+    for (const char* body : {"3", "4"}) {
+        EXPECT_EQ(read.exact_omega(body), Exact(10)) << body;
+        EXPECT_EQ(read.exact_alpha(body), Exact(0)) << body;
+    }
+    const Vector middle = Exact::ratio(1, 2) * (read.place("O2") + read.place("O4"));
+    const Vector radius = read.place("M") - middle;
+    EXPECT_EQ(4 * squared_length(radius), squared_length(read.place("O4") - read.place("O2"))) << "Thales";
+    EXPECT_EQ(read.exact_v("M", "3"), 20 * quarter_turn(radius));
+    EXPECT_EQ(read.exact_a("M", "3"), -400 * radius);
+}
+
+TEST(Examples, ScissorLiftTradesForceForPathExactly) {
+    const Solution solution = solved("scissor_lift");
+    const Reading read{solution};
+    EXPECT_EQ(read.exact_omega("4"), Exact(0)) << "the platform stays level";
+    EXPECT_EQ(read.exact_omega("2"), -read.exact_omega("3"));
+    const Vector& v = read.exact_v("G", "4");
+    EXPECT_EQ(v.x, Exact(0));
+    // Arm of length l at θ from the horizontal: height l sin θ, so v = l cos θ ω.
+    EXPECT_EQ(v.y, Exact::ratio(8, 5) * read.exact_omega("2"));
+    EXPECT_NEAR(solution.efforts.front().value->to_double() * 0.05, 3000 * v.y.to_double(), 1e-9);
+}
+
+TEST(Examples, RadialEngineHasThreeSliderCranks) {
+    const Solution solution = solved("radial_engine");
+    const Reading read{solution};
+    const double omega = -1500 * 2 * 180 * degree / 60;
+    // The master's piston is a centred slider-crank, its guide at 90°: the crank stands at 60° − 90° from it.
+    const SliderCrank closed = slider_crank(0.06, 0.2, 0, -30 * degree);
+    expect_near(read.at("B"), i * closed.c, "B");
+    expect_near(read.v("B", "4"), i * closed.first * omega, "v_B");
+    expect_near(read.a("B", "4"), i * closed.second * omega * omega, "a_B");
+    for (const auto& [piston, pin, degrees] : {std::tuple{"6", "E", 210}, {"8", "F", 330}}) {
+        const Complex guide = std::polar(1.0, degrees * degree);
+        expect_near(along(read.v(pin, piston), i * guide), 0, pin, 1);
+        expect_near(along(read.a(pin, piston), i * guide), 0, pin, 1000);
+    }
+}
+
+TEST(Examples, SliderOnAMovingGuideComposesThreeMotions) {
+    const Solution solution = solved("slider_on_moving_guide");
+    const Reading read{solution};
+    const Complex u = std::polar(1.0, 50 * degree), AP = 0.09 * u;
+    expect_near(read.v("P", "4"), 0.4 + 3.0 * i * AP + 0.2 * u, "v_P");
+    expect_near(read.a("P", "4"), -1.0 + (2.0 * i - 9.0) * AP + 0.5 * u + 2 * 3.0 * i * 0.2 * u, "a_P");
+    expect_near(complex(read.sliding("P").coriolis.value()), 1.2 * i * u, "Coriolis");
+    ASSERT_EQ(solution.relative_motion.size(), 1U);
+    EXPECT_EQ(*solution.relative_motion[0].relative_velocity, *read.sliding("P").velocity);
+    EXPECT_EQ(*solution.relative_motion[0].coriolis, *read.sliding("P").coriolis);
+}
+
+TEST(Examples, FiveBarMovesWithBothItsCranks) {
+    const Solution solution = solved("five_bar");
+    const Reading read{solution};
+    // v_B from its projections on the two couplers, a_B likewise with the normal parts.
+    const Complex p = read.at("B") - read.at("A"), q = read.at("B") - read.at("C");
+    const Complex A = read.at("A"), C = read.at("C") - read.at("O5");
+    const auto from = [&](double on_p, double on_q) {
+        const double determinant = p.real() * q.imag() - p.imag() * q.real();
+        return Complex(on_p * q.imag() - on_q * p.imag(), on_q * p.real() - on_p * q.real()) / determinant;
+    };
+    const auto dot_of = [](Complex a, Complex b) { return (a * std::conj(b)).real(); };
+    const Complex v_A = 3.0 * i * A, v_C = -2.0 * i * C;
+    const Complex v_B = from(dot_of(v_A, p), dot_of(v_C, q));
+    expect_near(read.v("B", "3"), v_B, "v_B");
+    const Complex a_A = -9.0 * A, a_C = (4.0 * i - 4.0) * C;
+    expect_near(read.a("B", "3"), from(dot_of(a_A, p) - std::norm(v_B - v_A), dot_of(a_C, q) - std::norm(v_B - v_C)), "a_B");
+    for (const InstantCentre& centre : solution.centres) {
+        if (centre.first == read.body("1") && centre.second == read.body("3")) {
+            EXPECT_TRUE(centre.depends_on_drivers) << "another ratio of the cranks has another centre";
+        }
     }
 }
 
