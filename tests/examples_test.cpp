@@ -568,8 +568,8 @@ TEST(Examples, RadialEngineHasThreeSliderCranks) {
     const Solution solution = solved("radial_engine");
     const Reading read{solution};
     const double omega = -1500 * 2 * 180 * degree / 60;
-    // The master's piston is a centred slider-crank, its guide at 90°: the crank stands at 60° − 90° from it.
-    const SliderCrank closed = slider_crank(0.06, 0.2, 0, -30 * degree);
+    // The master's piston is a centred slider-crank, its guide at 90°: the crank stands at 40° − 90° from it.
+    const SliderCrank closed = slider_crank(0.06, 0.17, 0, -50 * degree);
     expect_near(read.at("B"), i * closed.c, "B");
     expect_near(read.v("B", "4"), i * closed.first * omega, "v_B");
     expect_near(read.a("B", "4"), i * closed.second * omega * omega, "a_B");

@@ -131,9 +131,11 @@ TEST(MechanismFigure, of_every_example_is_well_grouped_and_within_its_room) {
             EXPECT_LE(figure.box.width(), 185);
             EXPECT_LE(figure.box.height(), 150);
             EXPECT_TRUE(figure.labels.empty());
+            // box_of takes every letter for 0.62 em wide, the figure's box is that of the true ink; a parenthesis has 0.33 em.
             const Box ink = box_of(figure.marks);
-            EXPECT_GE(ink.min.x, figure.box.min.x - 1);
-            EXPECT_LE(ink.max.x, figure.box.max.x + 1);
+            const double narrow = 0.3 * theme.label;
+            EXPECT_GE(ink.min.x, figure.box.min.x - narrow);
+            EXPECT_LE(ink.max.x, figure.box.max.x + narrow);
         }
     }
 }
@@ -152,8 +154,11 @@ TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
         for (std::size_t b = 1; b < solution.mechanism.bodies.size(); ++b)
             EXPECT_EQ(ids.count("link-" + legal_id(solution.mechanism.bodies[b].name)), 1U);
         for (const Joint& joint : solution.mechanism.joints) EXPECT_EQ(ids.count("joint-" + legal_id(joint.name)), 1U);
+        // Of many only the primary and the absolute ones are shown, and what leads to these.
+        constexpr std::size_t bodies_with_all_centres_shown = 6;
+        const bool all = solution.mechanism.bodies.size() <= bodies_with_all_centres_shown;
         for (const InstantCentre& centre : solution.centres)
-            if (centre.at) {
+            if (centre.at && (all || centre.first == 0 || centre.how == InstantCentre::How::primary)) {
                 std::string name = "centre-" + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name);
                 name += "." + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name);
                 EXPECT_EQ(ids.count(name), 1U);
