@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 #include "engine/assert.hpp"
 
@@ -69,7 +70,7 @@ public:
         hand_ = Hand::silent;
         drivers_rest_ = true;
         if (!condition.locus) return !board_.is_zero(mismatch_of_spins(response, condition));
-        if (!ready(response, *condition.locus, condition.locus->node)) return false;
+        if (!ready(response, *condition.locus)) return false;
         const auto missed = miss(response, *condition.locus);
         return !board_.is_zero(missed) && !board_.parallel(board_.direction(missed), condition.locus->direction);
     }
@@ -202,6 +203,10 @@ private:
 
     template <Plane plane>
     void carry_out(Track<plane>& track, const Step& step) {
+        if constexpr (is_velocity<plane>) {
+            for (const Locus* locus : {&step.first, &step.second}) introduce(*locus);
+            if (step.closing.locus) introduce(*step.closing.locus);
+        }
         switch (step.kind) {
             case Step::Kind::spin_by_joint:
                 return spin_by_joint(track, step);
@@ -211,6 +216,8 @@ private:
                 return slide_by_driver(track, step);
             case Step::Kind::image:
                 return draw_image(track, step);
+            case Step::Kind::roll:
+                return draw_rolling_point(track, step);
             case Step::Kind::meet:
                 return draw_meet(track, step);
             case Step::Kind::spin_from_pair:
@@ -271,7 +278,7 @@ private:
         PointOn<plane> tip = track.tip(step.base);
         std::vector<Link<plane>> links;
         if constexpr (!is_velocity<plane>) {
-            if (const auto coriolis = coriolis_of(step.joint, slider, guide)) links.push_back(*coriolis);
+            if (const auto coriolis = coriolis_of(guide_body, slider, guide)) links.push_back(*coriolis);
         }
         Link<plane> slide;
         slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(step.joint));
@@ -338,13 +345,101 @@ private:
         set_tip(track, step.node, tip, !parts_drawn);
     }
 
+    /// Before a contact or a mesh is first used: what it leaves to its places, and by what linkage it is replaced.
+    void introduce(const Locus& locus) {
+        const bool higher = locus.kind == Locus::Kind::link || locus.kind == Locus::Kind::tangent ||
+                            locus.kind == Locus::Kind::mesh ||
+                            (locus.kind == Locus::Kind::slot && mechanism_.joints[at(locus.joint)].kind == JointKind::contact);
+        if (hand_ != Hand::solution || !higher || !introduced_.insert(locus.joint).second) return;
+        const Joint& joint = mechanism_.joints[at(locus.joint)];
+        const PointName contact{mechanism_.points[at(joint.point)].name};
+        const NodeIndex pin = locus.inverse ? locus.base : locus.node;
+        const BodyIndex other = joint.bodies[0] == locus.body ? joint.bodies[1] : joint.bodies[0];
+        const auto equivalent = [&](EquivalentLinkage::Kind kind, BodyIndex first, BodyIndex second, NodeIndex on_first,
+                                    NodeIndex on_second) {
+            motion_.equivalents.push_back({kind, locus.joint, {first, second}, {node(on_first).point, node(on_second).point}});
+        };
+        switch (locus.kind) {
+            case Locus::Kind::link:
+                begin<Plane::velocity>(Sentence::equivalent_link,
+                                       {body(locus.body), body(other), contact, segment(locus.base, locus.node)}, "Euler–Savary");
+                return equivalent(EquivalentLinkage::Kind::link, locus.body, other, locus.node, locus.base);
+            case Locus::Kind::slot: {
+                const BodyIndex pins = locus.inverse ? other : locus.body;
+                const bool tip = node(pin).point == joint.point;
+                begin<Plane::velocity>(
+                    tip ? Sentence::equivalent_tip : Sentence::equivalent_slot,
+                    {body(pins), body(locus.guide), contact, PointName{mechanism_.points[at(node(pin).point)].name}},
+                    tip ? "" : "Euler–Savary");
+                return equivalent(EquivalentLinkage::Kind::slot, pins, locus.guide, pin, pin);
+            }
+            case Locus::Kind::mesh:
+                begin<Plane::velocity>(Sentence::pitch_curves, {body(locus.body), body(other), contact}, "");
+                return;
+            default:
+                begin<Plane::velocity>(Sentence::contact_tangent, {body(locus.body), body(other), contact}, "");
+        }
+    }
+
+    /// Rolling: v_P = v_P*;  a_P = a_P* + a_PP*^n, which is ω_rel² · r₁r₂/(r₁ ± r₂) along the common normal (a line: r alone).
+    template <Plane plane>
+    void draw_rolling_point(Track<plane>& track, const Step& step) {
+        if (!track.has(step.base)) return;
+        const PointName contact{mechanism_.points[at(mechanism_.joints[at(step.joint)].point)].name};
+        const bool rest = at_rest(step.base);
+        if constexpr (is_velocity<plane>) {
+            begin<plane>(rest ? Sentence::rolling_point_at_rest : Sentence::rolling_velocity,
+                         {contact, body(step.body), body(step.other), absolute<plane>(step.node), absolute<plane>(step.base)},
+                         "");
+            set_tip(track, step.node, track.tip(step.base), !rest);
+        } else {
+            if (!rolls_known(step.joint)) return;
+            const Symbol normal = rest ? absolute<plane>(step.node) : relative<plane>(step.node, step.base, "n");
+            begin<plane>(
+                rest ? Sentence::rolling_point_on_rest_acceleration : Sentence::rolling_acceleration,
+                {contact, body(step.body), body(step.other), absolute<plane>(step.node), absolute<plane>(step.base), normal},
+                "Euler–Savary");
+            const PointOn<plane> from = track.tip(step.base);
+            const PointOn<plane> tip = board_.carry(from, rolling_offset(step.joint, step.body));
+            if (!rest) draw_vector(track, normal, from, tip, colour_of(step.node), DrawnVector::Role::normal);
+            set_tip(track, step.node, tip, true);
+        }
+    }
+
+    bool rolls_known(JointIndex index) const {
+        const Joint& joint = mechanism_.joints[at(index)];
+        const auto& before = motion_.velocity;
+        return before.turns(joint.bodies[0]) && before.turns(joint.bodies[1]) && structure_.has_curvatures(index);
+    }
+
+    /// a_P − a_P*, P on `body`: with c₁, c₂ from the contact to the centres of curvature, ω_rel² c₁ · c₂/(c₂ − c₁); on a line
+    /// ω_rel² c.
+    VectorOn<Plane::acceleration> rolling_offset(JointIndex index, BodyIndex body_of) {
+        const Joint& joint = mechanism_.joints[at(index)];
+        const BodyIndex other = joint.bodies[0] == body_of ? joint.bodies[1] : joint.bodies[0];
+        const auto contact = board_.place(joint.point);
+        const auto centre = [&](BodyIndex of) -> std::optional<PointOn<Plane::drawing>> {
+            const Profile& profile = joint.profiles.at(of);
+            if (std::holds_alternative<LineProfile>(profile)) return std::nullopt;
+            const auto* circle = std::get_if<CircleProfile>(&profile);
+            return circle == nullptr ? contact : board_.place(circle->centre);
+        };
+        const auto own = centre(body_of), others = centre(other);
+        VectorOn<Plane::drawing> lever = own ? board_.vector(contact, *own) : board_.vector(*others, contact);
+        if (own && others)
+            lever =
+                board_.scale<Plane::drawing>(board_.ratio(board_.vector(contact, *others), board_.vector(*own, *others)), lever);
+        const ScalarHandle turning = board_.difference(motion_.velocity.spin(body_of), motion_.velocity.spin(other));
+        return board_.scale<Plane::acceleration>(board_.product(turning, turning), lever);
+    }
+
     /// Two loci meet in the tip sought: the dyad's vector equation, closed.
     template <Plane plane>
     void draw_meet(Track<plane>& track, const Step& step) {
-        if (!ready(track, step.first, step.node) || !ready(track, step.second, step.node)) return;
+        if (!ready(track, step.first) || !ready(track, step.second)) return;
         const int statement = begin<plane>(either<plane>(Sentence::two_lines_velocity, Sentence::two_lines_acceleration), {}, "");
-        const Chain<plane> first = chain(track, step.first, step.node);
-        const Chain<plane> second = chain(track, step.second, step.node);
+        const Chain<plane> first = chain(track, step.first);
+        const Chain<plane> second = chain(track, step.second);
         const auto met = board_.meet(first.line, second.line);
         KG_ASSERT(met && !board_.is_at_infinity(*met), "the plan lets only lines meet that are not parallel");
         said(statement).message.arguments = {image<plane>(step.node), first.reason, second.reason};
@@ -357,8 +452,8 @@ private:
             draw_chain(track, *drawn, *met, colour_of(step.node));
             absolute_drawn = absolute_drawn || drawn->absolute;
         }
-        remember_tangential(track, step.first, step.node, first, *met);
-        remember_tangential(track, step.second, step.node, second, *met);
+        remember_tangential(track, step.first, first, *met);
+        remember_tangential(track, step.second, second, *met);
         set_tip(track, step.node, *met, !absolute_drawn);
     }
 
@@ -399,7 +494,7 @@ private:
     /// that of Y; for accelerations each locus is first shifted by −ω²·XS.
     template <Plane plane>
     void draw_auxiliary(Track<plane>& track, const Step& step) {
-        if (!ready(track, step.first, step.first.node) || !ready(track, step.second, step.second.node)) return;
+        if (!ready(track, step.first) || !ready(track, step.second)) return;
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
         const int statement = begin<plane>(Sentence::auxiliary_point, {}, "Assur");
         LineOn<plane> lines[2];
@@ -407,12 +502,12 @@ private:
         PointOn<plane> ends[2];
         const Locus* loci[2] = {&step.first, &step.second};
         for (int i = 0; i < 2; ++i) {
-            const Chain<plane> drawn = chain(track, *loci[i], loci[i]->node);
+            const Chain<plane> drawn = chain(track, *loci[i]);
             lines[i] = drawn.line;
             ends[i] = drawn.end;
             reasons[i] = drawn.reason;
             if constexpr (!is_velocity<plane>) {
-                ends[i] = board_.carry(drawn.end, normal_of(step.body, loci[i]->node, step.node));
+                ends[i] = board_.carry(drawn.end, normal_of(step.body, loci[i]->holds(), step.node));
                 lines[i] = board_.through(ends[i], loci[i]->direction);
             }
         }
@@ -427,18 +522,20 @@ private:
     /// Two parallel loci (S at infinity): the velocities' difference along the loci's normal n is ω (z ∧ XY)·n.
     template <Plane plane>
     void spin_from_parallels(Track<plane>& track, const Step& step) {
-        if (!ready(track, step.first, step.first.node) || !ready(track, step.second, step.second.node)) return;
+        if (!ready(track, step.first) || !ready(track, step.second)) return;
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
         begin<plane>(either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
-                     {spin_symbol<plane>(step.body), segment(step.first.node, step.second.node), body(step.body)}, "Rivals");
-        const Chain<plane> first = chain(track, step.first, step.first.node);
-        const Chain<plane> second = chain(track, step.second, step.second.node);
+                     {spin_symbol<plane>(step.body), segment(step.first.holds(), step.second.holds()), body(step.body)},
+                     "Rivals");
+        const Chain<plane> first = chain(track, step.first);
+        const Chain<plane> second = chain(track, step.second);
         draw_line(track, first.line, first.reason, {first.end.element});
         draw_line(track, second.line, second.reason, {second.end.element});
         // From a place of the first locus, the line ⟂ to the join (the direction of the difference sought) meets the second.
-        const auto join = board_.vector(node(step.first.node).place, node(step.second.node).place);
+        const auto join = board_.vector(node(step.first.holds()).place, node(step.second.holds()).place);
         PointOn<plane> from = first.end;
-        if constexpr (!is_velocity<plane>) from = board_.carry(from, normal_of(step.body, step.first.node, step.second.node));
+        if constexpr (!is_velocity<plane>)
+            from = board_.carry(from, normal_of(step.body, step.first.holds(), step.second.holds()));
         const auto turned = board_.turn(join);
         const auto met = board_.meet(board_.through(from, board_.direction(turned)), second.line);
         KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that coincide are no two loci");
@@ -449,7 +546,7 @@ private:
     /// Where a trial's tip lies, seen from the place on its locus that the trial offers it.
     template <Plane plane>
     VectorOn<plane> miss(Track<plane>& track, const Locus& locus) {
-        const Chain<plane> drawn = chain(track, locus, locus.node);
+        const Chain<plane> drawn = chain(track, locus);
         return board_.vector(drawn.end, track.tip(locus.node));
     }
 
@@ -474,7 +571,7 @@ private:
     /// since all is linear the true value follows from how far the two drawings miss.
     template <Plane plane>
     void assume(Track<plane>& track, const Step& step) {
-        if (step.node >= 0 && !ready(track, step.first, step.node)) return;
+        if (step.node >= 0 && !ready(track, step.first)) return;
         if (!step.closing.found()) return set_assumed(track, step, assumed_of(track, step), &step == moved_ ? 1 : 0);
         begin<plane>(step.node >= 0 ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments<plane>(step), "");
         const Assumed<plane> assumed = assumed_of(track, step);
@@ -521,7 +618,7 @@ private:
     template <Plane plane>
     bool can_close(const Track<plane>& track, const Closing& closing) const {
         if (!closing.locus) return track.turns(closing.body) && track.turns(closing.other);
-        if (!track.has(closing.locus->node) || !ready(track, *closing.locus, closing.locus->node)) return false;
+        if (!track.has(closing.locus->node) || !ready(track, *closing.locus)) return false;
         return closing.locus->kind != Locus::Kind::image || track.turns(closing.locus->body);
     }
 
@@ -533,7 +630,7 @@ private:
             assumed.spins[1] = board_.given(1);
             return assumed;
         }
-        assumed.line = chain(track, step.first, step.node);
+        assumed.line = chain(track, step.first);
         assumed.tips[0] = assumed.line->end;
         assumed.tips[1] = board_.carry(
             assumed.line->end, board_.scale<plane>(board_.given(reach(track, step.first.direction)), step.first.direction));
@@ -548,7 +645,7 @@ private:
         }
         const PointOn<plane> tip = assumed.tips[which];
         draw_chain(track, *assumed.line, tip, colour_of(step.node));
-        remember_tangential(track, step.first, step.node, *assumed.line, tip);
+        remember_tangential(track, step.first, *assumed.line, tip);
         set_tip(track, step.node, tip, !assumed.line->absolute);
     }
 
@@ -563,7 +660,7 @@ private:
         const PointOn<plane> tip = board_.carry(assumed.tips[0], board_.scale<plane>(share, way));
         draw_line(track, assumed.line->line, assumed.line->reason, {assumed.line->end.element, tip.element});
         draw_chain(track, *assumed.line, tip, colour_of(step.node));
-        remember_tangential(track, step.first, step.node, *assumed.line, tip);
+        remember_tangential(track, step.first, *assumed.line, tip);
         set_tip(track, step.node, tip, !assumed.line->absolute);
     }
 
@@ -611,6 +708,7 @@ private:
     LineReason reason_of(const Locus& locus) const {
         switch (locus.kind) {
             case Locus::Kind::rotation:
+            case Locus::Kind::link:
                 return {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
             case Locus::Kind::image:
                 return {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
@@ -618,50 +716,51 @@ private:
                 return {LineReason::Kind::driver_component, node(locus.node).label, {}};
             case Locus::Kind::sleeve:
             case Locus::Kind::slot:
-                return along_guide(mechanism_, locus.joint, false);
+            case Locus::Kind::tangent:
+            case Locus::Kind::mesh:
+                return line_reason(locus);
             case Locus::Kind::driven_slide:
                 return along_guide(mechanism_, locus.joint, true);
+            case Locus::Kind::roll:
+                return {LineReason::Kind::known, {}, {}};
         }
         return {};
     }
 
     // --- loci --------------------------------------------------------------------------------------------------------------
     template <Plane plane>
-    bool ready(const Track<plane>& track, const Locus& locus, NodeIndex sought) const {
-        if (locus.kind != Locus::Kind::component && !track.has(locus.base)) return false;
-        if (locus.node != sought && !track.turns(locus.body)) return false;
+    bool ready(const Track<plane>& track, const Locus& locus) const {
+        using Kind = Locus::Kind;
+        if (locus.kind != Kind::component && !track.has(locus.base)) return false;
+        for (const Carry& carry : locus.carries) {
+            if (carry.kind == Carry::Kind::image && !track.turns(carry.body)) return false;
+        }
         if constexpr (!is_velocity<plane>) {
             const auto& before = motion_.velocity;
-            if (locus.kind == Locus::Kind::rotation || locus.node != sought) {
-                if (!before.turns(rotating_body(locus))) return false;
+            for (const Carry& carry : locus.carries) {
+                if (carry.kind == Carry::Kind::image ? !before.turns(carry.body) : !rolls_known(carry.joint)) return false;
             }
-            if (locus.kind == Locus::Kind::sleeve || locus.kind == Locus::Kind::slot || locus.kind == Locus::Kind::driven_slide) {
-                if (!before.turns(mechanism_.joints[at(locus.joint)].bodies[1])) return false;
-                if (!has_velocity(locus.node) || !has_velocity(locus.base)) return false;
-            }
+            if (locus.kind == Kind::tangent || (locus.kind == Kind::roll && !rolls_known(locus.joint))) return false;
+            if (locus.kind == Kind::rotation && !before.turns(locus.body)) return false;
+            const bool slides = locus.kind == Kind::sleeve || locus.kind == Kind::slot || locus.kind == Kind::driven_slide;
+            if (slides && !before.turns(locus.guide)) return false;
+            if ((slides || locus.kind == Kind::link) && (!has_velocity(locus.node) || !has_velocity(locus.base))) return false;
         }
         return true;
     }
 
-    /// The body that turns about the base: for a locus shifted from another node it need not be the one that is shifted.
-    BodyIndex rotating_body(const Locus& locus) const {
-        if (locus.kind != Locus::Kind::rotation) return locus.body;
-        for (const BodyIndex candidate : node(locus.node).bodies) {
-            const auto& bodies = node(locus.base).bodies;
-            if (std::find(bodies.begin(), bodies.end(), candidate) != bodies.end()) return candidate;
-        }
-        return locus.body;
-    }
-
     template <Plane plane>
-    Chain<plane> chain(Track<plane>& track, const Locus& locus, NodeIndex sought) {
+    Chain<plane> chain(Track<plane>& track, const Locus& locus) {
         Chain<plane> result;
         switch (locus.kind) {
             case Locus::Kind::rotation:
+            case Locus::Kind::link:
                 start_rotation(track, locus, result);
                 break;
             case Locus::Kind::sleeve:
             case Locus::Kind::slot:
+            case Locus::Kind::tangent:
+            case Locus::Kind::mesh:
                 start_slide(track, locus, result);
                 break;
             case Locus::Kind::component:
@@ -673,9 +772,12 @@ private:
             case Locus::Kind::driven_slide:
                 start_driven_slide(track, locus, result);
                 break;
+            case Locus::Kind::roll:
+                start_roll(track, locus, result);
+                break;
         }
         result.end = result.start;
-        if (locus.node != sought) shift(track, locus, sought, result);
+        for (const Carry& carry : locus.carries) shift(track, carry, result);
         for (const Link<plane>& link : result.known) result.end = set_off(result, link, result.end);
         result.line = board_.through(result.end, locus.direction);
         return result;
@@ -688,7 +790,7 @@ private:
         return board_.carry(from, is_backwards(drawn.inverse, link.shift) ? board_.negate(link.vector) : link.vector);
     }
 
-    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t.
+    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t. An equivalent link turns as a body would.
     template <Plane plane>
     void start_rotation(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
         result.base = locus.base;
@@ -702,10 +804,11 @@ private:
                                     : relative<plane>(locus.node, locus.base, std::move(term));
         };
         if (result.absolute) result.role = DrawnVector::Role::absolute;
-        const BodyIndex turning = rotating_body(locus);
+        const BodyIndex turning = locus.body;
         if constexpr (!is_velocity<plane>) {
             Link<plane> normal;
-            normal.vector = normal_of(turning, locus.base, locus.node);
+            normal.vector = locus.kind == Locus::Kind::link ? centripetal_about(node(locus.base).place, locus.base, locus.node)
+                                                            : normal_of(turning, locus.base, locus.node);
             normal.role = DrawnVector::Role::normal;
             normal.term = {symbol("n"),
                            true,
@@ -725,7 +828,8 @@ private:
         result.start = track.tip(locus.base);
         result.from_rest = at_rest(locus.base);
         result.inverse = locus.inverse && !result.from_rest;
-        result.reason = along_guide(mechanism_, locus.joint, false);
+        const LineReason normal = normal_reason(locus);
+        result.reason = line_reason(locus);
         result.role = DrawnVector::Role::sliding;
         const NodeIndex slider = locus.inverse ? locus.base : locus.node, guide = locus.inverse ? locus.node : locus.base;
         const BodyIndex colour = joint.bodies[0] == frame ? joint.bodies[1] : joint.bodies[0];
@@ -741,13 +845,26 @@ private:
                 link->term = {symbol(link->term.symbol.term), true, true, reason, colour};
                 result.known.push_back(*link);
             };
-            add(coriolis_of(locus.joint, slider, guide), along_guide(mechanism_, locus.joint, true));
-            if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide), along_guide(mechanism_, locus.joint, true));
+            if (locus.kind != Locus::Kind::mesh) add(coriolis_of(locus.guide, slider, guide), normal);
+            if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide), normal);
         }
         result.absolute = result.from_rest && result.known.empty();
         if (result.absolute) result.role = DrawnVector::Role::absolute;
         const bool plain = is_velocity<plane> || result.absolute;
-        result.sought = {symbol(plain ? "" : "rel"), false, true, result.reason, colour};
+        const char* term = locus.kind == Locus::Kind::mesh ? "n" : "rel";
+        result.sought = {symbol(plain ? "" : term), false, true, result.reason, colour};
+    }
+
+    LineReason line_reason(const Locus& locus) const {
+        const Joint& joint = mechanism_.joints[at(locus.joint)];
+        if (locus.kind == Locus::Kind::mesh) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
+        if (joint.kind == JointKind::contact) return {LineReason::Kind::parallel_to_tangent, joint.name, {}};
+        return along_guide(mechanism_, locus.joint, false);
+    }
+    LineReason normal_reason(const Locus& locus) const {
+        const Joint& joint = mechanism_.joints[at(locus.joint)];
+        if (joint.kind == JointKind::contact) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
+        return along_guide(mechanism_, locus.joint, true);
     }
 
     /// A driver gives the component along X: from the pole set it off, then ⟂ to X.
@@ -793,29 +910,51 @@ private:
         slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(locus.joint));
         result.known.push_back(slide);
         if constexpr (!is_velocity<plane>) {
-            if (const auto coriolis = coriolis_of(locus.joint, locus.node, locus.base)) result.known.push_back(*coriolis);
+            if (const auto coriolis = coriolis_of(locus.guide, locus.node, locus.base)) result.known.push_back(*coriolis);
         }
     }
 
-    /// The locus of another node of a body whose spin is known, carried to the node sought: + ω ∧ YX (and −ω² YX).
+    /// In contact with the base in rolling: from its tip by the difference of accelerations.
     template <Plane plane>
-    void shift(const Track<plane>& track, const Locus& locus, NodeIndex sought, Chain<plane>& result) {
-        const auto join = board_.vector(node(locus.node).place, node(sought).place);
-        const LineReason across{LineReason::Kind::perpendicular_to_segment, node(locus.node).label, node(sought).label};
-        const LineReason along{LineReason::Kind::parallel_to_segment, node(locus.node).label, node(sought).label};
-        const auto add = [&](VectorOn<plane> vector, const std::string& term, const LineReason& reason, DrawnVector::Role role) {
+    void start_roll(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
+        result.base = locus.base;
+        result.start = track.tip(locus.base);
+        if constexpr (!is_velocity<plane>) {
+            Link<plane> offset;
+            offset.vector = rolling_offset(locus.joint, locus.body);
+            result.known.push_back(offset);
+        }
+    }
+
+    /// The locus of another node carried to the one sought: by ω ∧ YX (and −ω² YX) on a body whose spin is known; over a rolling
+    /// contact by nothing (and the difference of its accelerations).
+    template <Plane plane>
+    void shift(const Track<plane>& track, const Carry& carry, Chain<plane>& result) {
+        const auto add = [&](VectorOn<plane> vector, const std::string& term, LineReason reason, DrawnVector::Role role) {
             Link<plane> link;
             link.vector = vector;
             link.role = role;
             link.shift = true;
-            link.term = {relative<plane>(sought, locus.node, term), true, true, reason, locus.body};
+            link.term = {relative<plane>(carry.to, carry.from, term), true, true, std::move(reason), carry.body};
             if (!board_.is_zero(vector)) result.known.push_back(link);
         };
-        if constexpr (!is_velocity<plane>) add(normal_of(locus.body, locus.node, sought), "n", along, DrawnVector::Role::normal);
-        add(board_.scale<plane>(track.spin(locus.body), board_.turn(join)), is_velocity<plane> ? "" : "t", across,
-            DrawnVector::Role::tangential);
         result.absolute = false;
         result.from_rest = false;
+        if (carry.kind == Carry::Kind::roll) {
+            if constexpr (!is_velocity<plane>) {
+                add(rolling_offset(carry.joint, carry.body), "n",
+                    {LineReason::Kind::parallel_to_normal, mechanism_.joints[at(carry.joint)].name, {}},
+                    DrawnVector::Role::normal);
+            }
+            return;
+        }
+        const auto join = board_.vector(node(carry.from).place, node(carry.to).place);
+        const LineReason across{LineReason::Kind::perpendicular_to_segment, node(carry.from).label, node(carry.to).label};
+        const LineReason along{LineReason::Kind::parallel_to_segment, node(carry.from).label, node(carry.to).label};
+        if constexpr (!is_velocity<plane>)
+            add(normal_of(carry.body, carry.from, carry.to), "n", along, DrawnVector::Role::normal);
+        add(board_.scale<plane>(track.spin(carry.body), board_.turn(join)), is_velocity<plane> ? "" : "t", across,
+            DrawnVector::Role::tangential);
     }
 
     /// −ω² · (from → to).
@@ -863,8 +1002,7 @@ private:
     }
 
     /// 2 ω_j ∧ v_rel, nothing where it vanishes.
-    std::optional<Link<Plane::acceleration>> coriolis_of(JointIndex joint, NodeIndex slider, NodeIndex guide) {
-        const BodyIndex guide_body = mechanism_.joints[at(joint)].bodies[1];
+    std::optional<Link<Plane::acceleration>> coriolis_of(BodyIndex guide_body, NodeIndex slider, NodeIndex guide) {
         const ScalarHandle omega = motion_.velocity.spin(guide_body);
         if (guide_body == frame || board_.is_zero(omega)) return std::nullopt;
         Link<Plane::acceleration> link;
@@ -878,21 +1016,25 @@ private:
 
     /// A slot curved about C: the pin turns about C as seen from the slot, −ω_r² · CP.
     std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide) {
-        const auto radius = board_.vector(board_.place(mechanism_.joints[at(joint)].arc), node(slider).place);
-        const ScalarHandle turning = board_.ratio(sliding_velocity(slider, guide), board_.turn(radius));
-        if (board_.is_zero(turning)) return std::nullopt;
         Link<Plane::acceleration> link;
-        link.vector = board_.negate(board_.scale<Plane::acceleration>(board_.product(turning, turning), radius));
+        link.vector = centripetal_about(board_.place(mechanism_.joints[at(joint)].arc), guide, slider);
+        if (board_.is_zero(link.vector)) return std::nullopt;
         link.term.symbol = relative<Plane::acceleration>(slider, guide, "n");
         link.role = DrawnVector::Role::normal;
         return link;
     }
 
+    /// −ω_r² · CX where X, seen from the base, turns about a centre C at the place of which `base` moves as the base does.
+    VectorOn<Plane::acceleration> centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index) {
+        const auto radius = board_.vector(centre, node(index).place);
+        const ScalarHandle turning = board_.ratio(sliding_velocity(index, base), board_.turn(radius));
+        return board_.negate(board_.scale<Plane::acceleration>(board_.product(turning, turning), radius));
+    }
+
     template <Plane plane>
-    void remember_tangential(Track<plane>& track, const Locus& locus, NodeIndex sought, const Chain<plane>& drawn,
-                             PointOn<plane> met) {
-        if (locus.kind == Locus::Kind::rotation && locus.node == sought)
-            track.tangential[{locus.base, sought}] = board_.vector(drawn.end, met);
+    void remember_tangential(Track<plane>& track, const Locus& locus, const Chain<plane>& drawn, PointOn<plane> met) {
+        if (locus.kind == Locus::Kind::rotation && locus.carries.empty())
+            track.tangential[{locus.base, locus.node}] = board_.vector(drawn.end, met);
     }
 
     template <Plane plane>
@@ -953,6 +1095,7 @@ private:
     bool drivers_rest_ = false;
     const Step* moved_ = nullptr;
     Statement unsaid_;
+    std::set<JointIndex> introduced_;  ///< higher pairs whose sentence was said
 };
 
 }  // namespace

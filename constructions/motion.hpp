@@ -4,8 +4,8 @@
 // computes.
 //
 // Sources: Rivals 1853; Burmester, Lehrbuch der Kinematik (1888), velocity and acceleration images; Assur (1914) for the
-// auxiliary point; the trial values ("regula falsi" of graphical kinematics) as in Rosenauer and Willis, Kinematics of Mechanisms
-// (1953).
+// auxiliary point; Euler and Savary for the centres of curvature of profiles that roll or slide on each other; the trial values
+// ("regula falsi" of graphical kinematics) as in Rosenauer and Willis, Kinematics of Mechanisms (1953).
 #pragma once
 
 #include <map>
@@ -17,6 +17,7 @@
 #include "constructions/plan.hpp"
 #include "constructions/structure.hpp"
 #include "engine/board.hpp"
+#include "engine/solution.hpp"
 
 namespace kinegraph {
 
@@ -46,6 +47,7 @@ struct Motion {
     Track<Plane::velocity> velocity;
     Track<Plane::acceleration> acceleration;
     std::vector<Contradiction> contradictions;
+    std::vector<EquivalentLinkage> equivalents;  ///< of contacts, in the order they were used
 };
 
 /// Draws the velocity polygon and, where `with_accelerations`, the acceleration polygon.

@@ -23,15 +23,18 @@ struct Quantities {
     std::set<BodyIndex> spins;
 };
 
-void add_inputs(const Locus& locus, NodeIndex sought, Quantities& inputs) {
+void add_inputs(const Locus& locus, Quantities& inputs) {
     if (locus.base >= 0) inputs.tips.insert(locus.base);
-    if (locus.node != sought || locus.kind == Locus::Kind::image) inputs.spins.insert(locus.body);
+    if (locus.kind == Locus::Kind::image) inputs.spins.insert(locus.body);
+    for (const Carry& carry : locus.carries) {
+        if (carry.kind == Carry::Kind::image) inputs.spins.insert(carry.body);
+    }
 }
 
 void add_inputs(const Closing& closing, Quantities& inputs) {
     if (closing.locus) {
         inputs.tips.insert(closing.locus->node);
-        add_inputs(*closing.locus, closing.locus->node, inputs);
+        add_inputs(*closing.locus, inputs);
     } else {
         inputs.spins.insert({closing.body, closing.other});
     }
@@ -44,6 +47,7 @@ void add_inputs(const Step& step, Quantities& inputs) {
             inputs.spins.insert(step.other);
             return;
         case Step::Kind::slide_by_driver:
+        case Step::Kind::roll:
             inputs.tips.insert(step.base);
             return;
         case Step::Kind::image:
@@ -51,19 +55,19 @@ void add_inputs(const Step& step, Quantities& inputs) {
             inputs.spins.insert(step.body);
             return;
         case Step::Kind::meet:
-            add_inputs(step.first, step.node, inputs);
-            add_inputs(step.second, step.node, inputs);
+            add_inputs(step.first, inputs);
+            add_inputs(step.second, inputs);
             return;
         case Step::Kind::spin_from_pair:
             inputs.tips.insert({step.base, step.node});
             return;
         case Step::Kind::auxiliary:
         case Step::Kind::spin_from_parallels:
-            add_inputs(step.first, step.first.node, inputs);
-            add_inputs(step.second, step.second.node, inputs);
+            add_inputs(step.first, inputs);
+            add_inputs(step.second, inputs);
             return;
         case Step::Kind::assume:
-            if (step.node >= 0) add_inputs(step.first, step.node, inputs);
+            if (step.node >= 0) add_inputs(step.first, inputs);
             for (const Step& inner : step.trial) add_inputs(inner, inputs);
             add_inputs(step.closing, inputs);
             return;
@@ -90,6 +94,7 @@ public:
     }
 
     Plan run() {
+        add_places_of_higher_pairs();
         sync();
         for (const NodeIndex node : structure_.nodes_of(frame)) plan_.nodes[at(node)] = true;
         advance();
@@ -289,7 +294,43 @@ private:
     }
 
     void propagate() {
-        while (learn_spins() || learn_bodies()) {
+        while (learn_spins() || learn_bodies() || learn_rolling_points()) {
+        }
+    }
+
+    /// Where two bodies roll on each other and the point of one is known, so is the point of the other.
+    bool learn_rolling_points() {
+        bool learnt = false;
+        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
+        for (BodyIndex body = 0; body < bodies; ++body) {
+            if (body_known(body)) continue;
+            for (const Rolling& rolling : structure_.rollings_of(body)) {
+                const NodeIndex node = structure_.on(rolling.point, body);
+                if (known(node)) continue;
+                const NodeIndex base = known_on(rolling.point, rolling.other);
+                if (base < 0 || base == node) continue;
+                Step step;
+                step.kind = Step::Kind::roll;
+                step.body = body;
+                step.other = rolling.other;
+                step.joint = rolling.joint;
+                step.node = node;
+                step.base = base;
+                add_step(step);
+                plan_.nodes[at(node)] = learnt = true;
+            }
+        }
+        return learnt;
+    }
+
+    /// The places by which higher pairs hold their bodies, on both; the file need not list them.
+    void add_places_of_higher_pairs() {
+        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
+        for (BodyIndex body = 0; body < bodies; ++body) {
+            for (const Rolling& rolling : structure_.rollings_of(body)) structure_.on(rolling.point, body);
+            for (const Passage& passage : structure_.passages_of(body)) {
+                if (mechanism_.joints[at(passage.joint)].kind != JointKind::pin_slot) structure_.on(passage.own, body);
+            }
         }
     }
 
@@ -370,10 +411,9 @@ private:
                 }
             }
             const std::vector<Slide>& sleeves = structure_.sleeves_of(body);
-            for (const Slide& slide : sleeves) add_slide(Locus::Kind::sleeve, slide, node, point, body, loci);
-            for (const Slide& slide : structure_.slots_of(body)) {
-                if (mechanism_.joints[at(slide.joint)].point == point)
-                    add_slide(Locus::Kind::slot, slide, node, point, body, loci);
+            for (const Slide& slide : sleeves) add_sleeve(slide, node, point, body, loci);
+            for (const Passage& passage : structure_.passages_of(body)) {
+                if (passage.own == point) add_passage(passage, node, body, loci);
             }
             for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
                 const auto* driven = std::get_if<PointDriver>(&mechanism_.drivers[d]);
@@ -389,41 +429,111 @@ private:
         }
     }
 
-    void add_slide(Locus::Kind kind, const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body,
-                   std::vector<Locus>& loci) {
-        if (point < 0 || (thrifty_ && slide.other != frame && structure_.find(point, slide.other) < 0)) return;
-        const NodeIndex base = known_on(point, slide.other);
+    /// The node of a point on the other body of a slide, where it is known and may be looked at.
+    NodeIndex base_on(PointIndex point, BodyIndex other) {
+        if (point < 0 || (thrifty_ && other != frame && structure_.find(point, other) < 0)) return -1;
+        return known_on(point, other);
+    }
+
+    void add_sleeve(const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci) {
+        const NodeIndex base = base_on(point, slide.other);
         if (base < 0 || base == node) return;
         Locus locus;
-        locus.kind = kind;
+        locus.kind = Locus::Kind::sleeve;
         locus.body = body;
         locus.node = node;
         locus.base = base;
         locus.joint = slide.joint;
+        locus.guide = slide.inverse ? body : slide.other;
         locus.inverse = slide.inverse;
-        const bool curved = mechanism_.joints[at(slide.joint)].arc >= 0;
-        locus.direction = curved ? perpendicular_to(board_.normal(slide.joint)) : board_.guide(slide.joint);
+        locus.direction = board_.guide(slide.joint);
         loci.push_back(locus);
     }
 
-    /// All loci of a node: its own, and those of other nodes of a body whose ω is known, shifted by ω∧(X−Y).
-    std::vector<Locus> loci_of(NodeIndex node) {
-        std::vector<Locus> loci;
-        own_loci(node, -1, loci);
-        const std::vector<BodyIndex> bodies = structure_.node(node).bodies;
-        for (const BodyIndex body : bodies) {
-            if (!spin_known(body) || body_known(body)) continue;
-            const std::vector<NodeIndex> others = structure_.nodes_of(body);
-            for (const NodeIndex other : others) {
-                if (other == node || known(other)) continue;
-                std::vector<Locus> there;
-                own_loci(other, -1, there);
-                for (Locus& locus : there) {
-                    // A sleeve of this very body holds every one of its points alike: nothing new.
-                    if (locus.body == body && locus.kind == Locus::Kind::sleeve && !loci.empty()) continue;
-                    locus.body = body;
-                    loci.push_back(locus);
+    void add_passage(const Passage& passage, NodeIndex node, BodyIndex body, std::vector<Locus>& loci) {
+        const NodeIndex base = base_on(passage.others, passage.other);
+        if (base < 0 || base == node) return;
+        Locus locus;
+        locus.body = body;
+        locus.node = node;
+        locus.base = base;
+        locus.joint = passage.joint;
+        locus.guide = passage.inverse ? body : passage.other;
+        locus.inverse = passage.inverse;
+        switch (passage.kind) {
+            case Passage::Kind::slot:
+                locus.kind = Locus::Kind::slot;
+                locus.direction = direction_of_slot(passage.joint);
+                break;
+            case Passage::Kind::link:
+                locus.kind = Locus::Kind::link;
+                locus.inverse = false;  // a link is seen from either end alike
+                locus.direction = perpendicular_to_join(base, node);
+                break;
+            case Passage::Kind::tangent:
+                locus.kind = Locus::Kind::tangent;
+                locus.direction = board_.tangent(passage.joint);
+                break;
+            case Passage::Kind::mesh:
+                locus.kind = Locus::Kind::mesh;
+                locus.direction = perpendicular_to(board_.tangent(passage.joint));
+                break;
+        }
+        loci.push_back(locus);
+    }
+
+    DirectionHandle direction_of_slot(JointIndex index) {
+        const Joint& joint = mechanism_.joints[at(index)];
+        if (joint.kind == JointKind::contact) return board_.tangent(index);
+        return joint.arc >= 0 ? perpendicular_to(board_.normal(index)) : board_.guide(index);
+    }
+
+    /// A node to which loci of others can be carried, and how from there to the node sought.
+    struct Reached {
+        NodeIndex node = -1;
+        std::vector<Carry> carries;
+    };
+
+    /// The nodes whose loci can be carried to this one: on bodies whose ω is known, and over rolling contacts; near ones first.
+    std::vector<Reached> reached_from(NodeIndex node) {
+        std::vector<Reached> reached{{node, {}}};
+        const auto reach = [&](std::size_t from, Carry::Kind kind, BodyIndex body, JointIndex joint, NodeIndex other) {
+            const bool seen = std::any_of(reached.begin(), reached.end(), [&](const Reached& r) { return r.node == other; });
+            if (seen || known(other)) return;
+            Reached next{other, {{kind, body, joint, other, reached[from].node}}};
+            next.carries.insert(next.carries.end(), reached[from].carries.begin(), reached[from].carries.end());
+            reached.push_back(std::move(next));
+        };
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            const NodeIndex here = reached[i].node;
+            const std::vector<BodyIndex> bodies = structure_.node(here).bodies;
+            for (const BodyIndex body : bodies) {
+                for (const Rolling& rolling : structure_.rollings_of(body)) {
+                    if (rolling.point != structure_.node(here).point) continue;
+                    const NodeIndex other = structure_.find(rolling.point, rolling.other);
+                    if (other >= 0) reach(i, Carry::Kind::roll, body, rolling.joint, other);
                 }
+                if (!spin_known(body) || body_known(body)) continue;
+                for (const NodeIndex other : structure_.nodes_of(body)) reach(i, Carry::Kind::image, body, -1, other);
+            }
+        }
+        return reached;
+    }
+
+    /// All loci of a node, through any body that carries it but `except`: its own, and those carried to it.
+    std::vector<Locus> loci_of(NodeIndex node, BodyIndex except = -1) {
+        std::vector<Locus> loci;
+        for (const Reached& reached : reached_from(node)) {
+            std::vector<Locus> there;
+            own_loci(reached.node, reached.node == node ? except : -1, there);
+            for (Locus& locus : there) {
+                // A sleeve of a body whose ω is known holds every one of its points alike: nothing new.
+                const bool repeats = std::any_of(reached.carries.begin(), reached.carries.end(), [&](const Carry& carry) {
+                    return carry.kind == Carry::Kind::image && carry.body == locus.body;
+                });
+                if (repeats && locus.kind == Locus::Kind::sleeve && !loci.empty()) continue;
+                locus.carries = reached.carries;
+                loci.push_back(std::move(locus));
             }
         }
         return loci;
@@ -442,7 +552,11 @@ private:
         sync();
         std::vector<NodeIndex> order;
         for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
-            if (!known(node)) order.push_back(node);
+            const auto& bodies_there = structure_.node(node).bodies;
+            // On a body wholly known every place is there for the asking.
+            const bool is_there =
+                std::any_of(bodies_there.begin(), bodies_there.end(), [&](BodyIndex body) { return body_known(body); });
+            if (!known(node) && !is_there) order.push_back(node);
         }
         return order;
     }
@@ -462,9 +576,8 @@ private:
                     structure_.on(structure_.node(other).point, body);
             }
         }
-        for (const Slide& slide : structure_.slots_of(body)) {
-            const PointIndex point = mechanism_.joints[at(slide.joint)].point;
-            if (slide.inverse == on_guide && known_on(point, slide.other) >= 0) structure_.on(point, body);
+        for (const Passage& passage : structure_.passages_of(body)) {
+            if (passage.inverse == on_guide && known_on(passage.others, passage.other) >= 0) structure_.on(passage.own, body);
         }
     }
 
@@ -477,23 +590,34 @@ private:
         return false;
     }
 
+    /// Loci of the node itself first: a meet of those is easier seen than one of loci carried from elsewhere.
     bool meet_among(const std::vector<NodeIndex>& nodes) {
-        for (const NodeIndex node : nodes) {
-            const std::vector<Locus> loci = loci_of(node);
-            if (loci.size() < 2 || loci.size() == parallel_at_[at(node)]) continue;
-            for (std::size_t i = 0; i < loci.size(); ++i) {
-                for (std::size_t k = i + 1; k < loci.size(); ++k) {
-                    if (board_.parallel(loci[i].direction, loci[k].direction)) continue;
-                    Step step;
-                    step.kind = Step::Kind::meet;
-                    step.node = node;
-                    step.first = loci[i];
-                    step.second = loci[k];
-                    add_step(step);
-                    plan_.nodes[at(node)] = true;
-                    return true;
-                }
+        for (const bool with_carried : {false, true}) {
+            for (const NodeIndex node : nodes) {
+                if (meet_at(node, with_carried)) return true;
             }
+        }
+        return false;
+    }
+
+    bool meet_at(NodeIndex node, bool with_carried) {
+        const std::vector<Locus> loci = loci_of(node);
+        if (loci.size() < 2 || loci.size() == parallel_at_[at(node)]) return false;
+        for (std::size_t i = 0; i < loci.size(); ++i) {
+            for (std::size_t k = i + 1; k < loci.size(); ++k) {
+                if (!with_carried && !(loci[i].carries.empty() && loci[k].carries.empty())) continue;
+                if (board_.parallel(loci[i].direction, loci[k].direction)) continue;
+                Step step;
+                step.kind = Step::Kind::meet;
+                step.node = node;
+                step.first = loci[i];
+                step.second = loci[k];
+                add_step(step);
+                plan_.nodes[at(node)] = true;
+                return true;
+            }
+        }
+        if (with_carried) {
             parallel_at_[at(node)] = loci.size();
             plan_.dead_points.push_back({node, loci[0], loci[1]});
         }
@@ -507,7 +631,9 @@ private:
             if (spin_known(body) || base_of(body, -1) >= 0) continue;
             std::vector<Locus> loci;
             const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
-            for (const NodeIndex node : nodes) own_loci(node, body, loci);
+            for (const NodeIndex node : nodes) {
+                for (Locus& locus : loci_of(node, body)) loci.push_back(std::move(locus));
+            }
             own_slides(body, nodes, loci);
             if (auxiliary_from(body, loci)) return true;
         }
@@ -530,10 +656,13 @@ private:
         for (const bool want_parallel : {true, false}) {
             for (std::size_t i = 0; i < loci.size(); ++i) {
                 for (std::size_t k = i + 1; k < loci.size(); ++k) {
-                    if (loci[i].node == loci[k].node || board_.parallel(loci[i].direction, loci[k].direction) != want_parallel)
+                    if (loci[i].holds() == loci[k].holds() ||
+                        board_.parallel(loci[i].direction, loci[k].direction) != want_parallel)
                         continue;
-                    const auto first = board_.through(structure_.node(loci[i].node).place, perpendicular_to(loci[i].direction));
-                    const auto second = board_.through(structure_.node(loci[k].node).place, perpendicular_to(loci[k].direction));
+                    const auto first =
+                        board_.through(structure_.node(loci[i].holds()).place, perpendicular_to(loci[i].direction));
+                    const auto second =
+                        board_.through(structure_.node(loci[k].holds()).place, perpendicular_to(loci[k].direction));
                     const auto met = board_.meet(first, second);
                     if (!met) continue;  // the two perpendiculars coincide: the loci say the same thing twice
                     Step step;
@@ -685,16 +814,26 @@ private:
     /// The same at a slide whose place is not seen yet on both of its bodies, though both are known.
     std::optional<Closing> moved_condition_at(JointIndex index, std::size_t assumed) {
         const Joint& joint = mechanism_.joints[at(index)];
-        const bool slides = joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot;
-        if (!slides || !body_known(joint.bodies[0]) || !body_known(joint.bodies[1])) return std::nullopt;
+        if (joint.bodies.size() != 2 || !body_known(joint.bodies[0]) || !body_known(joint.bodies[1])) return std::nullopt;
         const State before = state();
         const std::size_t steps = plan_.steps.size();
-        if (known_on(joint.point, joint.bodies[0]) >= 0 && known_on(joint.point, joint.bodies[1]) >= 0 &&
-            plan_.steps.size() > steps) {
+        if (see_places_of(index) && plan_.steps.size() > steps) {
             if (auto closing = moved_condition(draw_response(structure_, board_, plan_, assumed))) return closing;
         }
         restore(before);
         return std::nullopt;
+    }
+
+    /// Makes the places by which a joint holds its two known bodies known on both; false where it is no slide and no higher pair.
+    bool see_places_of(JointIndex index) {
+        const Joint& joint = mechanism_.joints[at(index)];
+        const BodyIndex body = joint.bodies[0];
+        if (joint.kind == JointKind::prismatic || joint.kind == JointKind::rolling)
+            return known_on(joint.point, body) >= 0 && known_on(joint.point, joint.bodies[1]) >= 0;
+        for (const Passage& passage : structure_.passages_of(body)) {
+            if (passage.joint == index) return known_on(passage.own, body) >= 0 && known_on(passage.others, passage.other) >= 0;
+        }
+        return false;
     }
 
     /// All that the bodies reached must fulfil; most of it does by the way it was drawn.
@@ -718,6 +857,7 @@ private:
             }
         }
         add_driven_slides(moved, found);
+        add_rollings(moved, found);
         return found;
     }
 
@@ -750,6 +890,30 @@ private:
         }
     }
 
+    /// Points in contact in rolling: alike along the tangent and along the normal.
+    void add_rollings(const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
+        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
+        for (BodyIndex body = 1; body < bodies; ++body) {
+            for (const Rolling& rolling : structure_.rollings_of(body)) {
+                Locus locus;
+                locus.kind = Locus::Kind::roll;
+                locus.body = body;
+                locus.joint = rolling.joint;
+                locus.node = structure_.find(rolling.point, body);
+                locus.base = structure_.find(rolling.point, rolling.other);
+                if (rolling.other > body || locus.node < 0 || locus.base < 0 || locus.node == locus.base) continue;
+                if (!moved.has(locus.node) || !moved.has(locus.base)) continue;
+                for (const DirectionHandle direction :
+                     {board_.tangent(rolling.joint), perpendicular_to(board_.tangent(rolling.joint))}) {
+                    locus.direction = direction;
+                    Closing condition;
+                    condition.locus = locus;
+                    found.push_back(std::move(condition));
+                }
+            }
+        }
+    }
+
     void add_driven_slides(const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
         for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
             const auto* slide = std::get_if<SlideDriver>(&mechanism_.drivers[d]);
@@ -762,6 +926,7 @@ private:
             if (locus.node < 0 || locus.base < 0 || !moved.has(locus.node) || !moved.has(locus.base)) continue;
             locus.body = joint.bodies[0];
             locus.joint = slide->joint;
+            locus.guide = joint.bodies[1];
             locus.driver = static_cast<int>(d);
             locus.direction = perpendicular_to(board_.guide(slide->joint));
             Closing condition;

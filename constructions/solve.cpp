@@ -157,6 +157,7 @@ private:
         const bool tries = !mechanism_.drivers.empty() && solution_.mobility.idle_drivers.empty();
         plan_ = plan_motion(structure_, board_, use, tries ? solution_.mobility.determined : std::vector<bool>());
         motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
+        solution_.equivalent_linkages = motion_.equivalents;
         for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
     }
 
@@ -321,9 +322,21 @@ private:
             if (!reached(body)) {
                 unsolved("motion of body " + body_name(body), reason_for(body));
             } else if (wanted_.accelerations && !wholly_accelerated(body)) {
-                unsolved("acceleration of body " + body_name(body), "it depends on bodies whose motion is not determined");
+                unsolved("acceleration of body " + body_name(body), missing_acceleration());
             }
         }
+    }
+
+    std::string missing_acceleration() const {
+        for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
+            const Joint& joint = mechanism_.joints[j];
+            const bool curved = joint.kind == JointKind::rolling || joint.kind == JointKind::contact;
+            if (!curved || structure_.has_curvatures(static_cast<JointIndex>(j))) continue;
+            const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
+            return given ? "at " + joint.name + " both profiles have one centre of curvature, which leaves the accelerations open"
+                         : "it needs the curvatures at " + joint.name + "; give the \"profiles\" of both bodies there";
+        }
+        return "it depends on bodies whose motion is not determined";
     }
 
     std::string reason_for(BodyIndex body) const {

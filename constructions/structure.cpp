@@ -9,6 +9,24 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool slides(const Joint& joint) { return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot; }
 
+bool touches(const Joint& joint) {
+    return joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear;
+}
+
+/// Profiles that are given, of the joint's first or second body.
+bool is_straight(const Joint& joint, std::size_t side) {
+    return std::holds_alternative<LineProfile>(joint.profiles.at(joint.bodies[side]));
+}
+PointIndex centre_of(const Joint& joint, std::size_t side) {
+    const auto* circle = std::get_if<CircleProfile>(&joint.profiles.at(joint.bodies[side]));
+    return circle == nullptr ? joint.point : circle->centre;
+}
+
+/// The body whose point at a joint goes by the plain name: the slider, not the guide; of two that touch the one that moves.
+BodyIndex plainly_named(const Joint& joint) {
+    return touches(joint) && joint.bodies.front() == 0 ? joint.bodies.back() : joint.bodies.front();
+}
+
 /// For each point, the groups of bodies that carry it as one: joined by the revolutes and welds at it.
 class Carriers {
 public:
@@ -63,7 +81,8 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
       nodes_of_(mechanism.bodies.size()),
       nodes_at_(mechanism.points.size()),
       sleeves_(mechanism.bodies.size()),
-      slots_(mechanism.bodies.size()),
+      passages_(mechanism.bodies.size()),
+      rollings_(mechanism.bodies.size()),
       same_spin_(mechanism.bodies.size()) {
     const Carriers carriers(mechanism);
     for (std::size_t point = 0; point < mechanism.points.size(); ++point) {
@@ -71,8 +90,8 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
         // The slider's point goes by the plain name, the guide's by the name with a star.
         const auto is_slider = [&](const std::vector<BodyIndex>& group) {
             return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-                return slides(joint) && joint.point == static_cast<PointIndex>(point) &&
-                       std::find(group.begin(), group.end(), joint.bodies.front()) != group.end();
+                return (slides(joint) || touches(joint)) && joint.point == static_cast<PointIndex>(point) &&
+                       std::find(group.begin(), group.end(), plainly_named(joint)) != group.end();
             });
         };
         std::stable_partition(groups.begin(), groups.end(), is_slider);
@@ -86,11 +105,16 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
     for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
         const Joint& joint = mechanism.joints[j];
         const auto index = static_cast<JointIndex>(j);
-        if (slides(joint)) {
-            auto& slides_of = joint.kind == JointKind::prismatic ? sleeves_ : slots_;
-            slides_of[at(joint.bodies[0])].push_back({index, joint.bodies[1], false});
-            slides_of[at(joint.bodies[1])].push_back({index, joint.bodies[0], true});
+        if (joint.kind == JointKind::prismatic) {
+            sleeves_[at(joint.bodies[0])].push_back({index, joint.bodies[1], false});
+            sleeves_[at(joint.bodies[1])].push_back({index, joint.bodies[0], true});
         }
+        if (joint.kind == JointKind::rolling) {
+            rollings_[at(joint.bodies[0])].push_back({index, joint.bodies[1], joint.point});
+            rollings_[at(joint.bodies[1])].push_back({index, joint.bodies[0], joint.point});
+        }
+        curvatures_.push_back(finds_curvatures(joint));
+        add_passages(index);
         if (joint.kind == JointKind::prismatic || joint.kind == JointKind::weld) {
             for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
                 same_spin_[at(joint.bodies[0])].emplace_back(joint.bodies[k], index);
@@ -98,6 +122,41 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
             }
         }
     }
+}
+
+void Structure::add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slider, PointIndex place, BodyIndex guide,
+                            PointIndex guides_place) {
+    passages_[at(slider)].push_back({kind, joint, guide, place, guides_place, false});
+    passages_[at(guide)].push_back({kind, joint, slider, guides_place, place, true});
+}
+
+/// A contact moves to second order as its equivalent linkage does: two circles as a link between their centres, a circle on a
+/// straight line as its centre in a slot parallel to the line; a tip is a circle without radius.
+void Structure::add_passages(JointIndex index) {
+    using Kind = Passage::Kind;
+    const Joint& joint = mechanism_.joints[at(index)];
+    if (joint.kind == JointKind::pin_slot || joint.kind == JointKind::gear) {
+        const Kind kind = joint.kind == JointKind::gear ? Kind::mesh : Kind::slot;
+        add_passage(kind, index, joint.bodies[0], joint.point, joint.bodies[1], joint.point);
+    }
+    if (joint.kind != JointKind::contact) return;
+    const auto add = [&](Kind kind, std::size_t slider, PointIndex place, PointIndex guides_place) {
+        add_passage(kind, index, joint.bodies[slider], place, joint.bodies[1 - slider], guides_place);
+    };
+    if (!curvatures_[at(index)]) return add(Kind::tangent, 0, joint.point, joint.point);
+    for (const std::size_t line : {1U, 0U}) {
+        if (!is_straight(joint, line)) continue;
+        const PointIndex pin = centre_of(joint, 1 - line);
+        return add(Kind::slot, 1 - line, pin, pin);
+    }
+    add(Kind::link, 0, centre_of(joint, 0), centre_of(joint, 1));
+}
+
+bool Structure::finds_curvatures(const Joint& joint) {
+    if (joint.kind != JointKind::rolling && joint.kind != JointKind::contact) return false;
+    if (!joint.profiles.contains(joint.bodies[0]) || !joint.profiles.contains(joint.bodies[1])) return false;
+    if (is_straight(joint, 0) || is_straight(joint, 1)) return true;
+    return !board_.coincide(board_.place(centre_of(joint, 0)), board_.place(centre_of(joint, 1)));
 }
 
 NodeIndex Structure::add(Node node) {

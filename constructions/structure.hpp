@@ -29,6 +29,29 @@ struct Slide {
     bool inverse = false;  ///< the body asked about carries the guide
 };
 
+/// What a pair with two freedoms leaves to a place: seen from one body, its place `own` can move past the place `others` of the
+/// other body along one line only. A contact of round or straight profiles is one by its equivalent linkage.
+struct Passage {
+    enum class Kind {
+        slot,     ///< in a slot of one body, straight or curved about a centre (own = others)
+        link,     ///< on an imaginary link between two centres of curvature: ⟂ to it
+        tangent,  ///< along the common tangent of a contact whose curvatures are not given: no word on accelerations
+        mesh      ///< along the common normal of two pitch curves, which roll on each other (own = others)
+    };
+    Kind kind = Kind::slot;
+    JointIndex joint = -1;
+    BodyIndex other = -1;
+    PointIndex own = -1, others = -1;
+    bool inverse = false;  ///< the body asked about carries the guide (slots)
+};
+
+/// Rolling without slip, seen from one of its bodies: the points in contact have one velocity.
+struct Rolling {
+    JointIndex joint = -1;
+    BodyIndex other = -1;
+    PointIndex point = -1;
+};
+
 class Structure {
 public:
     Structure(const Mechanism& mechanism, Board& board);
@@ -52,8 +75,11 @@ public:
     const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[static_cast<std::size_t>(body)]; }
     /// Sleeves (prismatic) of a body, in the file's order.
     const std::vector<Slide>& sleeves_of(BodyIndex body) const { return sleeves_[static_cast<std::size_t>(body)]; }
-    /// Pin-slots of a body: they hold at their own point only.
-    const std::vector<Slide>& slots_of(BodyIndex body) const { return slots_[static_cast<std::size_t>(body)]; }
+    /// Pin-slots, contacts and gears of a body: they hold at their own place only.
+    const std::vector<Passage>& passages_of(BodyIndex body) const { return passages_[static_cast<std::size_t>(body)]; }
+    const std::vector<Rolling>& rollings_of(BodyIndex body) const { return rollings_[static_cast<std::size_t>(body)]; }
+    /// Whether the curvatures at a rolling joint or contact are given and differ, so that accelerations can be drawn there.
+    bool has_curvatures(JointIndex joint) const { return curvatures_[static_cast<std::size_t>(joint)]; }
     /// Bodies that turn as one with a body: through sleeves and welds.
     const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const {
         return same_spin_[static_cast<std::size_t>(body)];
@@ -62,12 +88,19 @@ public:
 
 private:
     NodeIndex add(Node node);
+    bool finds_curvatures(const Joint& joint);
+    void add_passages(JointIndex joint);
+    void add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slider, PointIndex place, BodyIndex guide,
+                     PointIndex guides_place);
     const Mechanism& mechanism_;
     Board& board_;
     std::vector<Node> nodes_;
     std::vector<std::vector<NodeIndex>> nodes_of_;
     std::vector<std::vector<NodeIndex>> nodes_at_;  ///< by PointIndex
-    std::vector<std::vector<Slide>> sleeves_, slots_;
+    std::vector<std::vector<Slide>> sleeves_;
+    std::vector<std::vector<Passage>> passages_;
+    std::vector<std::vector<Rolling>> rollings_;
+    std::vector<bool> curvatures_;  ///< by JointIndex
     std::vector<std::vector<std::pair<BodyIndex, JointIndex>>> same_spin_;
     int auxiliaries_ = 0;
 };

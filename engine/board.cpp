@@ -137,6 +137,7 @@ Board::Board(const Pose& pose, std::function<const Pose&()> finer)
       guides_(pose.guides.size(), -1),
       guide_units_(pose.guides.size(), -1),
       normals_(pose.guides.size(), -1),
+      tangents_(pose.guides.size(), -1),
       driver_directions_(pose.driver_directions.size(), -1),
       driver_units_(pose.driver_directions.size(), -1) {}
 
@@ -174,6 +175,8 @@ Value Board::evaluate(const Stroke& stroke, const std::vector<Value>& values, co
             return pose.guide_units[index()];
         case Verb::given_normal:
             return pose.normals[index()];
+        case Verb::given_tangent:
+            return pose.tangents[index()];
         case Verb::given_driver_direction:
             return pose.driver_directions[index()];
         case Verb::given_unit_driver_direction:
@@ -249,6 +252,7 @@ PointOn<Plane::drawing> Board::place(PointIndex point) { return {given_once(plac
 DirectionHandle Board::guide(JointIndex joint) { return {given_once(guides_, Verb::given_guide, joint)}; }
 DirectionHandle Board::guide_unit(JointIndex joint) { return {given_once(guide_units_, Verb::given_unit_guide, joint)}; }
 DirectionHandle Board::normal(JointIndex joint) { return {given_once(normals_, Verb::given_normal, joint)}; }
+DirectionHandle Board::tangent(JointIndex joint) { return {given_once(tangents_, Verb::given_tangent, joint)}; }
 
 DirectionHandle Board::driver_direction(int driver) {
     return {given_once(driver_directions_, Verb::given_driver_direction, driver)};

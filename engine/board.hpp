@@ -50,6 +50,7 @@ enum class Verb : std::uint8_t {
     given_guide,
     given_unit_guide,
     given_normal,
+    given_tangent,
     given_driver_direction,
     given_unit_driver_direction,
     given_direction,
@@ -206,6 +207,7 @@ public:
     DirectionHandle guide(JointIndex joint);
     DirectionHandle guide_unit(JointIndex joint);  ///< as a unit vector (within the pose's bits)
     DirectionHandle normal(JointIndex joint);      ///< common normal of a pin-slot, contact, rolling or gear
+    DirectionHandle tangent(JointIndex joint);     ///< common tangent of the profiles or pitch curves that touch there
     DirectionHandle driver_direction(int driver);  ///< `along` of a point driver
     DirectionHandle driver_unit(int driver);       ///< the same as a unit vector
     DirectionHandle given_direction(const Vector& direction);
@@ -378,7 +380,7 @@ private:
     std::unique_ptr<Replay> replay_;
     std::vector<Value> constants_;
     std::vector<std::function<Vector(const Pose&)>> by_pose_;
-    std::vector<int> places_, guides_, guide_units_, normals_, driver_directions_, driver_units_;
+    std::vector<int> places_, guides_, guide_units_, normals_, tangents_, driver_directions_, driver_units_;
     int poles_[4] = {-1, -1, -1, -1};
     int current_statement_ = -1;
 };

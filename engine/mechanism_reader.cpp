@@ -951,14 +951,14 @@ private:
         if (joint.kind == revolute || joint.kind == weld) {
             for (const BodyIndex on : joint.bodies) carry(on, joint.point);
         }
-        if (is_sliding(joint) && !joint.name.empty()) {
-            const auto [found, first] = sliding_by_name_.emplace(joint.name, static_cast<JointIndex>(mechanism_.joints.size()));
-            if (first) {
-                sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
-            } else {
-                fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " +
-                                 mechanism_.joints[static_cast<std::size_t>(found->second)].where +
+        if ((is_sliding(joint) || joint.kind == contact) && !joint.name.empty()) {
+            const auto [found, first] = sliding_keys_.emplace(joint.name, joint.where);
+            if (!first) {
+                fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " + found->second +
                                  "); give one of them a \"name\"");
+            } else if (is_sliding(joint)) {
+                sliding_by_name_.emplace(joint.name, static_cast<JointIndex>(mechanism_.joints.size()));
+                sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
             }
         }
         if (!is_sliding(joint) && !joint.name.empty()) other_joints_.emplace(joint.name, kind->first);
@@ -1473,6 +1473,8 @@ private:
     std::vector<std::string_view> point_names_, body_names_;
     bool points_known_ = false, bodies_known_ = false, joints_known_ = false;
     std::unordered_map<std::string, JointIndex> sliding_by_name_;
+    std::unordered_map<std::string, std::string>
+        sliding_keys_;  ///< where each name stands; contacts have results under theirs too
     std::vector<std::string_view> sliding_names_;
     std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of those that do not slide
     std::unordered_set<std::string> effort_names_;

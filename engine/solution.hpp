@@ -2,6 +2,7 @@
 // beside it. What the results file, the tables and the drawing are made of. Computes nothing.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,10 +25,18 @@ struct PointMotion {
 struct BodyMotion {
     std::optional<Exact> omega, alpha;
 };
-/// i seen from j at a sliding joint.
+/// i seen from j at a sliding joint or a contact.
 struct Sliding {
     JointIndex joint = -1;
     std::optional<Vector> velocity, acceleration, coriolis;
+};
+/// What stands for a contact of round or straight profiles up to accelerations: a link between the centres of curvature, or the
+/// one centre as a pin in a straight slot parallel to the other's line (a tip is its own centre).
+struct EquivalentLinkage {
+    enum class Kind { link, slot } kind = Kind::link;
+    JointIndex joint = -1;
+    std::array<BodyIndex, 2> bodies{-1, -1};   ///< slot: the pin's body, then the slot's
+    std::array<PointIndex, 2> places{-1, -1};  ///< link: its ends on these bodies; slot: the pin twice
 };
 /// An instant centre P_ij.
 struct InstantCentre {
@@ -142,7 +151,8 @@ struct Solution {
     std::vector<PointMotion> points;  ///< in the file's order of points
     std::vector<BodyMotion> bodies;   ///< by BodyIndex
     std::vector<Sliding> sliding;
-    std::vector<InstantCentre> centres;  ///< all n(n−1)/2, in the order of their keys
+    std::vector<EquivalentLinkage> equivalent_linkages;  ///< of the contacts that the motion was drawn by
+    std::vector<InstantCentre> centres;                  ///< all n(n−1)/2, in the order of their keys
     std::vector<RelativeMotion> relative_motion;
     std::vector<SecondWay> second_way;
     std::vector<JointForce> forces;

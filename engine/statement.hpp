@@ -46,6 +46,15 @@ enum class Sentence {
     omega_from_parallels,  ///< {0} omega, {1} segment XY, {2} body: two loci are parallel, their distance gives ω (auxiliary
                            ///< point at infinity)
     alpha_from_parallels,
+    rolling_point_at_rest,  ///< {0} contact, {1} body, {2} body at rest, {3} v_P: rolls on what stands still, so P stands still
+    rolling_velocity,       ///< {0} contact, {1} body, {2} other body, {3} v_P, {4} v_P*: one velocity
+    rolling_point_on_rest_acceleration,  ///< {0} contact, {1} body, {2} body at rest, {3} a_P: along the normal
+    rolling_acceleration,                ///< {0} contact, {1} body, {2} other body, {3} a_P, {4} a_P*, {5} a_PP*^n
+    equivalent_link,         ///< {0} {1} bodies, {2} contact, {3} join of the centres of curvature: replaced by a link
+    equivalent_slot,         ///< {0} round body, {1} straight body, {2} contact, {3} centre: replaced by a pin in a slot
+    equivalent_tip,          ///< {0} body with the tip, {1} straight body, {2} contact
+    contact_tangent,         ///< {0} {1} bodies, {2} contact: no relative velocity along the common normal
+    pitch_curves,            ///< {0} {1} bodies, {2} pitch point: no relative motion along the common tangent
     at_rest,                 ///< {0} point: fixed, its image is the pole
     primary_revolute,        ///< {0} centre, {1} point
     primary_prismatic,       ///< {0} centre, {1} joint's point: at infinity ⟂ guide
@@ -129,7 +138,9 @@ struct LineReason {
         known,
         driver_component,
         parallel_to_locus,
-        given_direction
+        given_direction,
+        parallel_to_tangent,  ///< common tangent of a contact
+        parallel_to_normal    ///< common normal of a contact, of pitch curves
     } kind = Kind::known;
     std::string from, to;  ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
     friend bool operator==(const LineReason&, const LineReason&) = default;

@@ -102,6 +102,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
         sketch.draw_compass();
         sketch.draw_in_colour();
         if (with_centres) sketch.draw_centres();
+        sketch.draw_equivalent_linkages();
         sketch.draw_points(true);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(with_centres ? "mechanism and instant centres" : "mechanism", context.language));

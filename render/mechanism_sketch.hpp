@@ -139,6 +139,7 @@ public:
     void draw_drivers();
     void draw_compass();
     void draw_centres();
+    void draw_equivalent_linkages();
     void draw_pole(const InstantCentre& centre);
     Symbol symbol_of(const InstantCentre& centre) const;
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);

@@ -72,6 +72,32 @@ constexpr std::array sentences{
     Row{Sentence::alpha_from_parallels,
         "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δa/{1}.",
         "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0} = Δa/{1}."},
+    Row{Sentence::rolling_point_at_rest,
+        "Body {1} rolls without slip on body {2}, which is at rest: its point at the contact {0} stands still, {3} = 0.",
+        "Il corpo {1} rotola senza strisciare sul corpo {2}, che è fermo: il suo punto di contatto {0} ha velocità nulla, {3} = 0."},
+    Row{Sentence::rolling_velocity,
+        "Bodies {1} and {2} roll without slip at {0}: the points in contact have one velocity, {3} = {4}.",
+        "I corpi {1} e {2} rotolano senza strisciare in {0}: i punti a contatto hanno la stessa velocità, {3} = {4}."},
+    Row{Sentence::rolling_point_on_rest_acceleration,
+        "At {0} body {1} rolls on body {2}, which is at rest: {3} has no tangential part; along the normal it is ω² R r/(R ± r), on a straight line ω² r.",
+        "In {0} il corpo {1} rotola sul corpo {2}, che è fermo: {3} non ha componente tangenziale; lungo la normale vale ω² R r/(R ± r), su una retta ω² r."},
+    Row{Sentence::rolling_acceleration,
+        "At {0} bodies {1} and {2} roll on each other: {3} differs from {4} by {5} alone, along the normal: ω² R r/(R ± r) (on a straight line ω² r) with the relative ω.",
+        "In {0} i corpi {1} e {2} rotolano l’uno sull’altro: {3} differisce da {4} solo per {5}, lungo la normale: ω² R r/(R ± r) (su una retta ω² r) con la ω relativa."},
+    Row{Sentence::equivalent_link,
+        "At the contact {2} bodies {0} and {1} slide along the common tangent; up to accelerations they move as if a link joined their centres of curvature, {3}.",
+        "Nel contatto {2} i corpi {0} e {1} strisciano lungo la tangente comune; fino alle accelerazioni si muovono come se un’asta congiungesse i centri di curvatura, {3}."},
+    Row{Sentence::equivalent_slot,
+        "At the contact {2} body {0} slides along the straight side of body {1}: its centre {3} moves as a pin in a slot parallel to that side.",
+        "Nel contatto {2} il corpo {0} striscia sul fianco rettilineo del corpo {1}: il suo centro {3} si muove come un perno in un glifo parallelo al fianco."},
+    Row{Sentence::equivalent_tip, "The tip {2} of body {0} slides along the straight side of body {1}, as a pin in a slot does.",
+        "La punta {2} del corpo {0} striscia sul fianco rettilineo del corpo {1}, come un perno in un glifo."},
+    Row{Sentence::contact_tangent,
+        "At the contact {2} bodies {0} and {1} have no relative velocity along the common normal: it lies along the tangent.",
+        "Nel contatto {2} i corpi {0} e {1} non hanno velocità relativa lungo la normale comune: essa è diretta come la tangente."},
+    Row{Sentence::pitch_curves,
+        "The pitch curves of bodies {0} and {1} roll on each other at {2}: along the common tangent its two points move alike.",
+        "Le primitive dei corpi {0} e {1} rotolano l’una sull’altra in {2}: lungo la tangente comune i due punti hanno lo stesso moto."},
     Row{Sentence::at_rest, "{0} is at rest: its image is the pole.", "{0} è fermo: la sua immagine è il polo."},
     Row{Sentence::primary_revolute, "{0} is the hinge {1}.", "{0} è la cerniera {1}."},
     Row{Sentence::primary_prismatic, "{0} is at infinity, normal to the guide at {1}.",
@@ -234,6 +260,7 @@ constexpr std::array fixed_words{
     FixedWords{"guide", "guide", "guida"},
     FixedWords{"drive", "drive", "movente"},
     FixedWords{"locus", "locus", "luogo"},
+    FixedWords{"tangent", "tangent", "tangente"},
     FixedWords{"known", "known", "nota"},
     FixedWords{"given line", "given line", "retta data"},
     // headings
@@ -616,6 +643,12 @@ RichText typeset(const LineReason& reason, Language language) {
             break;
         case Kind::given_direction:
             text.back().text += word("given line", language);
+            break;
+        case Kind::parallel_to_tangent:
+            text.back().text += word("tangent", language);
+            break;
+        case Kind::parallel_to_normal:
+            text.back().text += word("normal", language);
             break;
         case Kind::known:
             break;

@@ -1,0 +1,362 @@
+// The kinematics of higher pairs: rolling, sliding contacts and gears, held against closed forms, against the lower pairs that
+// are equivalent to them (exactly), against the laws of the plane and, on random mechanisms, against the check.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "constructions/solve.hpp"
+
+namespace kinegraph {
+namespace {
+
+Solution solved(const std::string& text) {
+    auto mechanism = read_mechanism(text, "higher_pairs.json");
+    if (!mechanism) {
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message << "\n" << text;
+        return {};
+    }
+    auto solution = solve(*std::move(mechanism));
+    if (!solution) {
+        ADD_FAILURE() << solution.error().front().where << ": " << solution.error().front().message << "\n" << text;
+        return {};
+    }
+    return *std::move(solution);
+}
+
+struct Reading {
+    const Solution& solution;
+
+    BodyIndex body(const char* name) const { return solution.mechanism.body_named(name).value(); }
+    const PointMotion& motion(const char* point, const char* carrier) const {
+        for (const PointMotion& node : solution.points) {
+            if (node.point == solution.mechanism.point_named(point) &&
+                std::count(node.bodies.begin(), node.bodies.end(), body(carrier)) > 0)
+                return node;
+        }
+        throw std::out_of_range(std::string(point) + " on " + carrier + " has no motion");
+    }
+    Vector v(const char* point, const char* carrier) const { return motion(point, carrier).velocity.value(); }
+    Vector a(const char* point, const char* carrier) const { return motion(point, carrier).acceleration.value(); }
+    Exact omega(const char* name) const { return solution.bodies.at(static_cast<std::size_t>(body(name))).omega.value(); }
+    Exact alpha(const char* name) const { return solution.bodies.at(static_cast<std::size_t>(body(name))).alpha.value(); }
+};
+
+/// "velocity B x" → "velocity"
+std::string kind(const std::string& quantity) { return quantity.substr(0, quantity.find(' ')); }
+
+/// The worst difference from the check, each over the largest of its kind.
+double worst_difference(const Solution& solution) {
+    std::map<std::string, double> scale;
+    double fastest = 0;
+    for (const CheckRow& row : solution.checks) {
+        double& largest = scale[kind(row.quantity)];
+        largest = std::max({largest, std::abs(row.numeric), std::abs(row.graphical)});
+        if (kind(row.quantity) == "omega") fastest = std::max(fastest, std::abs(row.graphical));
+    }
+    scale["alpha"] = std::max(scale["alpha"], fastest * fastest);
+    if (solution.virtual_work) {
+        for (const VirtualWork::Entry& entry : solution.virtual_work->entries)
+            scale["virtual"] = std::max(scale["virtual"], std::abs(entry.power.to_double()));
+    }
+    double worst = 0;
+    for (const CheckRow& row : solution.checks) {
+        const double size = scale[kind(row.quantity)] > 0 ? scale[kind(row.quantity)] : 1;
+        worst = std::max(worst, std::abs(row.difference) / size);
+    }
+    return worst;
+}
+
+/// Solved wholly, and as the check has it.
+void expect_solved(const Solution& solution) {
+    for (const Unsolved& missing : solution.unsolved) ADD_FAILURE() << missing.what << ": " << missing.why;
+    EXPECT_FALSE(solution.checks.empty());
+    EXPECT_LE(worst_difference(solution), 1e-9);
+}
+
+// --- rolling -------------------------------------------------------------------------------------------------------------------
+
+/// A disc of radius 1/5 that rolls on the x axis from left to right.
+const std::string disc_on_line = R"({"kinegraph": 1, "frame": 1,
+ "points": {"C": [0, 0.2], "P": [0, 0], "A": [0.12, 0.36]},
+ "bodies": {"2": {"points": ["C", "P", "A"], "circle": {"centre": "C", "radius": 0.2}}},
+ "joints": [{"rolling": "P", "bodies": [2, 1], "profiles": {"1": {"line": [1, 0]}}}],
+ "drivers": [{"body": 2, "omega": -3, "alpha": 2}]})";
+
+TEST(Rolling, OnALineEveryPointDrawsItsCycloid) {
+    const Solution solution = solved(disc_on_line);
+    expect_solved(solution);
+    const Reading read{solution};
+    EXPECT_EQ(read.v("P", "2"), Vector{});
+    EXPECT_EQ(read.a("P", "2"), (Vector{0, Exact::ratio(9, 5)})) << "ω² r towards the centre";
+    EXPECT_EQ(read.v("C", "2"), (Vector{Exact::ratio(3, 5), 0}));
+    EXPECT_EQ(read.a("C", "2"), (Vector{Exact::ratio(-2, 5), 0})) << "α r along the line, nothing else";
+    // ω ∧ PA, and a_C + α ∧ CA − ω² CA with CA = (0.12, 0.16).
+    EXPECT_EQ(read.v("A", "2"), (Vector{Exact::ratio(27, 25), Exact::ratio(-9, 25)}));
+    EXPECT_EQ(read.a("A", "2"), (Vector{Exact::ratio(-9, 5), Exact::ratio(-6, 5)}));
+}
+
+/// A disc of radius 5 about (3, 4)·k/5, touching a circle of the frame of radius 10 about the origin: k = 5 inside, 15 outside.
+std::string disc_on_circle(const char* centre) {
+    return std::string(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": )") + centre + R"(, "P": [6, 8]},
+ "bodies": {"1": {"points": ["O"], "circle": {"centre": "O", "radius": 10}},
+            "2": {"points": ["C", "P"], "circle": {"centre": "C", "radius": 5}}},
+ "joints": [{"rolling": "P", "bodies": [2, 1]}], "drivers": [{"body": 2, "omega": 3, "alpha": 2}]})";
+}
+
+TEST(Rolling, OnACircleTheContactAcceleratesByBothRadii) {
+    // ω² r₁r₂/(r₁ − r₂) inside the ring, ω² r₁r₂/(r₁ + r₂) on the outside, towards the disc's centre.
+    const Solution inside = solved(disc_on_circle("[3, 4]"));
+    expect_solved(inside);
+    EXPECT_EQ((Reading{inside}.a("P", "2")), (Vector{-54, -72})) << "9 · 50/5 = 90";
+    const Solution outside = solved(disc_on_circle("[9, 12]"));
+    expect_solved(outside);
+    EXPECT_EQ((Reading{outside}.a("P", "2")), (Vector{18, 24})) << "9 · 50/15 = 30";
+    // The centre runs on a circle of radius r₁ ∓ r₂ with v = ω r₂.
+    EXPECT_EQ((Reading{inside}.v("C", "2")), (Vector{12, -9}));
+    EXPECT_EQ(dot(Reading{inside}.a("C", "2"), Vector{3, 4}), Exact(-45 * 5)) << "v²/(r₁ − r₂) = 225/5";
+    EXPECT_EQ(dot(Reading{outside}.a("C", "2"), Vector{3, 4}), Exact(-15 * 5)) << "v²/(r₁ + r₂) = 225/15";
+}
+
+TEST(Rolling, ABoardOnTwoRollersGoesTwiceAsFast) {
+    const std::string text = R"({"kinegraph": 1, "frame": 1,
+ "points": {"A": [0, 0], "B": [7, 0], "C": [0, 1], "D": [7, 1], "E": [0, 2], "F": [7, 2], "G": [3, 3]},
+ "bodies": {"2": {"points": ["C"], "circle": {"centre": "C", "radius": 1}},
+            "3": {"points": ["D"], "circle": {"centre": "D", "radius": 1}}, "4": ["E", "F", "G"]},
+ "joints": [{"rolling": "A", "bodies": [2, 1], "profiles": {"1": {"line": [1, 0]}}},
+            {"rolling": "B", "bodies": [1, 3], "profiles": {"1": {"line": [1, 0]}}},
+            {"rolling": "E", "bodies": [4, 2], "profiles": {"4": {"line": [1, 0]}}},
+            {"rolling": "F", "bodies": [3, 4], "profiles": {"4": {"line": [1, 0]}}}],
+ "drivers": [DRIVER]})";
+    for (const char* driver : {R"({"body": 2, "omega": -2, "alpha": -1})",
+                               R"({"body": 4, "at": "G", "along": [1, 0], "speed": 4, "acceleration": 2})"}) {
+        const Solution solution = solved(std::string(text).replace(text.find("DRIVER"), 6, driver));
+        expect_solved(solution);
+        const Reading read{solution};
+        EXPECT_EQ(read.v("G", "4"), (Vector{4, 0})) << driver;
+        EXPECT_EQ(read.a("G", "4"), (Vector{2, 0})) << driver;
+        EXPECT_EQ(read.omega("4"), Exact(0)) << driver;
+        EXPECT_EQ(read.omega("3"), Exact(-2)) << driver;
+        EXPECT_EQ(read.alpha("3"), Exact(-1)) << driver;
+        EXPECT_EQ(read.a("D", "3"), (Vector{1, 0})) << driver;
+    }
+}
+
+TEST(Rolling, WithoutProfilesOnlyVelocitiesAreKnown) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"C": [0, 2], "P": [0, 0]}, "bodies": {"2": ["C"]},
+ "joints": [{"rolling": "P", "bodies": [2, 1], "tangent": [1, 0]}], "drivers": [{"body": 2, "omega": 1}]})");
+    const Reading read{solution};
+    EXPECT_EQ(read.v("C", "2"), (Vector{-2, 0}));
+    EXPECT_FALSE(read.motion("C", "2").acceleration);
+    ASSERT_EQ(solution.unsolved.size(), 1U);
+    EXPECT_EQ(solution.unsolved[0].why, "it needs the curvatures at P; give the \"profiles\" of both bodies there");
+}
+
+// --- contacts ------------------------------------------------------------------------------------------------------------------
+
+/// An eccentric disc about O with its centre C, and what follows it upwards.
+std::string eccentric(const std::string& points, const std::string& bodies, const std::string& joints) {
+    return R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [30, 40], )" + points +
+           R"(}, "bodies": {"2": {"points": ["O", "C"], "circle": {"centre": "C", "radius": 50}}, )" + bodies +
+           R"(}, "joints": [{"revolute": "O", "bodies": [1, 2]}, )" + joints +
+           R"(], "drivers": [{"body": 2, "omega": 5, "alpha": 2}]})";
+}
+
+TEST(Contact, FlatFollowerOfAnEccentricMovesHarmonically) {
+    // s = e sin θ + r: v = e ω cos θ = 30 · 5, a = e α cos θ − e ω² sin θ = 30 · 2 − 40 · 25.
+    for (const char* order : {"3, 2", "2, 3"}) {
+        const Solution solution = solved(
+            eccentric(R"("P": [30, 90], "G": [0, 120])", R"("3": ["G"])",
+                      std::string(R"({"contact": "P", "bodies": [)") + order +
+                          R"(], "profiles": {"3": {"line": [1, 0]}}}, {"prismatic": "G", "bodies": [3, 1], "along": [0, 1]})"));
+        expect_solved(solution);
+        const Reading read{solution};
+        EXPECT_EQ(read.v("G", "3"), (Vector{0, 150}));
+        EXPECT_EQ(read.a("G", "3"), (Vector{0, -940}));
+        ASSERT_EQ(solution.equivalent_linkages.size(), 1U);
+        EXPECT_EQ(solution.equivalent_linkages[0].kind, EquivalentLinkage::Kind::slot);
+        EXPECT_EQ(solution.equivalent_linkages[0].bodies, (std::array{read.body("2"), read.body("3")}));
+    }
+}
+
+TEST(Contact, RollerFollowerIsItsSliderCrank) {
+    // A roller of radius 40 on the disc of radius 50 moves the follower as a rod CR of 90 does; a roller that turns, as its own
+    // body rolling on the disc, moves it so too. A ring about C whose inside touches it is as good.
+    const std::string guide = R"({"prismatic": "R", "bodies": [3, 1], "along": [0, 1]})";
+    const std::string points = R"("P": {"from": "C", "to": "R", "distance": 50}, "R": [30, 130])";
+    const Solution contact = solved(eccentric(
+        points, R"("3": ["R"])", R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"circle": "R"}}}, )" + guide));
+    const Solution roller =
+        solved(eccentric(points, R"("3": ["R"], "4": {"points": ["R"], "circle": {"centre": "R", "radius": 40}})",
+                         R"({"rolling": "P", "bodies": [4, 2]}, {"revolute": "R", "bodies": [3, 4]}, )" + guide));
+    const Solution linkage =
+        solved(eccentric(points, R"("3": ["R"], "4": ["C", "R"])",
+                         R"({"revolute": "C", "bodies": [2, 4]}, {"revolute": "R", "bodies": [3, 4]}, )" + guide));
+    for (const Solution* solution : {&contact, &roller, &linkage}) expect_solved(*solution);
+    EXPECT_EQ((Reading{contact}.v("R", "3")), (Reading{linkage}.v("R", "3")));
+    EXPECT_EQ((Reading{contact}.a("R", "3")), (Reading{linkage}.a("R", "3")));
+    EXPECT_EQ((Reading{roller}.v("R", "3")), (Reading{linkage}.v("R", "3")));
+    EXPECT_EQ((Reading{roller}.a("R", "3")), (Reading{linkage}.a("R", "3")));
+    EXPECT_EQ(roller.mobility.gruebler, 1);
+    ASSERT_EQ(contact.equivalent_linkages.size(), 1U);
+    EXPECT_EQ(contact.equivalent_linkages[0].kind, EquivalentLinkage::Kind::link);
+    EXPECT_TRUE(roller.equivalent_linkages.empty());
+}
+
+TEST(Contact, KnifeEdgeIsALinkFromTheCentre) {
+    const std::string guide = R"({"prismatic": "P", "bodies": [3, 1], "along": [0, 1]})";
+    const std::string points = R"("P": [0, 80])";  // CP = (−30, 40)
+    const Solution contact = solved(
+        eccentric(points, R"("3": ["P"])", R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"tip": true}}}, )" + guide));
+    const Solution linkage =
+        solved(eccentric(points, R"("3": ["P"], "4": ["C", "P"])",
+                         R"({"revolute": "C", "bodies": [2, 4]}, {"revolute": "P", "bodies": [3, 4]}, )" + guide));
+    expect_solved(contact);
+    EXPECT_EQ((Reading{contact}.v("P", "3")), (Reading{linkage}.v("P", "3")));
+    EXPECT_EQ((Reading{contact}.a("P", "3")), (Reading{linkage}.a("P", "3")));
+    // In closed form: s = e sin θ + √(r² − e² cos² θ), with e sin θ = 40 = √(…): ds/dθ = e cos θ (1 + tan θ) = 60.
+    EXPECT_EQ((Reading{contact}.v("P", "3")), (Vector{0, 300}));
+}
+
+TEST(Contact, ATipOnALineIsAPinInASlot) {
+    const auto crank_and_lever = [](const std::string& joint) {
+        return solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "Q": [-9, -1]},
+ "bodies": {"2": ["O", "A"], "3": ["Q"]}, "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "Q", "bodies": [1, 3]}, )" +
+                      joint + R"(], "drivers": [{"body": 2, "omega": 7, "alpha": -5}]})");
+    };
+    const Solution tip =
+        crank_and_lever(R"({"contact": "A", "bodies": [2, 3], "profiles": {"2": {"tip": true}, "3": {"line": [12, 5]}}})");
+    const Solution slot = crank_and_lever(R"({"pin-slot": "A", "bodies": [2, 3], "along": [12, 5]})");
+    expect_solved(tip);
+    EXPECT_EQ((Reading{tip}.omega("3")), (Reading{slot}.omega("3")));
+    EXPECT_EQ((Reading{tip}.alpha("3")), (Reading{slot}.alpha("3")));
+    ASSERT_EQ(tip.sliding.size(), 1U);
+    EXPECT_EQ(tip.sliding[0].velocity, slot.sliding[0].velocity);
+    EXPECT_EQ(tip.sliding[0].acceleration, slot.sliding[0].acceleration);
+    EXPECT_EQ(tip.sliding[0].coriolis, slot.sliding[0].coriolis);
+}
+
+TEST(Contact, SlidesAlongItsTangent) {
+    // The flat of a swinging follower on the eccentric.
+    const Solution solution = solved(eccentric(
+        R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q"])",
+        R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1, 3]})"));
+    expect_solved(solution);
+    ASSERT_EQ(solution.sliding.size(), 1U);
+    EXPECT_EQ(dot(*solution.sliding[0].velocity, Vector{3, 4}), Exact(0));
+    // Seen from the disc the flat rolls and slides on a circle: along the normal its point accelerates by −(v + ω_r r)²/r … the
+    // check has it; here only that the two differ by Coriolis' term as they must.
+    const Reading read{solution};
+    EXPECT_EQ(*solution.sliding[0].coriolis, 2 * read.omega("2") * quarter_turn(*solution.sliding[0].velocity));
+}
+
+TEST(Contact, WithoutCurvaturesAccelerationsAskForThem) {
+    const Solution solution =
+        solved(eccentric(R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q", "P"])",
+                         R"({"contact": "P", "bodies": [3, 4], "tangent": [4, -3]}, {"revolute": "O", "bodies": [1, 4]},
+                     {"weld": "C", "bodies": [2, 4]}, {"revolute": "Q", "bodies": [1, 3]})"));
+    EXPECT_TRUE((Reading{solution}.motion("P", "3").velocity));
+    ASSERT_FALSE(solution.unsolved.empty());
+    EXPECT_EQ(solution.unsolved[0].what, "acceleration of body 3");
+    EXPECT_EQ(solution.unsolved[0].why, "it needs the curvatures at P; give the \"profiles\" of both bodies there");
+}
+
+// --- gears ---------------------------------------------------------------------------------------------------------------------
+
+/// Sun 2 (r = 3), planet 3 (r = 2) and ring (r = 7) with the arm 4; the ring is body 5 or the frame.
+std::string planetary(const std::string& pair, bool ring_turns, const std::string& drivers) {
+    const std::string ring = ring_turns ? "5" : "1";
+    const std::string arm = pair == "gear" ? R"(, "arm": 4)" : "";
+    return R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [3, 4], "P": [1.8, 2.4], "Q": [4.2, 5.6], "X": [3, 2]},
+ "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 3}},
+            "3": {"points": ["C", "X"], "circle": {"centre": "C", "radius": 2}}, "4": ["O", "C"],
+            ")" +
+           ring + R"(": {"points": ["O"], "circle": {"centre": "O", "radius": 7}}},
+ "joints": [{"revolute": "O", "bodies": [1, 2, 4)" +
+           (ring_turns ? ", 5" : "") + R"(]}, {"revolute": "C", "bodies": [3, 4]},
+  {")" + pair +
+           R"(": "P", "bodies": [2, 3])" + arm + R"(}, {")" + pair + R"(": "Q", "bodies": [3, )" + ring + "]" + arm +
+           R"(}], "drivers": [)" + drivers + "]}";
+}
+
+TEST(Gears, PlanetaryTrainObeysWillis) {
+    for (const auto& [turns, drivers] :
+         {std::pair(false, R"({"body": 2, "omega": 10, "alpha": 2})"),
+          {false, R"({"body": 4, "omega": 3, "alpha": 5})"},
+          {false, R"({"body": 3, "omega": -4, "alpha": 1})"},
+          {true, R"({"body": 2, "omega": 10}, {"body": 5, "omega": -1, "alpha": 3})"},
+          {true, R"({"body": 2, "omega": 10}, {"body": 4, "omega": 7, "alpha": 3})"},
+          {true, R"({"body": 4, "omega": 2}, {"body": 2, "relative to": 4, "omega": 5, "alpha": 1})"},
+          {true, R"({"body": 4, "omega": 2}, {"body": 3, "relative to": 4, "omega": 5})"}}) {
+        const Solution solution = solved(planetary("gear", turns, drivers));
+        expect_solved(solution);
+        const Reading read{solution};
+        const auto willis = [&](auto quantity, const Exact& arm) {
+            const Exact ring = turns ? quantity("5") : Exact(0);
+            EXPECT_EQ(3 * (quantity("2") - arm), -7 * (ring - arm)) << drivers;
+            EXPECT_EQ(3 * (quantity("2") - arm), -2 * (quantity("3") - arm)) << drivers;
+        };
+        willis([&](const char* body) { return read.omega(body); }, read.omega("4"));
+        willis([&](const char* body) { return read.alpha(body); }, read.alpha("4"));
+    }
+}
+
+TEST(Gears, PitchCirclesMoveAsWheelsThatRoll) {
+    const std::string sun = R"({"body": 2, "omega": 10, "alpha": 2})";
+    const Solution gears = solved(planetary("gear", false, sun)), wheels = solved(planetary("rolling", false, sun));
+    EXPECT_EQ((Reading{gears}.a("X", "3")), (Reading{wheels}.a("X", "3")));
+    EXPECT_EQ((Reading{gears}.v("X", "3")), (Reading{wheels}.v("X", "3")));
+    EXPECT_EQ((Reading{gears}.alpha("4")), (Reading{wheels}.alpha("4")));
+    EXPECT_LE(worst_difference(wheels), 1e-9);
+}
+
+TEST(Gears, RackGoesWithThePinionsRim) {
+    const auto train = [](const std::string& driver) {
+        return solved(
+            R"({"kinegraph": 1, "frame": 1, "units": {"length": "mm"}, "points": {"O": [0, 0], "P": [0, -30], "G": [40, -40]},
+ "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 30}}, "3": ["G"]},
+ "joints": [{"revolute": "O", "bodies": [1, 2]}, {"gear": "P", "bodies": [2, 3], "profiles": {"3": {"line": [1, 0]}}},
+            {"prismatic": "G", "bodies": [3, 1], "along": [1, 0]}], "drivers": [)" +
+            driver + "]}");
+    };
+    const Solution pinion = train(R"({"body": 2, "omega": 4, "alpha": -3})");
+    expect_solved(pinion);
+    EXPECT_EQ((Reading{pinion}.v("G", "3")), (Vector{Exact::ratio(3, 25), 0}));
+    EXPECT_EQ((Reading{pinion}.a("G", "3")), (Vector{Exact::ratio(-9, 100), 0}));
+    const Solution rack = train(R"({"joint": "G", "speed": 0.12, "acceleration": -0.09})");
+    expect_solved(rack);
+    EXPECT_EQ((Reading{rack}.omega("2")), Exact(4));
+    EXPECT_EQ((Reading{rack}.alpha("2")), Exact(-3));
+}
+
+// --- laws ----------------------------------------------------------------------------------------------------------------------
+
+TEST(HigherPairs, ThreeCentresOfThreeBodiesLieOnALine) {
+    const std::string cam = eccentric(
+        R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q"])",
+        R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1, 3]})");
+    for (const std::string& text : {cam, planetary("gear", false, R"({"body": 2, "omega": 10})"), disc_on_line}) {
+        const Solution solution = solved(text);
+        const auto bodies = static_cast<BodyIndex>(solution.mechanism.bodies.size());
+        const auto centre = [&](BodyIndex i, BodyIndex j) -> const ProjectivePoint& {
+            for (const InstantCentre& c : solution.centres)
+                if (c.first == i && c.second == j) return c.at.value();
+            throw std::out_of_range("centre");
+        };
+        for (BodyIndex i = 0; i < bodies; ++i) {
+            for (BodyIndex j = i + 1; j < bodies; ++j) {
+                for (BodyIndex k = j + 1; k < bodies; ++k) {
+                    const auto &a = centre(i, j), &b = centre(j, k), &c = centre(i, k);
+                    const Exact determinant =
+                        a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w) + a.w * (b.x * c.y - c.x * b.y);
+                    EXPECT_EQ(determinant, Exact(0)) << i << j << k;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kinegraph
