@@ -149,7 +149,12 @@ void add_nodes_of_interest(Structure& structure) {
     const Mechanism& mechanism = structure.mechanism();
     for (const Joint& joint : mechanism.joints) {
         if (!slides_at_point(joint) && joint.kind != JointKind::rolling) continue;
-        for (const BodyIndex body : joint.bodies) structure.on(joint.point, body, true);
+        // The plain name is for the slider's point, or for the body that moves.
+        const bool guide_first = joint.bodies.front() == frame && joint.kind != JointKind::prismatic;
+        for (const BodyIndex body : joint.bodies) {
+            if (!guide_first || body != frame) structure.on(joint.point, body, true);
+        }
+        if (guide_first) structure.on(joint.point, frame, true);
     }
     for (const RelativeMotionQuery& query : mechanism.find.relative_motion) {
         if (query.translating_with < 0) structure.on(query.point, query.observer, true);

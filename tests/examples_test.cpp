@@ -634,5 +634,71 @@ TEST(Examples, EllipticTrammelDrawsItsEllipseExactly) {
     EXPECT_EQ(read.centre("1", "3").place(), (Vector{Exact::ratio(3, 25), Exact::ratio(9, 100)}));
 }
 
+TEST(Examples, WheelsRollAndGearsMesh) {
+    {
+        const Solution solution = solved("disc_on_line");
+        const Reading read{solution};
+        expect_near(read.v("C", "2"), 0.6, "v_C = ω r");
+        expect_near(read.a("C", "2"), -0.8, "a_C = ω̇ r");
+        expect_near(read.a("P", "2"), 9 * 0.2 * i, "a_P = ω² r");
+        expect_near(read.v("A", "2"), -3.0 * i * read.at("A"), "v_A = ω · PA");
+    }
+    {
+        const Solution solution = solved("disc_in_ring");
+        const Reading read{solution};
+        const Complex inwards = -std::polar(1.0, -60 * degree);
+        expect_near(read.a("P", "2"), 16 * 0.3 * 0.1 / 0.2 * inwards, "a_P = ω² r₁r₂/(r₁ − r₂)");
+        expect_near(read.a("C", "2"), 0.16 / 0.2 * inwards, "a_C = v²/(r₁ − r₂)");
+    }
+    {
+        const Solution solution = solved("board_on_rollers");
+        const Reading read{solution};
+        for (const char* roller : {"2", "3"}) EXPECT_EQ(read.exact_omega(roller), Exact(-2));
+        EXPECT_EQ(2 * read.exact_v("C", "2"), read.exact_v("G", "4"));
+        EXPECT_EQ(2 * read.exact_a("D", "3"), read.exact_a("G", "4"));
+    }
+    {
+        const Solution solution = solved("rack_and_pinion");
+        const Reading read{solution};
+        EXPECT_EQ(read.exact_v("G", "3"), (Vector{Exact::ratio(6, 25), 0}));
+        EXPECT_EQ(read.exact_a("G", "3"), (Vector{Exact::ratio(-2, 5), 0}));
+    }
+    {
+        const Solution solution = solved("planetary_train");
+        const Reading read{solution};
+        expect_near(read.omega("4"), 3, "ω₄ = ω₂ r₂/(r₂ + r₁)");
+        expect_near(read.omega("3"), -7.5, "ω₃ = −ω₄ (r₁ − r₃)/r₃");
+        for (const char* body : {"2", "3", "4"}) expect_near(read.alpha(body), 0, body, 100);
+    }
+    {
+        const Solution solution = solved("geneva_wheel");
+        const Reading read{solution};
+        const double omega = -60 * 12 * degree / 2, r = 0.05, d = 0.070710678118654752, theta = 20 * degree;
+        const double square = r * r + d * d - 2 * r * d * std::cos(theta);
+        expect_near(read.omega("3"), -omega * r * (d * std::cos(theta) - r) / square, "ω₃");
+        expect_near(read.alpha("3"), omega * omega * r * d * (d * d - r * r) * std::sin(theta) / (square * square), "ω̇₃");
+    }
+}
+
+TEST(Examples, CamFollowersMoveByTheirClosedForms) {
+    // s(θ) = e sin θ + √(l² − (e cos θ − x)²) over the cam's centre at rest; for the flat face the root is r.
+    const double e = 0.02, theta = 40 * degree, omega = 10;
+    const double sine = e * std::sin(theta), cosine = e * std::cos(theta);
+    for (const auto& [name, rod, beside] :
+         {std::tuple("cam_flat_follower", 0.0, 0.0), {"cam_roller_follower", 0.055, 0.0}, {"cam_knife_edge", 0.04, 0.01}}) {
+        const Solution solution = solved(name);
+        const Reading read{solution};
+        double first = cosine, second = -sine;
+        if (rod > 0) {
+            const double across = cosine - beside, root = std::sqrt(rod * rod - across * across);
+            const double slope = across * sine / root;  // d√/dθ
+            first += slope;
+            second += (across * cosine - sine * sine - slope * slope) / root;
+        }
+        expect_near(read.v("H", "3"), omega * first * i, name);
+        expect_near(read.a("H", "3"), omega * omega * second * i, name);
+    }
+}
+
 }  // namespace
 }  // namespace kinegraph

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <map>
 #include <string>
 
 #include "constructions/solve.hpp"
+#include "tests/random_mechanism.hpp"
 
 namespace kinegraph {
 namespace {
@@ -253,10 +257,9 @@ TEST(Contact, SlidesAlongItsTangent) {
 }
 
 TEST(Contact, WithoutCurvaturesAccelerationsAskForThem) {
-    const Solution solution =
-        solved(eccentric(R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q", "P"])",
-                         R"({"contact": "P", "bodies": [3, 4], "tangent": [4, -3]}, {"revolute": "O", "bodies": [1, 4]},
-                     {"weld": "C", "bodies": [2, 4]}, {"revolute": "Q", "bodies": [1, 3]})"));
+    const Solution solution = solved(eccentric(R"("P": [60, 80], "Q": [140, 20])", R"("3": ["Q", "P"], "4": ["C"])",
+                                               R"({"contact": "P", "bodies": [3, 4], "tangent": [4, -3]},
+                                                  {"weld": "C", "bodies": [2, 4]}, {"revolute": "Q", "bodies": [1, 3]})"));
     EXPECT_TRUE((Reading{solution}.motion("P", "3").velocity));
     ASSERT_FALSE(solution.unsolved.empty());
     EXPECT_EQ(solution.unsolved[0].what, "acceleration of body 3");
@@ -356,6 +359,147 @@ TEST(HigherPairs, ThreeCentresOfThreeBodiesLieOnALine) {
             }
         }
     }
+}
+
+// --- forces --------------------------------------------------------------------------------------------------------------------
+
+TEST(HigherPairs, InertiaOfARackActsOnItsPinion) {
+    // M = (J + m r²) ω̇ with J = 0.01, m = 5, r = 0.04; gravity is square to the rack.
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "P": [0, -0.04], "G": [0.07, -0.055]},
+ "bodies": {"2": {"points": ["O"], "circle": {"centre": "O", "radius": 0.04}}, "3": ["G"]},
+ "joints": [{"revolute": "O", "bodies": [1, 2]}, {"gear": "P", "bodies": [2, 3], "profiles": {"3": {"line": [1, 0]}}, "pressure angle": 20},
+            {"prismatic": "G", "bodies": [3, 1], "along": 0}],
+ "drivers": [{"body": 2, "omega": 6, "alpha": -10}], "gravity": [0, -9.81], "inertia forces": true,
+ "masses": {"2": {"mass": 4, "centre": "O", "inertia": 0.01}, "3": {"mass": 5, "centre": "G", "inertia": 0}},
+ "effort": [{"couple": "M", "body": 2}]})");
+    expect_solved(solution);
+    ASSERT_EQ(solution.efforts.size(), 1U);
+    EXPECT_NEAR(solution.efforts[0].value->to_double(), -0.18, 1e-15);
+}
+
+TEST(HigherPairs, AFollowerTooFastLiftsOff) {
+    // The flat follower weighs m g and is slowed by m e ω² sin θ: it stays on the cam while ω² < g/(e sin θ) = 981/4.
+    const auto follower = [](int omega) {
+        return solved(
+            R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [0.03, 0.04], "P": [0.03, 0.09], "G": [0, 0.12]},
+ "bodies": {"2": {"points": ["O", "C"], "circle": {"centre": "C", "radius": 0.05}}, "3": ["G"]},
+ "joints": [{"revolute": "O", "bodies": [1, 2]}, {"prismatic": "G", "bodies": [3, 1], "along": [0, 1]},
+            {"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [1, 0]}}, "pushes": [0, 1]}],
+ "drivers": [{"body": 2, "omega": )" +
+            std::to_string(omega) +
+            R"(}], "gravity": [0, -9.81], "inertia forces": true,
+ "masses": {"3": {"mass": 2, "centre": "G", "inertia": 0}}, "effort": [{"couple": "M", "body": 2}]})");
+    };
+    const Solution slow = follower(15), fast = follower(16);
+    expect_solved(slow);
+    expect_solved(fast);
+    EXPECT_TRUE(slow.remarks.empty());
+    ASSERT_EQ(fast.remarks.size(), 1U);
+    EXPECT_EQ(fast.remarks[0], "the contact at P would have to pull: there the bodies lift off");
+}
+
+// --- random mechanisms ---------------------------------------------------------------------------------------------------------
+
+/// Two to four moving bodies on an open chain of hinges and sleeves, closed by random contacts, rollings, gears and slots until
+/// one freedom is left; a random body drives. Directions are those of Pythagorean triangles, places decimals: all is exact.
+class RandomHigherPairs {
+public:
+    explicit RandomHigherPairs(std::uint64_t seed) : random_(seed), bodies_(random_.whole(2, 4)) {}
+
+    std::string text() {
+        for (int body = 1; body <= bodies_; ++body) {
+            const int parent = random_.whole(0, body - 1);
+            const std::string between = ", \"bodies\": [" + std::to_string(body) + ", " + std::to_string(parent) + "]";
+            if (random_.chance(80)) {
+                add_joint("\"revolute\": " + place() + between);
+            } else {
+                add_joint("\"prismatic\": " + place() + between + ", \"along\": " + bearing(direction()));
+            }
+        }
+        for (int freedoms = bodies_; freedoms > 1;) freedoms -= close(freedoms);
+        std::string text = R"({"kinegraph": 1, "frame": 0, "points": {)" + points_ + "}, \"bodies\": {";
+        for (int body = 1; body <= bodies_; ++body)
+            text += (body > 1 ? ", \"" : "\"") + std::to_string(body) + "\": [\"T" + std::to_string(body) + "\"]";
+        return text + "}, \"joints\": [" + joints_ + "], \"drivers\": [{\"body\": " + std::to_string(random_.whole(1, bodies_)) +
+               ", \"omega\": " + std::to_string(random_.whole(1, 9)) + ", \"alpha\": " + std::to_string(random_.whole(-9, 9)) +
+               "}]}";
+    }
+
+private:
+    struct Whole {
+        int x, y;
+    };
+    static std::string bearing(Whole a) { return "[" + std::to_string(a.x) + ", " + std::to_string(a.y) + "]"; }
+    Whole direction() {
+        static constexpr std::array<Whole, 5> triangles{{{1, 0}, {3, 4}, {5, 12}, {15, 8}, {21, 20}}};
+        Whole d = triangles[static_cast<std::size_t>(random_.whole(0, 4))];
+        if (random_.chance(50)) std::swap(d.x, d.y);
+        if (random_.chance(50)) d.x = -d.x;
+        return d;
+    }
+    std::string add_point(Whole at) {
+        const std::string name = "A" + std::to_string(count_++);
+        points_ += (points_.empty() ? "\"" : ", \"") + name + "\": " + bearing(at);
+        return '"' + name + '"';
+    }
+    Whole anywhere() { return {random_.whole(-600, 600), random_.whole(-600, 600)}; }
+    std::string place() { return add_point(anywhere()); }
+    void add_joint(const std::string& joint) { joints_ += (joints_.empty() ? "{" : ", {") + joint + "}"; }
+
+    /// A profile through the contact with this normal; `kind` 0: round, 1: straight, 2: a tip.
+    std::string profile(int kind, Whole at, Whole normal) {
+        if (kind == 1) return "{\"line\": " + bearing({-normal.y, normal.x}) + "}";
+        if (kind == 2) return "{\"tip\": true}";
+        const int reach = random_.whole(1, 12) * (random_.chance(50) ? 1 : -1);
+        return "{\"circle\": " + add_point({at.x + reach * normal.x, at.y + reach * normal.y}) + "}";
+    }
+
+    /// Adds a pair and returns how many freedoms it takes.
+    int close(int freedoms) {
+        const int first = random_.whole(0, bodies_);
+        int second = random_.whole(0, bodies_ - 1);
+        if (second >= first) ++second;
+        const std::string between = ", \"bodies\": [" + std::to_string(first) + ", " + std::to_string(second) + "]";
+        const Whole at = anywhere(), normal = direction();
+        const std::string point = add_point(at);
+        const int which = random_.whole(0, 9);
+        if (which == 0) {
+            add_joint("\"pin-slot\": " + point + between + ", \"along\": " + bearing(normal));
+            return 1;
+        }
+        const bool rolls = freedoms > 2 && which < 4, meshes = which == 9;
+        static constexpr std::array<std::array<int, 2>, 8> kinds{
+            {{0, 0}, {0, 1}, {1, 0}, {0, 0}, {2, 0}, {0, 2}, {1, 2}, {2, 1}}};
+        const auto& [one, two] = kinds[static_cast<std::size_t>(random_.whole(0, rolls || meshes ? 3 : 7))];
+        const std::string profiles = ", \"profiles\": {\"" + std::to_string(first) + "\": " + profile(one, at, normal) + ", \"" +
+                                     std::to_string(second) + "\": " + profile(two, at, normal) + "}";
+        add_joint((rolls ? "\"rolling\": " : meshes ? "\"gear\": " : "\"contact\": ") + point + between + profiles);
+        return rolls ? 2 : 1;
+    }
+
+    Random random_;
+    int bodies_, count_ = 0;
+    std::string points_ = R"("T1": [11, 7], "T2": [-70, 31], "T3": [53, -90], "T4": [-27, -64])", joints_;
+};
+
+TEST(HigherPairs, RandomMechanismsAgreeWithTheCheck) {
+    int solved_wholly = 0, movable = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        const std::string text = RandomHigherPairs(seed).text();
+        const Solution solution = solved(text);
+        if (solution.mobility.effective != 1 || !solution.mobility.idle_drivers.empty()) continue;
+        ++movable;
+        const bool wholly = solution.unsolved.empty();
+        solved_wholly += wholly ? 1 : 0;
+        EXPECT_LE(worst_difference(solution), 1e-9) << "seed " << seed << ": " << text;
+        if (!wholly && std::getenv("KG_VERBOSE")) {
+            std::cout << seed << ": " << solution.unsolved[0].what << ": " << solution.unsolved[0].why << "\n" << text << "\n";
+        }
+    }
+    std::cout << solved_wholly << " of " << movable << "\n";
+    EXPECT_GE(movable, 300);
+    EXPECT_GE(solved_wholly, movable * 3 / 4);
 }
 
 }  // namespace
