@@ -162,7 +162,9 @@ private:
     void set_tip(Track<plane>& track, NodeIndex index, PointOn<plane> tip, bool draw_absolute) {
         track.tips.resize(structure_.nodes().size());
         track.tips[at(index)] = tip;
-        if (hand_ == Hand::silent) return;
+        // Places of the frame that are only steps to others would crowd the pole.
+        const bool only_a_step = at_rest(index) && !node(index).carried && !node(index).of_interest;
+        if (hand_ == Hand::silent || only_a_step) return;
         Image label;
         label.trial = trial();
         label.symbol = image<plane>(index);
