@@ -777,8 +777,7 @@ private:
 
     /// Looks for a condition that the assumption moves; finds what must be drawn from it to the condition.
     bool close(std::size_t assumed) {
-        const Track<Plane::velocity> moved = draw_response(structure_, board_, plan_, assumed);
-        std::optional<Closing> closing = moved_condition(moved);
+        std::optional<Closing> closing = moved_condition(assumed);
         for (JointIndex joint = 0; !closing && at(joint) < mechanism_.joints.size(); ++joint) {
             closing = moved_condition_at(joint, assumed);
         }
@@ -798,9 +797,18 @@ private:
     }
 
     /// Of the conditions that the drawing breaks, one whose line stays where it is, else the first.
-    std::optional<Closing> moved_condition(const Track<Plane::velocity>& moved) {
+    std::optional<Closing> moved_condition(std::size_t assumed) {
+        std::size_t steps = plan_.steps.size();
+        Track<Plane::velocity> moved = draw_response(structure_, board_, plan_, assumed);
+        std::vector<Closing> all = conditions(moved);
+        // Looking for them may have made places known that the drawing does not show yet.
+        while (plan_.steps.size() > steps) {
+            steps = plan_.steps.size();
+            moved = draw_response(structure_, board_, plan_, assumed);
+            all = conditions(moved);
+        }
         std::optional<Closing> first;
-        for (const Closing& condition : conditions(moved)) {
+        for (const Closing& condition : all) {
             if (!is_broken(structure_, board_, moved, condition)) continue;
             const bool line_at_rest =
                 condition.locus && (condition.locus->base < 0 || board_.is_zero(board_.vector(board_.pole<Plane::velocity>(),
@@ -818,7 +826,7 @@ private:
         const State before = state();
         const std::size_t steps = plan_.steps.size();
         if (see_places_of(index) && plan_.steps.size() > steps) {
-            if (auto closing = moved_condition(draw_response(structure_, board_, plan_, assumed))) return closing;
+            if (auto closing = moved_condition(assumed)) return closing;
         }
         restore(before);
         return std::nullopt;

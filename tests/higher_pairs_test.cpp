@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -61,6 +60,8 @@ double worst_difference(const Solution& solution) {
         if (kind(row.quantity) == "omega") fastest = std::max(fastest, std::abs(row.graphical));
     }
     scale["alpha"] = std::max(scale["alpha"], fastest * fastest);
+    // Where nothing slides, the motion of the bodies is what a sliding is small against.
+    scale["sliding"] = std::max({scale["sliding"], scale["velocity"], scale["acceleration"]});
     if (solution.virtual_work) {
         for (const VirtualWork::Entry& entry : solution.virtual_work->entries)
             scale["virtual"] = std::max(scale["virtual"], std::abs(entry.power.to_double()));
@@ -401,7 +402,7 @@ TEST(HigherPairs, AFollowerTooFastLiftsOff) {
 
 // --- random mechanisms ---------------------------------------------------------------------------------------------------------
 
-/// Two to four moving bodies on an open chain of hinges and sleeves, closed by random contacts, rollings, gears and slots until
+/// Two to four moving bodies on an open chain of hinges and sleeves, closed by random contacts, rollings and slots until
 /// one freedom is left; a random body drives. Directions are those of Pythagorean triangles, places decimals: all is exact.
 class RandomHigherPairs {
 public:
@@ -410,6 +411,7 @@ public:
     std::string text() {
         for (int body = 1; body <= bodies_; ++body) {
             const int parent = random_.whole(0, body - 1);
+            joined_[static_cast<std::size_t>(body)] = parent;
             const std::string between = ", \"bodies\": [" + std::to_string(body) + ", " + std::to_string(parent) + "]";
             if (random_.chance(80)) {
                 add_joint("\"revolute\": " + place() + between);
@@ -457,9 +459,12 @@ private:
 
     /// Adds a pair and returns how many freedoms it takes.
     int close(int freedoms) {
-        const int first = random_.whole(0, bodies_);
-        int second = random_.whole(0, bodies_ - 1);
-        if (second >= first) ++second;
+        int first = 0, second = 0;
+        do {
+            first = random_.whole(0, bodies_);
+            second = random_.whole(0, bodies_);
+        } while (first == second || joined_[static_cast<std::size_t>(first)] == second ||
+                 joined_[static_cast<std::size_t>(second)] == first);
         const std::string between = ", \"bodies\": [" + std::to_string(first) + ", " + std::to_string(second) + "]";
         const Whole at = anywhere(), normal = direction();
         const std::string point = add_point(at);
@@ -468,38 +473,35 @@ private:
             add_joint("\"pin-slot\": " + point + between + ", \"along\": " + bearing(normal));
             return 1;
         }
-        const bool rolls = freedoms > 2 && which < 4, meshes = which == 9;
+        const bool rolls = freedoms > 2 && which < 4;
         static constexpr std::array<std::array<int, 2>, 8> kinds{
             {{0, 0}, {0, 1}, {1, 0}, {0, 0}, {2, 0}, {0, 2}, {1, 2}, {2, 1}}};
-        const auto& [one, two] = kinds[static_cast<std::size_t>(random_.whole(0, rolls || meshes ? 3 : 7))];
+        const auto& [one, two] = kinds[static_cast<std::size_t>(random_.whole(0, rolls ? 3 : 7))];
         const std::string profiles = ", \"profiles\": {\"" + std::to_string(first) + "\": " + profile(one, at, normal) + ", \"" +
                                      std::to_string(second) + "\": " + profile(two, at, normal) + "}";
-        add_joint((rolls ? "\"rolling\": " : meshes ? "\"gear\": " : "\"contact\": ") + point + between + profiles);
+        add_joint((rolls ? "\"rolling\": " : "\"contact\": ") + point + between + profiles);
         return rolls ? 2 : 1;
     }
 
     Random random_;
     int bodies_, count_ = 0;
+    std::array<int, 5> joined_{-1, -1, -1, -1, -1};  ///< by body: to which its own hinge or sleeve ties it
     std::string points_ = R"("T1": [11, 7], "T2": [-70, 31], "T3": [53, -90], "T4": [-27, -64])", joints_;
 };
 
 TEST(HigherPairs, RandomMechanismsAgreeWithTheCheck) {
-    int solved_wholly = 0, movable = 0;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    int movable = 0;
+    for (std::uint64_t seed = 0; seed < 250; ++seed) {
         const std::string text = RandomHigherPairs(seed).text();
         const Solution solution = solved(text);
+        // What the contacts lock, and drivers of a body that cannot move, are no motion to draw.
         if (solution.mobility.effective != 1 || !solution.mobility.idle_drivers.empty()) continue;
         ++movable;
-        const bool wholly = solution.unsolved.empty();
-        solved_wholly += wholly ? 1 : 0;
+        for (const Unsolved& missing : solution.unsolved)
+            ADD_FAILURE() << "seed " << seed << ": " << missing.what << ": " << missing.why << "\n" << text;
         EXPECT_LE(worst_difference(solution), 1e-9) << "seed " << seed << ": " << text;
-        if (!wholly && std::getenv("KG_VERBOSE")) {
-            std::cout << seed << ": " << solution.unsolved[0].what << ": " << solution.unsolved[0].why << "\n" << text << "\n";
-        }
     }
-    std::cout << solved_wholly << " of " << movable << "\n";
-    EXPECT_GE(movable, 300);
-    EXPECT_GE(solved_wholly, movable * 3 / 4);
+    EXPECT_GE(movable, 125);
 }
 
 }  // namespace
