@@ -3,6 +3,7 @@
 #include "app/files.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
+#include "render/words.hpp"
 
 namespace kinegraph::app {
 
@@ -24,7 +25,7 @@ Status check_command(const std::string& file) {
     if (!mechanism) return say(name, mechanism.error());
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(name, pose.error());
-    for (const std::string& remark : pose->remarks) say(name, "remark: " + remark);
+    for (const Message& remark : pose->remarks) say(name, "remark: " + render::tell(remark, render::Language::en));
     const auto counted = [](std::size_t count, const char* thing) {
         return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
     };

@@ -8,6 +8,7 @@
 #include "constructions/solve.hpp"
 #include "render/backends.hpp"
 #include "render/figure_alone.hpp"
+#include "render/words.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -72,6 +73,9 @@ tl::expected<std::vector<Target>, std::string> targets_of(const SolveRequest& re
 /// "./a.svg" and "a.svg" alike.
 std::string plain(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
 
+/// What programs read is English whatever the sheet speaks.
+std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
+
 /// All bytes of a run, under the names they get. Remarks are added to `remarks`.
 std::vector<Output> outputs_of(const Solution& solution, const std::vector<Target>& targets, const SolveRequest& request,
                                const std::vector<render::Page>& pages, const std::optional<render::Fonts>& fonts,
@@ -79,7 +83,7 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
     std::vector<Output> outputs;
     for (const Target& target : targets) {
         if (target.format == Format::json) {
-            outputs.push_back({target.path, results_json(solution, request.exact)});
+            outputs.push_back({target.path, results_json(solution, request.exact, in_english)});
             continue;
         }
         if (target.format == Format::pdf) {
@@ -158,7 +162,8 @@ Status solve_command(const SolveRequest& request) {
     const auto solution = solve(*std::move(mechanism));
     if (!solution) return say(name, solution.error());
 
-    std::vector<std::string> remarks = solution->remarks;
+    std::vector<std::string> remarks;
+    for (const Message& remark : solution->remarks) remarks.push_back(render::tell(remark, request.language));
     std::vector<Output> outputs;
     const bool wants_lever = std::find(request.with.begin(), request.with.end(), "joukowsky") != request.with.end();
     const bool draws =
@@ -224,8 +229,10 @@ Status solve_command(const SolveRequest& request) {
         say(failure->path == "-" ? "standard output" : failure->path, "cannot be written: " + failure->why);
         return Status::output;
     }
-    for (const std::string& remark : remarks) say(name, "remark: " + remark);
-    for (const Unsolved& unsolved : solution->unsolved) say(name, "unsolved: " + unsolved.what + ": " + unsolved.why);
+    const auto tell = [&](const Message& message) { return render::tell(message, request.language); };
+    for (const std::string& remark : remarks) say(name, render::word("a remark", request.language) + ": " + remark);
+    for (const Unsolved& unsolved : solution->unsolved)
+        say(name, render::word("one unsolved", request.language) + ": " + tell(unsolved.what) + ": " + tell(unsolved.why));
     return solution->unsolved.empty() ? Status::done : Status::unsolved;
 }
 

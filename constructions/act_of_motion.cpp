@@ -1,7 +1,6 @@
 #include "constructions/act_of_motion.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,13 +43,6 @@ struct State {
     explicit State(Track<plane>& of) : track(of) {}
 };
 
-/// Four digits for a message.
-std::string measured(const Amount& measure) {
-    char digits[48];
-    const auto end = std::to_chars(digits, digits + sizeof digits, measure.value, std::chars_format::general, 4).ptr;
-    return std::string(digits, end) + " " + measure.unit;
-}
-
 class Act {
 public:
     Act(Structure& structure, Board& board, const ActWishes& wishes)
@@ -72,7 +64,7 @@ public:
             draw_images(velocities);
             explain(velocities);
         } else if (wishes_.centre) {
-            unsolved("instant centre " + structure_.body_name(frame) + "," + body().name, "the velocities contradict each other");
+            unsolved(sought_centre(), {Sentence::velocities_contradict, {}});
         }
         if (wishes_.accelerations) draw_accelerations(velocities);
         return std::move(result_);
@@ -86,7 +78,12 @@ private:
     const Node& node(NodeIndex index) const { return structure_.node(index); }
     BodyName body() const { return {structure_.body_name(body_)}; }
     PointName name(NodeIndex index) const { return {node(index).label}; }
-    void unsolved(std::string what, std::string why) { result_.unsolved.push_back({std::move(what), std::move(why)}); }
+    Message sought_centre() const { return {Sentence::centre_of_bodies, {BodyName{structure_.body_name(frame)}, body()}}; }
+    template <Plane plane>
+    Message sought() const {
+        return {is_velocity<plane> ? Sentence::velocity_of_body : Sentence::acceleration_of_body, {body()}};
+    }
+    void unsolved(Message what, Message why) { result_.unsolved.push_back({std::move(what), std::move(why)}); }
 
     // --- symbols -----------------------------------------------------------------------------------------------------------
     template <Plane plane>
@@ -563,7 +560,6 @@ private:
         if (first < 0) return miss(state, second, first);  // an auxiliary place is none of the file's
         state.contradicted = true;
         const Segment segment{node(first).label, node(second).label};
-        const std::string on = segment.from + " and " + segment.to;
         if constexpr (is_velocity<plane>) {
             result_.figure.found = Found::contradiction;
             result_.figure.points = {node(first).point, node(second).point};
@@ -582,15 +578,11 @@ private:
             result_.figure.differing = {node(first).point, node(second).point, board_.value(of_first), board_.value(of_second)};
             const Amount a = measure_of(of_first, join), b = measure_of(of_second, join);
             board_.statement(statement).message.arguments = {segment, absolute<plane>(first), absolute<plane>(second), a, b};
-            unsolved("velocity of body " + body().name, "no rigid motion has these velocities: on " + segment.from + "–" +
-                                                            segment.to + " that of " + segment.from + " projects to " +
-                                                            measured(a) + ", that of " + segment.to + " to " + measured(b));
+            unsolved(sought<plane>(), {Sentence::unequal_projections, {segment, name(first), a, name(second), b}});
         } else {
             begin<plane>(Sentence::act_unequal_projections_acceleration,
                          {segment, absolute<plane>(first), absolute<plane>(second)}, "Rivals");
-            unsolved("acceleration of body " + body().name,
-                     "no rigid motion has these accelerations: the projections of those of " + on +
-                         " on their join do not differ by ω² times their distance");
+            unsolved(sought<plane>(), {Sentence::unequal_normal_parts, {name(first), name(second)}});
         }
     }
 
@@ -605,18 +597,19 @@ private:
     void miss(State<plane>& state, NodeIndex index, NodeIndex against) {
         state.contradicted = true;
         begin<plane>(Sentence::act_misses, {absolute<plane>(index)}, "Rivals");
-        const std::string quantity = is_velocity<plane> ? "velocity" : "acceleration";
         if constexpr (is_velocity<plane>) {
             result_.figure.found = Found::contradiction;
             result_.figure.points = {node(index).point};
         }
         const bool same_place = against >= 0 && board_.coincide(node(index).place, node(against).place);
-        unsolved(quantity + " of body " + body().name,
-                 same_place ? node(index).label + " and " + node(against).label +
-                                  " are at one place of the body and cannot have different " +
-                                  (is_velocity<plane> ? "velocities" : "accelerations")
-                            : "the " + quantity + " given at " + node(index).label +
-                                  " is not the one that the body has there by those of the other points");
+        if (same_place) {
+            unsolved(sought<plane>(),
+                     {is_velocity<plane> ? Sentence::two_velocities_at_one_place : Sentence::two_accelerations_at_one_place,
+                      {name(index), name(against)}});
+        } else {
+            unsolved(sought<plane>(),
+                     {is_velocity<plane> ? Sentence::velocity_misses : Sentence::acceleration_misses, {name(index)}});
+        }
     }
 
     // --- the centre ----------------------------------------------------------------------------------------------------------
@@ -722,47 +715,46 @@ private:
 
     /// What the velocities leave open, and what would close it.
     void explain(State<Plane::velocity>& state) {
-        const std::string what = "velocity of body " + body().name;
-        const std::string centre = "instant centre " + structure_.body_name(frame) + "," + body().name;
+        const Message what = sought<Plane::velocity>();
         const bool located = centre_.has_value() || result_.figure.found == Found::rest;
         if (state.base && turns(state)) return;
         if (wishes_.centre && !located) {
-            unsolved(centre, state.given.empty()
-                                 ? "no velocity is given"
-                                 : "it lies on the perpendicular to the velocity of " + node(state.given.front().node).label +
-                                       ", and nothing given says where on it");
+            if (state.given.empty()) {
+                unsolved(sought_centre(), {Sentence::no_velocity_given, {}});
+            } else {
+                unsolved(sought_centre(), {Sentence::centre_on_perpendicular, {name(state.given.front().node)}});
+            }
         }
         if (!wishes_.velocities) return;
         if (located && turns(state)) {
-            unsolved(what, "directions alone say that it translates, not how fast; give the velocity of one point");
+            unsolved(what, {Sentence::speed_of_translation_open, {}});
         } else if (located) {
             // Where the centre is a point of the file, that one is known.
             for (const NodeIndex index : structure_.nodes_of(body_)) {
                 if (!state.track.has(index) && board_.coincide(node(index).place, *centre_))
                     set_tip(state, index, board_.pole<Plane::velocity>());
             }
-            unsolved(what, "centre and directions are known, no size; give the velocity of a point that moves");
+            unsolved(what, {Sentence::size_open, {}});
         } else if (state.given.empty()) {
-            unsolved(what, "no velocity is given");
+            unsolved(what, {Sentence::no_velocity_given, {}});
         } else {
-            unsolved(what,
-                     "what is given leaves the turning of the body free; give the velocity of another point, or its direction");
+            unsolved(what, {Sentence::turning_open, {}});
         }
     }
 
     // --- accelerations -------------------------------------------------------------------------------------------------------
     void draw_accelerations(const State<Plane::velocity>& velocities) {
-        const std::string what = "acceleration of body " + body().name;
-        if (velocities.contradicted) return unsolved(what, "the velocities contradict each other");
-        if (!turns(velocities)) return unsolved(what, "the angular velocity, which the normal parts ω²·r want, is not known");
-        if (mechanism_.motion->accelerations.empty()) return unsolved(what, "no acceleration is given");
+        const Message what = sought<Plane::acceleration>();
+        if (velocities.contradicted) return unsolved(what, {Sentence::velocities_contradict, {}});
+        if (!turns(velocities)) return unsolved(what, {Sentence::omega_unknown, {}});
+        if (mechanism_.motion->accelerations.empty()) return unsolved(what, {Sentence::no_acceleration_given, {}});
         State<Plane::acceleration> state(result_.motion.acceleration);
         begin_polygon(state, mechanism_.motion->accelerations);
         settle(state);
         if (state.contradicted) return;
         draw_images(state);
         if (!state.base || !turns(state)) {
-            unsolved(what, "what is given leaves it free; give the acceleration of another point, or its direction");
+            unsolved(what, {Sentence::acceleration_open, {}});
             return;
         }
         locate_acceleration_centre(state);

@@ -217,8 +217,7 @@ void ForceModel::add_spring(const SpringLoad& spring) {
         const PointIndex from = spring.between[end], to = spring.between[1 - end];
         const Exact magnitude = spring.magnitude;
         if (board_.coincide(board_.place(from), board_.place(to))) {
-            missing_.push_back(
-                {"forces", "the ends of " + spring.name + " coincide at this position: its pull has no direction"});
+            missing_.push_back({{Sentence::all_forces, {}}, {Sentence::spring_without_direction, {spring.name}}});
             return;
         }
         const auto pull = [=](const Pose& pose) { return magnitude * unit_along(pose.at(to) - pose.at(from), pose.bits); };
@@ -249,8 +248,8 @@ void ForceModel::add_inertia(const Mass& mass) {
     const auto& track = motion_.acceleration;
     const NodeIndex centre = structure_.find(mass.centre, mass.body);
     if (track.polygon < 0 || centre < 0 || !track.has(centre) || !track.turns(mass.body)) {
-        missing_.push_back({"forces", "the inertia forces of body " + mechanism_.bodies[at(mass.body)].name +
-                                          " need its acceleration, which is not known; give \"drivers\""});
+        missing_.push_back(
+            {{Sentence::all_forces, {}}, {Sentence::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
         return;
     }
     const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));

@@ -22,7 +22,7 @@ struct ForceResults {
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> bodies;  ///< in the order in which they were resolved
     std::vector<Unsolved> unsolved;
-    std::vector<std::string> remarks;
+    std::vector<Message> remarks;
 };
 
 /// Draws the forces of a loaded mechanism. `motion` gives the accelerations where the file includes inertia.

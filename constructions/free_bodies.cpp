@@ -74,44 +74,32 @@ private:
             if (bond.joint < 0 || !run.reactions[b].force) continue;
             const Joint& joint = mechanism_.joints[at(bond.joint)];
             if (!joint.pushes || dot(board_.value(*run.reactions[b].force), *joint.pushes).sign() >= 0) continue;
-            results_.remarks.push_back("the contact at " + joint.name + " would have to pull: there the bodies lift off");
+            results_.remarks.push_back({Sentence::lift_off, {PointName{joint.name}}});
         }
     }
 
-    std::string reason() const {
-        const int efforts = static_cast<int>(mechanism_.efforts.size());
-        const auto freedoms = [](int count) { return std::to_string(count) + (count == 1 ? " freedom" : " freedoms"); };
+    /// Why the forces are not determined; `open`: which ones, where some are.
+    Message reason(Symbols open) const {
+        const auto efforts = static_cast<int>(mechanism_.efforts.size());
+        const Count freedoms{mobility_.effective};
+        if (efforts < mobility_.effective) return {Sentence::unbalanced, {freedoms, Count{efforts}, std::move(open)}};
+        if (efforts > mobility_.effective) return {Sentence::too_many_efforts, {Count{efforts}, freedoms, std::move(open)}};
         int repeated = 0;
-        std::string joints;
+        Names joints;
         for (const Mobility::Redundant& redundant : mobility_.redundant) {
             repeated += redundant.rows;
-            joints += (joints.empty() ? "" : ", ") + mechanism_.joints[at(redundant.joint)].name;
+            joints.push_back(mechanism_.joints[at(redundant.joint)].name);
         }
-        if (efforts < mobility_.effective) {
-            return "the loads are not balanced: the mechanism has " + freedoms(mobility_.effective) + " and " +
-                   std::to_string(efforts) + (efforts == 1 ? " effort" : " efforts") + " to hold it; give \"effort\"";
-        }
-        if (efforts > mobility_.effective) {
-            return std::to_string(efforts) + " efforts stand against " + freedoms(mobility_.effective) +
-                   "; give one for each freedom";
-        }
-        if (repeated > 0) {
-            return "statically indeterminate, " + std::to_string(repeated) + (repeated == 1 ? " time" : " times") + ": joint " +
-                   joints + " repeats what others hold already";
-        }
-        return "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit";
+        if (repeated > 0) return {Sentence::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
+        return {Sentence::effort_without_work, {std::move(open)}};
     }
 
     void explain(const Run& run, bool balanced) {
-        if (!balanced) {
-            results_.unsolved.push_back({"forces", reason()});
-            return;
+        Symbols open;
+        for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
+            if (!run.reactions[b].known) open.push_back(model_.bonds()[b].symbol);
         }
-        std::string open;
-        for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
-            if (!run.reactions[b].known) open += (open.empty() ? "" : ", ") + name_of(model_.bonds()[b].symbol);
-        }
-        results_.unsolved.push_back({"forces", reason() + "; not determined: " + open});
+        results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
     }
 
     Vector value(const std::optional<Force>& force) const { return force ? board_.value(*force) : Vector{}; }

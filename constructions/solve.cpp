@@ -115,8 +115,7 @@ private:
         for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
         const BodyIndex moved = mechanism_.motion->body;
         for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
-            if (body != moved)
-                unsolved("motion of body " + body_name(body), "an act of motion is of one body, here " + body_name(moved));
+            if (body != moved) unsolved({Sentence::motion_of_body, {named(body)}}, {Sentence::one_body_only, {named(moved)}});
         }
         if (!wanted_.centres) return;
         for (BodyIndex first = 0; at(first) < mechanism_.bodies.size(); ++first) {
@@ -130,7 +129,8 @@ private:
     }
 
     const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
-    void unsolved(std::string what, std::string why) { solution_.unsolved.push_back({std::move(what), std::move(why)}); }
+    BodyName named(BodyIndex body) const { return {body_name(body)}; }
+    void unsolved(Message what, Message why) { solution_.unsolved.push_back({std::move(what), std::move(why)}); }
 
     const Pose& finer_pose() {
         if (!finer_) {
@@ -144,9 +144,7 @@ private:
     void remark_redundancies() {
         for (const Mobility::Redundant& redundant : solution_.mobility.redundant) {
             const Joint& joint = mechanism_.joints[at(redundant.joint)];
-            solution_.remarks.push_back("joint " + joint.name + " repeats " + std::to_string(redundant.rows) +
-                                        (redundant.rows == 1 ? " constraint" : " constraints") +
-                                        " that the others impose already at this position");
+            solution_.remarks.push_back({Sentence::repeated_constraints, {PointName{joint.name}, Count{redundant.rows}}});
         }
     }
 
@@ -163,18 +161,18 @@ private:
 
     /// A driver that fixes nothing new must ask what the mechanism does anyway; if not, it drives against a dead point or a lock.
     void hold_against_motion(int driver) {
-        const std::string what = std::visit(
-            [&](const auto& given) {
+        const Message what = std::visit(
+            [&](const auto& given) -> Message {
                 if constexpr (requires { given.joint; }) {
-                    return "driver of joint " + mechanism_.joints[at(given.joint)].name;
+                    return {Sentence::drive_of_joint, {PointName{mechanism_.joints[at(given.joint)].name}}};
                 } else {
-                    return "driver of body " + body_name(given.body);
+                    return {Sentence::drive_of_body, {named(given.body)}};
                 }
             },
             mechanism_.drivers[at(driver)]);
         const bool agrees =
             std::visit([&](const auto& given) { return asks_the_same(given, driver); }, mechanism_.drivers[at(driver)]);
-        if (!agrees) unsolved(what, idle_reason());
+        if (!agrees) unsolved(what, {idle_reason(), {}});
     }
 
     bool asks_the_same(const SpinDriver& spin, int) {
@@ -218,12 +216,9 @@ private:
         return same(motion_.velocity, point.speed) && (!wanted_.accelerations || same(motion_.acceleration, point.acceleration));
     }
 
-    std::string idle_reason() const {
-        if (solution_.mobility.effective == 0) return "the mechanism is locked in this position: it has no freedom left to drive";
-        if (solution_.mobility.driven < solution_.mobility.effective) {
-            return "it cannot be driven here: a dead point; what it drives stands still whatever the rest does, and the motion of the rest stays free";
-        }
-        return "the other drivers fix this motion already, and differently";
+    Sentence idle_reason() const {
+        if (solution_.mobility.effective == 0) return Sentence::locked;
+        return solution_.mobility.driven < solution_.mobility.effective ? Sentence::undrivable : Sentence::driven_otherwise;
     }
 
     void second_way(InstantCentres& centres) {
@@ -267,7 +262,7 @@ private:
         solution_.efforts = std::move(forces.efforts);
         solution_.free_bodies = std::move(forces.bodies);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
-        for (std::string& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
+        for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
         if (wanted_.velocities) collect_virtual_work();
     }
 
@@ -313,50 +308,41 @@ private:
 
     void explain_missing_motion() {
         for (const Contradiction& contradiction : motion_.contradictions) {
-            const auto label = [&](NodeIndex node) { return structure_.node(node).label; };
-            unsolved("velocity of body " + body_name(contradiction.body),
-                     "no rigid motion has these velocities: those of " + label(contradiction.first) + " and " +
-                         label(contradiction.second) + " have different projections on their join");
+            const auto label = [&](NodeIndex node) { return PointName{structure_.node(node).label}; };
+            unsolved({Sentence::velocity_of_body, {named(contradiction.body)}},
+                     {Sentence::no_rigid_motion, {label(contradiction.first), label(contradiction.second)}});
         }
         for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
             if (!reached(body)) {
-                unsolved("motion of body " + body_name(body), reason_for(body));
+                unsolved({Sentence::motion_of_body, {named(body)}}, reason_for(body));
             } else if (wanted_.accelerations && !wholly_accelerated(body)) {
-                unsolved("acceleration of body " + body_name(body), missing_acceleration());
+                unsolved({Sentence::acceleration_of_body, {named(body)}}, missing_acceleration());
             }
         }
     }
 
-    std::string missing_acceleration() const {
+    Message missing_acceleration() const {
         for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
             const Joint& joint = mechanism_.joints[j];
             const bool curved = joint.kind == JointKind::rolling || joint.kind == JointKind::contact;
             if (!curved || structure_.has_curvatures(static_cast<JointIndex>(j))) continue;
             const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
-            return given ? "at " + joint.name + " both profiles have one centre of curvature, which leaves the accelerations open"
-                         : "it needs the curvatures at " + joint.name + "; give the \"profiles\" of both bodies there";
+            return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {PointName{joint.name}}};
         }
-        return "it depends on bodies whose motion is not determined";
+        return {Sentence::hangs_on_undetermined, {}};
     }
 
-    std::string reason_for(BodyIndex body) const {
+    Message reason_for(BodyIndex body) const {
         const Mobility& mobility = solution_.mobility;
-        if (mechanism_.drivers.empty()) {
-            return "nothing drives the mechanism, which has " + freedoms(mobility.effective) + "; give \"drivers\"";
-        }
+        if (mechanism_.drivers.empty()) return {Sentence::nothing_drives, {Count{mobility.effective}}};
         if (at(body) < mobility.determined.size() && !mobility.determined[at(body)]) {
-            if (!mobility.idle_drivers.empty()) return "it stays free: the driver moves nothing at this position (dead point)";
+            if (!mobility.idle_drivers.empty()) return {Sentence::stays_free, {}};
             for (const DeadPoint& dead : plan_.dead_points) {
-                if (carries(dead.node, body)) {
-                    return "dead point at " + structure_.node(dead.node).label +
-                           ": the two lines on which its velocity must lie are parallel";
-                }
+                if (carries(dead.node, body)) return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
             }
-            return "the mechanism has " + freedoms(mobility.effective) + " and " + std::to_string(mobility.driven) +
-                   " of them driven; give one driver more";
+            return {Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
         }
-        if (!mobility.idle_drivers.empty()) return "dead point: it can only stand still here, and no driver moves it";
-        return "it is determined, but neither a driven body, dyad or triad nor a trial of up to three unknowns at once leads to it";
+        return {mobility.idle_drivers.empty() ? Sentence::beyond_groups : Sentence::stands_still, {}};
     }
 
     bool carries(NodeIndex node, BodyIndex body) const {
@@ -366,17 +352,13 @@ private:
         return false;
     }
 
-    static std::string freedoms(int count) { return std::to_string(count) + (count == 1 ? " freedom" : " freedoms"); }
-
     void collect_centres(const InstantCentres& centres) {
         solution_.centres = centres.results();
         for (const InstantCentre& centre : solution_.centres) {
             if (centre.at || centre.everywhere) continue;
-            unsolved(
-                "instant centre " + body_name(centre.first) + "," + body_name(centre.second),
-                solution_.mobility.effective > solution_.mobility.driven
-                    ? "the theorem of Aronhold and Kennedy gives one line at most, and the motion is not determined"
-                    : "the theorem of Aronhold and Kennedy gives one line at most, and the bodies' motion against each other is not known");
+            const bool determined = solution_.mobility.effective <= solution_.mobility.driven;
+            unsolved({Sentence::centre_of_bodies, {named(centre.first), named(centre.second)}},
+                     {determined ? Sentence::one_line_unknown : Sentence::one_line_undetermined, {}});
         }
     }
 

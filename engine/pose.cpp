@@ -95,6 +95,9 @@ private:
     std::string in_file_units(double metres) const {
         return number_text(metres / mechanism_.units.length.si.to_double()) + " " + mechanism_.units.length.symbol;
     }
+    Amount amount(double metres) const {
+        return {metres / mechanism_.units.length.si.to_double(), mechanism_.units.length.symbol};
+    }
     std::string name_of(const Place& place) const {
         if (const auto* point = std::get_if<PointIndex>(&place)) return mechanism_.points[slot(*point)].name;
         const auto& at = std::get<Vector>(place);
@@ -572,14 +575,13 @@ private:
             // The foot of the centre's perpendicular on the line through P.
             const Vector& place = pose_.at(joint.point);
             const Exact factor = dot(pose_.at(centres[0]) - place, *tangent) / squared_length(*tangent);
-            if (!move(joint, place + factor * *tangent, "the foot of " + name_of(centres[0]) + " on the line")) return;
+            if (!move(joint, place + factor * *tangent, {centres[0]})) return;
         } else if (centres.size() == 2) {
             const Vector& base = pose_.at(centres[0]);
             const Vector across = pose_.at(centres[1]) - base;
             if (!across.is_zero()) {
                 const Exact factor = dot(pose_.at(joint.point) - base, across) / squared_length(across);
-                if (!move(joint, on_line(base, across, factor, touched_[slot(joint.point)]),
-                          "the line of the centres " + name_of(centres[0]) + " and " + name_of(centres[1]))) {
+                if (!move(joint, on_line(base, across, factor, touched_[slot(joint.point)]), {centres[0], centres[1]})) {
                     return;
                 }
             }
@@ -621,32 +623,39 @@ private:
                                          in_file_units(circle->radius.to_double()) + ": " + in_file_units(misfit) + " off");
         }
         if (!is_noise(misfit)) {
-            pose_.remarks.push_back(name_of(joint.point) + " is " + in_file_units(misfit) + " off the circle of body " +
-                                    mechanism_.bodies[slot(body)].name + " and is taken as drawn");
+            pose_.remarks.push_back(
+                {Sentence::off_its_circle,
+                 {PointName{name_of(joint.point)}, amount(misfit), BodyName{mechanism_.bodies[slot(body)].name}}});
         }
         return true;
     }
 
-    bool move(const Joint& joint, const Vector& place, const std::string& onto) {
+    /// `centres`: one, whose foot on the contact's line `place` is, or two, on whose line it lies.
+    bool move(const Joint& joint, const Vector& place, const std::vector<PointIndex>& centres) {
         const std::size_t point = slot(joint.point);
         const Vector shift = place - pose_.points[point];
         if (shift.is_zero()) return true;
         const double misfit = length(shift);
         const std::string& name = name_of(joint.point);
+        const auto remark = [&](Sentence sentence) {
+            Message message{sentence, {PointName{name}, amount(misfit)}};
+            for (const PointIndex centre : centres) message.arguments.emplace_back(PointName{name_of(centre)});
+            pose_.remarks.push_back(std::move(message));
+        };
         if (is_refused(misfit)) {
+            const std::string onto = centres.size() == 1
+                                         ? "the foot of " + name_of(centres[0]) + " on the line"
+                                         : "the line of the centres " + name_of(centres[0]) + " and " + name_of(centres[1]);
             return fail(joint.where, name + " is " + in_file_units(misfit) + " off " + onto + ", where the bodies touch; move " +
                                          name + " there or correct the profile");
         }
         if (claimed_twice(joint.point)) {
-            if (!is_noise(misfit)) {
-                pose_.remarks.push_back(name + " is " + in_file_units(misfit) + " off " + onto +
-                                        "; several joints claim it, so it is taken as drawn");
-            }
+            if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::off_its_foot : Sentence::off_its_centres);
             return true;
         }
         pose_.points[point] = place;
         pose_.steps.push_back({joint.point, PositionStep::How::moved_onto_curve, {}});
-        if (!is_noise(misfit)) pose_.remarks.push_back(name + " was moved by " + in_file_units(misfit) + " to " + onto);
+        if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::moved_to_foot : Sentence::moved_to_centres);
         return true;
     }
 

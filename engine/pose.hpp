@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/mechanism.hpp"
+#include "engine/statement.hpp"
 
 namespace kinegraph {
 
@@ -36,8 +37,8 @@ struct Pose {
         tangents;       ///< by JointIndex: common tangent at P of rolling, contact, gear (of the pitch curves); zero elsewhere
     Exact size;         ///< the drawing's size: largest coordinate difference, m (1 where all points coincide)
     bool exact = true;  ///< no leftover anywhere: predicates need no second look
-    std::vector<PositionStep> steps;   ///< in the order found
-    std::vector<std::string> remarks;  ///< points moved onto their curves, with the misfit
+    std::vector<PositionStep> steps;  ///< in the order found
+    std::vector<Message> remarks;     ///< points moved onto their curves, with the misfit
 
     const Vector& at(PointIndex point) const { return points[static_cast<std::size_t>(point)]; }
 };

@@ -167,7 +167,8 @@ private:
 /// The same for all sections.
 class Results {
 public:
-    Results(const Solution& solution, bool exact) : solution_(solution), mechanism_(solution.mechanism), exact_(exact) {}
+    Results(const Solution& solution, bool exact, const Teller& tell)
+        : solution_(solution), mechanism_(solution.mechanism), exact_(exact), tell_(tell) {}
 
     std::string json() const {
         Members file;
@@ -358,23 +359,26 @@ private:
     std::string unsolved() const {
         std::vector<std::string> all;
         for (const Unsolved& what : solution_.unsolved)
-            all.push_back(object({{"what", quoted(what.what)}, {"why", quoted(what.why)}}));
+            all.push_back(object({{"what", quoted(tell_(what.what))}, {"why", quoted(tell_(what.why))}}));
         return lines('[', all, ']');
     }
 
     std::string remarks() const {
         std::vector<std::string> all;
-        for (const std::string& remark : solution_.remarks) all.push_back(quoted(remark));
+        for (const Message& remark : solution_.remarks) all.push_back(quoted(tell_(remark)));
         return lines('[', all, ']');
     }
 
     const Solution& solution_;
     const Mechanism& mechanism_;
     bool exact_;
+    const Teller& tell_;
 };
 
 }  // namespace
 
-std::string results_json(const Solution& solution, bool exact) { return Results(solution, exact).json(); }
+std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
+    return Results(solution, exact, tell).json();
+}
 
 }  // namespace kinegraph

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
+#include "engine/statement.hpp"
 
 namespace kinegraph {
 
@@ -139,8 +141,8 @@ struct CheckRow {
     double graphical = 0, numeric = 0, difference = 0;
 };
 struct Unsolved {
-    std::string what;  ///< "velocity of B", "instant centre 2,5"
-    std::string why;
+    Message what;  ///< "velocity of body 3", "instant centre 2,5"
+    Message why;
 };
 
 struct Solution {
@@ -161,11 +163,14 @@ struct Solution {
     std::optional<VirtualWork> virtual_work;  ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;   ///< where the file gives one body's act of motion
     std::vector<CheckRow> checks;
-    std::vector<Unsolved> unsolved;    ///< not empty: exit 3
-    std::vector<std::string> remarks;  ///< redundant constraints, points moved onto curves …
+    std::vector<Unsolved> unsolved;  ///< not empty: exit 3
+    std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
 };
 
+/// Says a message in English.
+using Teller = std::function<std::string(const Message&)>;
+
 /// The results file of docs/format.md (SI, one line a value group); `exact` adds fractions.
-std::string results_json(const Solution& solution, bool exact);
+std::string results_json(const Solution& solution, bool exact, const Teller& tell);
 
 }  // namespace kinegraph

@@ -36,8 +36,6 @@ enum class Sentence {
     alpha_by_sleeve,
     omega_by_driver,  ///< {0} omega, {1} omega of the reference body
     alpha_by_driver,
-    sleeve_velocity,  ///< {0} v_A, {1} v_A* (transport), {2} v_AA* (relative): known relative velocity
-    sleeve_acceleration,
     slide_velocity,  ///< {0} v_rel read off once both ends are known: {1} point, {2} body i, {3} body j
     slide_acceleration,
     driven_point_velocity,  ///< {0} v of a point fully known from a slide driver, {1} joint
@@ -55,13 +53,11 @@ enum class Sentence {
     equivalent_tip,          ///< {0} body with the tip, {1} straight body, {2} contact
     contact_tangent,         ///< {0} {1} bodies, {2} contact: no relative velocity along the common normal
     pitch_curves,            ///< {0} {1} bodies, {2} pitch point: no relative motion along the common tangent
-    at_rest,                 ///< {0} point: fixed, its image is the pole
     primary_revolute,        ///< {0} centre, {1} point
     primary_prismatic,       ///< {0} centre, {1} joint's point: at infinity ⟂ guide
     primary_rolling,         ///< {0} centre, {1} contact point
     primary_gear,            ///< {0} centre, {1} pitch point
     primary_weld,            ///< {0} centre, {1} point: no relative motion
-    primary_line,            ///< {0} centre, {1} point: only its line is known, the normal at the point
     kennedy,                 ///< {0} centre, {1} {2} centres of the first line, {3} {4} of the second
     kennedy_line,            ///< {0} centre, {1} {2} centres of one line, {3} point whose normal is the other
     kennedy_two_normals,     ///< {0} centre, {1} {2} points whose normals meet
@@ -69,7 +65,6 @@ enum class Sentence {
     centre_by_rigidity,      ///< {0} centre, {1} centre with which it falls together because two bodies do not move against each
                              ///< other
     centre_from_velocities,  ///< {0} centre, {1} {2} points whose relative velocities were used
-    centre_at_infinity,      ///< {0} centre: the lines are parallel; {1} {2} bodies have the same ω
     second_way,              ///< {0} omega, {1} centre, {2} centre, {3} centre, {4} omega of the driver body
     trial_on_line,           ///< {0} image, {1} its line's reason: no rule leads on, so it is tried at two places of its line
     trial_of_spin,           ///< {0} ω or α: the same for an angular velocity
@@ -96,7 +91,6 @@ enum class Sentence {
     superposition,      ///< {0} body whose loads act alone now
     superposition_sum,  ///< the partial reactions are added
     trial,              ///< {0} symbol: one trial value, then in proportion
-    resultant,          ///< {0} body: its loads are taken as one resultant
     act_given,          ///< {0} v_A or a_A: given, set off from the pole
     act_projections,    ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
     act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
@@ -115,8 +109,65 @@ enum class Sentence {
     act_rest_by_lines,        ///< {0} body, {1} point: its perpendicular misses the centre that the others want, so nothing moves
     act_velocity,             ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
     act_acceleration_centre,  ///< {0} the place K with no acceleration, {1} point
-    count_                    ///< not a sentence
+    // Remarks.
+    off_its_circle,        ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
+    off_its_foot,          ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
+    off_its_centres,       ///< {0} point, {1} distance, {2} {3} centres: the same between two circles
+    moved_to_foot,         ///< {0} point, {1} distance, {2} centre: a contact moved onto its line
+    moved_to_centres,      ///< {0} point, {1} distance, {2} {3} centres: a contact moved onto the line of the centres
+    repeated_constraints,  ///< {0} joint, {1} count
+    lift_off,              ///< {0} joint
+    // From here on phrases, without a capital and a full stop. What is not determined:
+    motion_of_body,        ///< {0} body
+    velocity_of_body,      ///< {0} body
+    acceleration_of_body,  ///< {0} body
+    drive_of_joint,        ///< {0} joint
+    drive_of_body,         ///< {0} body
+    centre_of_bodies,      ///< {0} {1} bodies
+    all_forces,
+    act_of_motion,
+    // … and why not:
+    one_body_only,  ///< {0} body: an act of motion is of one body
+    velocities_contradict,
+    unequal_projections,             ///< {0} segment AB, {1} A, {2} amount, {3} B, {4} amount
+    unequal_normal_parts,            ///< {0} {1} points: of accelerations that no rigid body has
+    two_velocities_at_one_place,     ///< {0} {1} points
+    two_accelerations_at_one_place,  ///< {0} {1} points
+    velocity_misses,                 ///< {0} point: given otherwise than the others have it
+    acceleration_misses,             ///< {0} point
+    no_velocity_given,
+    no_acceleration_given,
+    centre_on_perpendicular,  ///< {0} point: of the centre only the perpendicular there is known
+    speed_of_translation_open,
+    size_open,
+    turning_open,
+    omega_unknown,
+    acceleration_open,
+    locked,
+    undrivable,
+    driven_otherwise,
+    no_rigid_motion,        ///< {0} {1} points whose velocities contradict each other
+    hangs_on_undetermined,  ///< on bodies whose motion is not determined
+    curvatures_coincide,    ///< {0} joint: its profiles have one centre of curvature
+    curvatures_wanted,      ///< {0} joint: the file gives no curvatures
+    nothing_drives,         ///< {0} count of freedoms
+    stays_free,
+    dead_point_at,             ///< {0} point
+    lacks_drivers,             ///< {0} count of freedoms, {1} count of those driven
+    stands_still,              ///< it can only stand still, and no driver moves it
+    beyond_groups,             ///< no group of bodies that is drawn leads to it
+    one_line_undetermined,     ///< Kennedy gives one line at most, and the motion is not determined
+    one_line_unknown,          ///< … and the velocities are not known
+    spring_without_direction,  ///< {0} load's name
+    inertia_without_motion,    ///< {0} body
+    unbalanced,                ///< {0} count of freedoms, {1} count of efforts, {2} symbols not determined (or absent)
+    too_many_efforts,          ///< {0} count of efforts, {1} count of freedoms, {2} symbols (or absent)
+    indeterminate,             ///< {0} how many times, {1} joints, {2} symbols (or absent)
+    effort_without_work,       ///< {0} symbols (or absent)
+    count_                     ///< not a sentence
 };
+/// Whether it is what stands before or after a colon, and no sentence by itself.
+constexpr bool is_phrase(Sentence sentence) { return sentence >= Sentence::motion_of_body; }
 
 /// One argument of a sentence.
 struct PointName {
@@ -150,7 +201,14 @@ struct Amount {
     double value = 0;
     std::string unit;
 };
-using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, Amount, std::string>;
+/// How many: a sentence may speak of one otherwise than of several.
+struct Count {
+    int value = 0;
+};
+/// Of points or joints, in a row.
+using Names = std::vector<std::string>;
+using Symbols = std::vector<Symbol>;
+using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, Amount, Count, Names, Symbols, std::string>;
 
 struct Message {
     Sentence sentence = Sentence::count_;

@@ -51,9 +51,12 @@ public:
             for (const std::string& each : lines) text += "  " + each + "\n";
         };
         std::vector<std::string> open;
-        for (const Unsolved& each : solution_.unsolved) open.push_back(each.what + ": " + each.why);
+        for (const Unsolved& each : solution_.unsolved)
+            open.push_back(tell(each.what, language_) + ": " + tell(each.why, language_));
         list("unsolved", open);
-        list("remarks", solution_.remarks);
+        std::vector<std::string> remarks;
+        for (const Message& each : solution_.remarks) remarks.push_back(tell(each, language_));
+        list("remarks", remarks);
         if (!solution_.checks.empty()) {
             double worst = 0;
             for (const CheckRow& row : solution_.checks) worst = std::max(worst, std::abs(row.difference));

@@ -21,7 +21,6 @@ bool told_by_list(const Statement& statement) {
         case Sentence::primary_rolling:
         case Sentence::primary_gear:
         case Sentence::primary_weld:
-        case Sentence::primary_line:
         case Sentence::kennedy:
         case Sentence::kennedy_line:
         case Sentence::kennedy_two_normals:
@@ -117,7 +116,12 @@ private:
         if (!s.unsolved.empty()) {
             Section section;
             section.rows.push_back(heading(word("unsolved", context_.language)));
-            for (const Unsolved& each : s.unsolved) section.rows.push_back(paragraph(with_powers(each.what + ": " + each.why)));
+            for (const Unsolved& each : s.unsolved) {
+                RichText text = say(each.what, context_.language);
+                append(text, one_piece(": "));
+                append(text, say(each.why, context_.language));
+                section.rows.push_back(paragraph(text));
+            }
             add(std::move(section));
         }
 
@@ -218,7 +222,7 @@ private:
             Section section;
             section.rows.push_back(heading(word("remarks", context_.language)));
             for (const RichText& each : refused) section.rows.push_back(paragraph(each));
-            for (const std::string& each : s.remarks) section.rows.push_back(paragraph(with_powers(each)));
+            for (const Message& each : s.remarks) section.rows.push_back(paragraph(say(each, context_.language)));
             add(std::move(section));
         }
     }

@@ -1,8 +1,8 @@
 // Words: the only file that speaks. One table of sentences and one of fixed words, each row in every language, and how symbols
 // and numbers are typeset. Knows no page; what a sentence means is said in engine/statement.hpp.
 //
-// A pattern holds the places {0} … of its arguments; what stands in [square brackets] is said only when all its arguments are
-// given; ω and α are set as symbols (α is ω̇ in Italian), × is ∧ there.
+// A pattern holds the places {0} … of its arguments; {0|one|several} chooses by the number of what {0} is; what stands in [square
+// brackets] is said only when all its arguments are given; ω and α are set as symbols (α is ω̇ in Italian), × is ∧ there.
 #include "render/words.hpp"
 
 #include <algorithm>
@@ -51,10 +51,6 @@ constexpr std::array sentences{
         "Il manicotto in {2} mantiene paralleli i due corpi: {0} = {1}."},
     Row{Sentence::omega_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
     Row{Sentence::alpha_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
-    Row{Sentence::sleeve_velocity, "{0} is the transport velocity {1} plus the given sliding {2}.",
-        "{0} è la velocità di trascinamento {1} più lo scorrimento assegnato {2}."},
-    Row{Sentence::sleeve_acceleration, "{0} is the transport acceleration {1} plus {2} along the guide and the Coriolis term.",
-        "{0} è l’accelerazione di trascinamento {1} più {2} lungo la guida e il termine di Coriolis."},
     Row{Sentence::slide_velocity, "At {1} both ends are known: {0} joins them, the sliding of body {2} on body {3}.",
         "In {1} sono noti i due estremi: {0} li congiunge, velocità relativa del corpo {2} rispetto al corpo {3}."},
     Row{Sentence::slide_acceleration,
@@ -98,7 +94,6 @@ constexpr std::array sentences{
     Row{Sentence::pitch_curves,
         "The pitch curves of bodies {0} and {1} roll on each other at {2}: along the common tangent its two points move alike.",
         "Le primitive dei corpi {0} e {1} rotolano l’una sull’altra in {2}: lungo la tangente comune i due punti hanno lo stesso moto."},
-    Row{Sentence::at_rest, "{0} is at rest: its image is the pole.", "{0} è fermo: la sua immagine è il polo."},
     Row{Sentence::primary_revolute, "{0} is the hinge {1}.", "{0} è la cerniera {1}."},
     Row{Sentence::primary_prismatic, "{0} is at infinity, normal to the guide at {1}.",
         "{0} è all’infinito, in direzione normale alla guida in {1}."},
@@ -107,7 +102,6 @@ constexpr std::array sentences{
     Row{Sentence::primary_gear, "{0} is the pitch point {1}.", "{0} è il punto primitivo {1}."},
     Row{Sentence::primary_weld, "At {1} the bodies are clamped: every point may serve as {0}.",
         "In {1} i corpi sono incastrati: ogni punto può fare da {0}."},
-    Row{Sentence::primary_line, "{0} lies on the normal at {1}.", "{0} sta sulla normale in {1}."},
     Row{Sentence::kennedy, "{0} is where {1}{2} meets {3}{4} (Aronhold–Kennedy).",
         "{0} è l’incontro di {1}{2} con {3}{4} (Aronhold–Kennedy)."},
     Row{Sentence::kennedy_line, "{0} is where {1}{2} meets the normal at {3}.",
@@ -121,8 +115,6 @@ constexpr std::array sentences{
     Row{Sentence::centre_from_velocities,
         "{0} from the velocities: the normals to the relative velocities[ of {1} and {2}] meet there.",
         "{0} dalle velocità: vi si incontrano le normali alle velocità relative[ di {1} e {2}]."},
-    Row{Sentence::centre_at_infinity, "The lines are parallel: {0} is at infinity, bodies {1} and {2} turn alike.",
-        "Le rette sono parallele: {0} è all’infinito, i corpi {1} e {2} ruotano insieme."},
     Row{Sentence::second_way, "Second way: the centres {1}, {2} and {3} carry {4} over to {0}, the same as by the polygon.",
         "Seconda via: i centri {1}, {2} e {3} danno {0} da {4}, come il poligono."},
     Row{Sentence::trial_on_line,
@@ -188,8 +180,6 @@ constexpr std::array sentences{
     Row{Sentence::superposition_sum, "The partial reactions are added.", "Si sommano le reazioni parziali."},
     Row{Sentence::trial, "{0} is given a trial value; what does not close tells in which proportion it must be taken.",
         "A {0} si dà un valore di prova; lo scarto di chiusura dice in quale proporzione va preso."},
-    Row{Sentence::resultant, "The loads of body {0} are taken as one resultant.",
-        "I carichi del corpo {0} si riducono alla risultante."},
     Row{Sentence::act_given, "{0} is given: set it off from the pole.", "{0} è assegnata: si riporta dal polo."},
     Row{Sentence::act_projections,
         "{0} keeps its length, so the velocities of its ends must project alike on it: {1} and {2} do.",
@@ -236,6 +226,121 @@ constexpr std::array sentences{
     Row{Sentence::act_acceleration_centre,
         "The point {0} has no acceleration; seen from it, every other one has the angle arctan(α/ω²) to its ray.",
         "Il punto {0} ha accelerazione nulla; ogni altra forma con il proprio raggio l’angolo arctan(α/ω²)."},
+    // remarks
+    Row{Sentence::off_its_circle, "{0} is {1} off the circle of body {2} and is taken as drawn.",
+        "{0} dista {1} dalla circonferenza del corpo {2} e resta dov’è disegnato."},
+    Row{Sentence::off_its_foot, "{0} is {1} off the foot of {2} on the line; several joints claim it, so it is taken as drawn.",
+        "{0} dista {1} dal piede di {2} sulla retta; più coppie lo impiegano, quindi resta dov’è disegnato."},
+    Row{Sentence::off_its_centres,
+        "{0} is {1} off the line of the centres {2} and {3}; several joints claim it, so it is taken as drawn.",
+        "{0} dista {1} dalla retta dei centri {2} e {3}; più coppie lo impiegano, quindi resta dov’è disegnato."},
+    Row{Sentence::moved_to_foot, "{0} was moved by {1} to the foot of {2} on the line.",
+        "{0} è stato spostato di {1} nel piede di {2} sulla retta."},
+    Row{Sentence::moved_to_centres, "{0} was moved by {1} to the line of the centres {2} and {3}.",
+        "{0} è stato spostato di {1} sulla retta dei centri {2} e {3}."},
+    Row{Sentence::repeated_constraints,
+        "Joint {0} repeats {1} {1|constraint|constraints} that the others impose already at this position.",
+        "La coppia {0} ripete {1} {1|vincolo|vincoli} che le altre impongono già in questa configurazione."},
+    Row{Sentence::lift_off, "The contact at {0} would have to pull: there the bodies lift off.",
+        "Il contatto in {0} dovrebbe tirare: lì i corpi si staccano."},
+    // what is not determined
+    Row{Sentence::motion_of_body, "motion of body {0}", "moto del corpo {0}"},
+    Row{Sentence::velocity_of_body, "velocity of body {0}", "velocità del corpo {0}"},
+    Row{Sentence::acceleration_of_body, "acceleration of body {0}", "accelerazione del corpo {0}"},
+    Row{Sentence::drive_of_joint, "driver of joint {0}", "movente della coppia {0}"},
+    Row{Sentence::drive_of_body, "driver of body {0}", "movente del corpo {0}"},
+    Row{Sentence::centre_of_bodies, "instant centre {0},{1}", "centro di istantanea rotazione {0},{1}"},
+    Row{Sentence::all_forces, "forces", "forze"},
+    Row{Sentence::act_of_motion, "motion", "atto di moto"},
+    // and why not
+    Row{Sentence::one_body_only, "an act of motion is of one body, here {0}", "un atto di moto è di un solo corpo, qui {0}"},
+    Row{Sentence::velocities_contradict, "the velocities contradict each other", "le velocità si contraddicono"},
+    Row{Sentence::unequal_projections,
+        "no rigid motion has these velocities: on {0} that of {1} projects to {2}, that of {3} to {4}",
+        "nessun moto rigido ha queste velocità: su {0} quella di {1} ha proiezione {2}, quella di {3} {4}"},
+    Row{Sentence::unequal_normal_parts,
+        "no rigid motion has these accelerations: the projections of those of {0} and {1} on their join do not differ by ω² times their distance",
+        "nessun moto rigido ha queste accelerazioni: le proiezioni di quelle di {0} e {1} sulla congiungente non differiscono di ω² per la distanza"},
+    Row{Sentence::two_velocities_at_one_place, "{0} and {1} are at one place of the body and cannot have different velocities",
+        "{0} e {1} sono nello stesso luogo del corpo e non possono avere velocità diverse"},
+    Row{Sentence::two_accelerations_at_one_place,
+        "{0} and {1} are at one place of the body and cannot have different accelerations",
+        "{0} e {1} sono nello stesso luogo del corpo e non possono avere accelerazioni diverse"},
+    Row{Sentence::velocity_misses,
+        "the velocity given at {0} is not the one that the body has there by those of the other points",
+        "la velocità assegnata in {0} non è quella che il corpo ha lì secondo gli altri punti"},
+    Row{Sentence::acceleration_misses,
+        "the acceleration given at {0} is not the one that the body has there by those of the other points",
+        "l’accelerazione assegnata in {0} non è quella che il corpo ha lì secondo gli altri punti"},
+    Row{Sentence::no_velocity_given, "no velocity is given", "nessuna velocità è assegnata"},
+    Row{Sentence::no_acceleration_given, "no acceleration is given", "nessuna accelerazione è assegnata"},
+    Row{Sentence::centre_on_perpendicular,
+        "it lies on the perpendicular to the velocity of {0}, and nothing given says where on it",
+        "sta sulla perpendicolare alla velocità di {0}, e nulla di assegnato dice dove"},
+    Row{Sentence::speed_of_translation_open,
+        "directions alone say that it translates, not how fast; give the velocity of one point",
+        "le sole direzioni dicono che trasla, non con quale velocità; assegnare quella di un punto"},
+    Row{Sentence::size_open, "centre and directions are known, no size; give the velocity of a point that moves",
+        "centro e direzioni sono noti, nessun modulo; assegnare la velocità di un punto che si muove"},
+    Row{Sentence::turning_open,
+        "what is given leaves the turning of the body free; give the velocity of another point, or its direction",
+        "quanto assegnato lascia libera la rotazione del corpo; assegnare la velocità di un altro punto, o la sua direzione"},
+    Row{Sentence::omega_unknown, "the angular velocity, which the normal parts ω²·r want, is not known",
+        "la velocità angolare, richiesta dalle parti normali ω²·r, non è nota"},
+    Row{Sentence::acceleration_open, "what is given leaves it free; give the acceleration of another point, or its direction",
+        "quanto assegnato la lascia libera; assegnare l’accelerazione di un altro punto, o la sua direzione"},
+    Row{Sentence::locked, "the mechanism is locked in this position: it has no freedom left to drive",
+        "il meccanismo è bloccato in questa configurazione: non resta alcun grado di libertà da comandare"},
+    Row{Sentence::undrivable,
+        "it cannot be driven here: a dead point; what it drives stands still whatever the rest does, and the motion of the rest stays free",
+        "qui non può essere comandato: punto morto; ciò che comanda è fermo comunque si muova il resto, il cui moto rimane libero"},
+    Row{Sentence::driven_otherwise, "the other drivers fix this motion already, and differently",
+        "gli altri moventi fissano già questo moto, e in modo diverso"},
+    Row{Sentence::no_rigid_motion,
+        "no rigid motion has these velocities: those of {0} and {1} have different projections on their join",
+        "nessun moto rigido ha queste velocità: quelle di {0} e {1} hanno proiezioni diverse sulla loro congiungente"},
+    Row{Sentence::hangs_on_undetermined, "it depends on bodies whose motion is not determined",
+        "dipende da corpi il cui moto non è determinato"},
+    Row{Sentence::curvatures_coincide, "at {0} both profiles have one centre of curvature, which leaves the accelerations open",
+        "in {0} i due profili hanno lo stesso centro di curvatura, il che lascia libere le accelerazioni"},
+    Row{Sentence::curvatures_wanted, "it needs the curvatures at {0}; give the \"profiles\" of both bodies there",
+        "servono le curvature in {0}; assegnare lì i \"profiles\" dei due corpi"},
+    Row{Sentence::nothing_drives, "nothing drives the mechanism, which has {0} {0|freedom|freedoms}; give \"drivers\"",
+        "nulla muove il meccanismo, che ha {0} {0|grado|gradi} di libertà; assegnare \"drivers\""},
+    Row{Sentence::stays_free, "it stays free: the driver moves nothing at this position (dead point)",
+        "resta libero: in questa configurazione il movente non muove nulla (punto morto)"},
+    Row{Sentence::dead_point_at, "dead point at {0}: the two lines on which its velocity must lie are parallel",
+        "punto morto in {0}: le due rette su cui deve stare la sua velocità sono parallele"},
+    Row{Sentence::lacks_drivers, "the mechanism has {0} {0|freedom|freedoms} and {1} of them driven; give one driver more",
+        "il meccanismo ha {0} {0|grado|gradi} di libertà, di cui {1} {1|comandato|comandati}; assegnare un movente in più"},
+    Row{Sentence::stands_still, "dead point: it can only stand still here, and no driver moves it",
+        "punto morto: qui può solo stare fermo, e nessun movente lo muove"},
+    Row{Sentence::beyond_groups,
+        "it is determined, but neither a driven body, dyad or triad nor a trial of up to three unknowns at once leads to it",
+        "è determinato, ma non vi portano né un corpo comandato, una diade o una triade, né valori di prova fino a tre incognite insieme"},
+    Row{Sentence::one_line_undetermined,
+        "the theorem of Aronhold and Kennedy gives one line at most, and the motion is not determined",
+        "il teorema di Aronhold e Kennedy dà al più una retta, e il moto non è determinato"},
+    Row{Sentence::one_line_unknown,
+        "the theorem of Aronhold and Kennedy gives one line at most, and the bodies’ motion against each other is not known",
+        "il teorema di Aronhold e Kennedy dà al più una retta, e il moto relativo dei due corpi non è noto"},
+    Row{Sentence::spring_without_direction, "the ends of {0} coincide at this position: its pull has no direction",
+        "gli estremi di {0} coincidono in questa configurazione: la sua forza non ha direzione"},
+    Row{Sentence::inertia_without_motion,
+        "the inertia forces of body {0} need its acceleration, which is not known; give \"drivers\"",
+        "le forze d’inerzia del corpo {0} richiedono la sua accelerazione, che non è nota; assegnare \"drivers\""},
+    Row{Sentence::unbalanced,
+        "the loads are not balanced: the mechanism has {0} {0|freedom|freedoms} and {1} {1|effort|efforts} to hold it; give \"effort\"[; not determined: {2}]",
+        "i carichi non sono equilibrati: il meccanismo ha {0} {0|grado|gradi} di libertà e {1} {1|azione equilibrante|azioni equilibranti}; assegnare \"effort\"[; non determinate: {2}]"},
+    Row{Sentence::too_many_efforts,
+        "{0} {0|effort stands|efforts stand} against {1} {1|freedom|freedoms}; give one for each freedom[; not determined: {2}]",
+        "a {1} {1|grado|gradi} di libertà {0|corrisponde|corrispondono} {0} {0|azione equilibrante|azioni equilibranti}; assegnarne una per ciascuno[; non determinate: {2}]"},
+    Row{Sentence::indeterminate,
+        "statically indeterminate, {0} {0|time|times}: {1|joint|joints} {1} {1|repeats|repeat} what others hold already[; not determined: {2}]",
+        "staticamente indeterminato, {0} {0|volta|volte}: {1|la coppia|le coppie} {1} {1|ripete|ripetono} vincoli già imposti da altre[; non determinate: {2}]"},
+    Row{Sentence::effort_without_work,
+        "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit[; not determined: {0}]",
+        "l’azione equilibrante non compie lavoro nel moto libero in questa configurazione: un punto morto, dove una forza cresce senza limite[; non determinate: {0}]"},
 };
 
 struct FixedWords {
@@ -282,6 +387,8 @@ constexpr std::array fixed_words{
     FixedWords{"scale refused", "at the scale that the file asks for it does not fit the sheet.",
                "alla scala richiesta dal file non sta nel foglio."},
     FixedWords{"unsolved", "Not determined", "Non determinato"},
+    FixedWords{"a remark", "remark", "osservazione"},
+    FixedWords{"one unsolved", "unsolved", "non determinato"},
     FixedWords{"mobility", "Mobility", "Mobilità"},
     FixedWords{"degrees of freedom", "degrees of freedom", "gradi di libertà"},
     FixedWords{"effective", "effective at this pose", "effettivi in questa configurazione"},
@@ -444,17 +551,45 @@ std::string lower_case(std::string_view name) {
     return out;
 }
 
-RichText argument(const Argument& arg, Language language) {
+/// As symbols are set in the figures, or with names as files and commands spell them.
+enum class Setting { typeset, spelt };
+
+RichText in_a_row(const std::vector<RichText>& members) {
+    RichText text;
+    for (const RichText& member : members) {
+        if (!text.empty()) text.push_back(piece(", "));
+        append(text, member);
+    }
+    return text;
+}
+
+RichText argument(const Argument& arg, Language language, Setting setting) {
+    const auto name = [&](const std::string& of) { return setting == Setting::spelt ? RichText{piece(of)} : point_name(of); };
+    const auto symbol = [&](const Symbol& of) {
+        return setting == Setting::spelt ? RichText{piece(name_of(of))} : typeset(of, language);
+    };
     return std::visit(
         [&](const auto& value) -> RichText {
             using T = std::decay_t<decltype(value)>;
             if constexpr (std::is_same_v<T, PointName>) {
-                return point_name(value.name);
+                return name(value.name);
             } else if constexpr (std::is_same_v<T, BodyName>) {
                 return {piece(value.name)};
+            } else if constexpr (std::is_same_v<T, Count>) {
+                return {piece((value.value < 0 ? "−" : "") + std::to_string(std::abs(value.value)))};
+            } else if constexpr (std::is_same_v<T, Symbol>) {
+                return symbol(value);
+            } else if constexpr (std::is_same_v<T, Names>) {
+                std::vector<RichText> members;
+                for (const std::string& each : value) members.push_back(name(each));
+                return in_a_row(members);
+            } else if constexpr (std::is_same_v<T, Symbols>) {
+                std::vector<RichText> members;
+                for (const Symbol& each : value) members.push_back(symbol(each));
+                return in_a_row(members);
             } else if constexpr (std::is_same_v<T, kinegraph::Segment>) {
-                RichText text = point_name(value.from);
-                append(text, point_name(value.to));
+                RichText text = name(value.from);
+                append(text, name(value.to));
                 return text;
             } else if constexpr (std::is_same_v<T, std::string>) {
                 return {piece(value)};
@@ -484,11 +619,20 @@ bool is_empty(const Argument& arg) {
     if (const auto* text = std::get_if<std::string>(&arg)) return text->empty();
     if (const auto* point = std::get_if<PointName>(&arg)) return point->name.empty();
     if (const auto* body = std::get_if<BodyName>(&arg)) return body->name.empty();
+    if (const auto* names = std::get_if<Names>(&arg)) return names->empty();
+    if (const auto* symbols = std::get_if<Symbols>(&arg)) return symbols->empty();
+    return false;
+}
+
+bool is_one(const Argument& arg) {
+    if (const auto* count = std::get_if<Count>(&arg)) return count->value == 1;
+    if (const auto* names = std::get_if<Names>(&arg)) return names->size() == 1;
+    if (const auto* symbols = std::get_if<Symbols>(&arg)) return symbols->size() == 1;
     return false;
 }
 
 /// Sets a stretch of a pattern; true where every argument it names is given.
-bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, RichText& to) {
+bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, Setting setting, RichText& to) {
     bool all_given = true;
     std::string plain_text;
     const auto flush = [&] {
@@ -498,17 +642,24 @@ bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Lang
     for (std::size_t i = 0; i < pattern.size();) {
         if (pattern[i] == '{') {
             const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
-            flush();
-            if (index < arguments.size() && !is_empty(arguments[index]))
-                append(to, argument(arguments[index], language));
-            else
+            const std::size_t end = pattern.find('}', i), bar = pattern.find('|', i);
+            const bool given = index < arguments.size() && !is_empty(arguments[index]);
+            if (bar < end) {
+                const std::size_t second = pattern.find('|', bar + 1);
+                plain_text += given && is_one(arguments[index]) ? pattern.substr(bar + 1, second - bar - 1)
+                                                                : pattern.substr(second + 1, end - second - 1);
+            } else if (given) {
+                flush();
+                append(to, argument(arguments[index], language, setting));
+            } else {
                 all_given = false;
-            i += 3;
+            }
+            i = end + 1;
         } else if (pattern[i] == '[') {
             const std::size_t end = pattern.find(']', i);
             flush();
             RichText optional_part;
-            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, optional_part)) append(to, optional_part);
+            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, setting, optional_part)) append(to, optional_part);
             i = end + 1;
         } else if (pattern.substr(i).starts_with("ω")) {
             flush();
@@ -558,8 +709,14 @@ bool is_all_zero(std::string_view decimal) {
 
 RichText say(const Message& message, Language language) {
     RichText text;
-    fill(pattern_of(message.sentence, language), message.arguments, language, text);
+    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::typeset, text);
     return text;
+}
+
+std::string tell(const Message& message, Language language) {
+    RichText text;
+    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::spelt, text);
+    return plain(text);
 }
 
 RichText typeset(const Symbol& symbol, Language language) {

@@ -14,6 +14,8 @@ enum class Language { en, it };
 
 /// A sentence of the solution, symbols set as in the figures.
 RichText say(const Message& message, Language language);
+/// The same for the terminal and for files of results: names as the mechanism file has them, symbols by their plain names.
+std::string tell(const Message& message, Language language);
 /// A quantity as it is typeset: v_B bold italic with its subscript, ω_3 italic, n and t upright, dots for Italian ω̇_3.
 RichText typeset(const Symbol& symbol, Language language);
 /// "⟂ O2A", "∥ guide B".

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "constructions/solve.hpp"
+#include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
@@ -120,7 +121,7 @@ struct Statics {
     /// Why the forces are not there; empty where they are.
     std::string why() const {
         for (const Unsolved& unsolved : solution.unsolved)
-            if (unsolved.what == "forces") return unsolved.why;
+            if (unsolved.what.sentence == Sentence::all_forces) return english(unsolved.why);
         return "";
     }
 };
@@ -425,7 +426,7 @@ TEST(ForcePairs, ContactThatWouldPullIsSaidToLiftOff) {
     EXPECT_TRUE(beam("-100").solution.remarks.empty());
     const Statics lifting = beam("100");
     ASSERT_EQ(lifting.solution.remarks.size(), 1u);
-    expect_has(lifting.solution.remarks.front(), "the contact at B would have to pull");
+    expect_has(english(lifting.solution.remarks.front()), "The contact at B would have to pull");
     EXPECT_EQ(lifting.force("B: 1 on 2"), (Vector{0, -25})) << "what it would have to do";
     EXPECT_TRUE(lifting.solution.unsolved.empty());
 }
@@ -534,14 +535,14 @@ TEST(ForceRefusals, WhatIsKnownBesideIsStillGiven) {
 
 TEST(ForceResultsFile, HasTheShapeOfTheFormat) {
     using Json = nlohmann::ordered_json;
-    const Json tipper = Json::parse(results_json(Statics(example("tipper")).solution, false));
+    const Json tipper = Json::parse(results_json(Statics(example("tipper")).solution, false, english));
     const Json& sleeve = tipper["forces"]["D"]["2 on 3"];
     EXPECT_EQ(sleeve.dump(), R"({"force":[0,0],"at":[2.475,-0.4],"couple":0,"through":null})");
     EXPECT_TRUE(tipper["effort"]["F_p"].is_number());
     EXPECT_TRUE(tipper["unsolved"].empty());
 
     // A guide's couple is taken about `at`; `through` is the foot of the resultant's line.
-    const Json exam = Json::parse(results_json(Statics(example("exam_2001")).solution, false));
+    const Json exam = Json::parse(results_json(Statics(example("exam_2001")).solution, false, english));
     const Json& guide = exam["forces"]["M"]["0 on 5"];
     std::vector<std::string> keys;
     for (const auto& item : guide.items()) keys.push_back(item.key());
@@ -554,11 +555,11 @@ TEST(ForceResultsFile, HasTheShapeOfTheFormat) {
     EXPECT_EQ(exam["forces"].size(), 7u);
     EXPECT_TRUE(exam["forces"]["O1"].contains("1 on 0"));
 
-    const Json fractions = Json::parse(results_json(Statics(example("rotating_body")).solution, true));
+    const Json fractions = Json::parse(results_json(Statics(example("rotating_body")).solution, true, english));
     EXPECT_NE(fractions["forces"]["O"]["1 on 2"].dump().find("exact"), std::string::npos);
 
     // A loaded mechanism without answer: what it asks for is there, empty, and the reason.
-    const Json refused = Json::parse(results_json(Statics(slider_crank + "}").solution, false));
+    const Json refused = Json::parse(results_json(Statics(slider_crank + "}").solution, false, english));
     EXPECT_TRUE(refused["forces"].is_object());
     EXPECT_EQ(refused["unsolved"][0]["what"], "forces");
     EXPECT_TRUE(refused["effort"].empty());
@@ -569,7 +570,7 @@ TEST(ForceResultsFile, HasTheShapeOfTheFormat) {
         "masses": {"2": {"mass": 1, "centre": "P"}, "3": {"mass": 2, "centre": "Q"}}, "gravity": [0, -10],
         "effort": [{"couple": "M2", "body": 2}, {"couple": "M3", "body": 3}]})")
                                      .solution,
-                                 false));
+                                 false, english));
     EXPECT_EQ(pins["forces"]["O"]["pin on 2"]["force"].dump(), "[0,10]");
     EXPECT_EQ(pins["forces"]["O"]["pin on 3"]["force"].dump(), "[0,20]");
     EXPECT_EQ(pins["forces"]["O"]["pin on 1"]["force"].dump(), "[0,-30]");

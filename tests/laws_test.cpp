@@ -10,6 +10,7 @@
 #include "constructions/solve.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/sketch.hpp"
+#include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
@@ -403,7 +404,7 @@ TEST(BoardLaw, ParallelogramTurnedBy17DegreesTranslatesItsCoupler) {
 
 std::string reasons(const Solution& solution) {
     std::string all;
-    for (const Unsolved& unsolved : solution.unsolved) all += unsolved.what + ": " + unsolved.why + "\n";
+    for (const Unsolved& unsolved : solution.unsolved) all += english_of(unsolved) + "\n";
     return all;
 }
 void expect_no_nonsense(const Solution& solution) {
@@ -411,9 +412,9 @@ void expect_no_nonsense(const Solution& solution) {
         EXPECT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << row.quantity;
         EXPECT_LT(std::abs(row.graphical), 1e9) << row.quantity;
     }
-    const std::string json = results_json(solution, true);
+    const std::string json = results_json(solution, true, english);
     for (const char* word : {"nan", "inf"}) EXPECT_EQ(json.find(word), std::string::npos) << json;
-    for (const Unsolved& unsolved : solution.unsolved) EXPECT_FALSE(unsolved.why.empty()) << unsolved.what;
+    for (const Unsolved& unsolved : solution.unsolved) EXPECT_GT(english(unsolved.why).size(), 10u) << english(unsolved.what);
 }
 bool says(const Solution& solution, const std::string& words) { return reasons(solution).find(words) != std::string::npos; }
 

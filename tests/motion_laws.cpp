@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/told.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -312,7 +314,7 @@ private:
 
 void expect_whole_motion(const Solution& solution) {
     if (!solution.unsolved.empty()) {
-        ADD_FAILURE() << solution.unsolved.front().what << ": " << solution.unsolved.front().why;
+        ADD_FAILURE() << english_of(solution.unsolved.front());
         return;
     }
     Held(solution).all();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/sketch.hpp"
+#include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
@@ -277,7 +278,7 @@ TEST(Contact, WithinItsFitIsMovedOntoTheCurveAndSaysSo) {
     const Pose pose = drawn(disc_on_ground("1e-11", "0.5"));
     EXPECT_TRUE(pose.at(1).x.is_zero());
     ASSERT_EQ(pose.remarks.size(), 1U);
-    EXPECT_EQ(pose.remarks[0], "P was moved by 1e-11 m to the foot of C on the line");
+    EXPECT_EQ(english(pose.remarks[0]), "P was moved by 1.00 × 10⁻¹¹ m to the foot of C on the line.");
 }
 
 TEST(Contact, OffItsCurveIsRefusedWithTheMisfit) {
@@ -303,7 +304,7 @@ TEST(Contact, ClaimedByTwoJointsKeepsItsPointAndSaysSo) {
     const Pose pose = drawn(s);
     EXPECT_EQ(pose.at(1), at("1e-11", "0"));
     ASSERT_FALSE(pose.remarks.empty());
-    EXPECT_NE(pose.remarks[0].find("several joints claim it"), std::string::npos);
+    EXPECT_NE(english(pose.remarks[0]).find("several joints claim it"), std::string::npos);
 }
 
 TEST(Contact, CompassNoiseIsRemovedWithoutAWord) {

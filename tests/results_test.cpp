@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/solution.hpp"
+#include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
@@ -57,8 +58,8 @@ TEST(Results, AreWrittenAsTheFormatSays) {
     everywhere.everywhere = true;
     solution.centres = {finite, far, everywhere};
     solution.checks = {{"omega 2", -0.5, -0.5, -0.0}};
-    solution.unsolved = {{"velocity of B", "the mechanism is locked: \"here\""}};
-    EXPECT_EQ(results_json(solution, false), R"({
+    solution.unsolved = {{{Sentence::motion_of_body, {BodyName{"\"3\""}}}, {Sentence::stands_still, {}}}};
+    EXPECT_EQ(results_json(solution, false, english), R"({
   "mobility": {"gruebler": 1, "effective": 2},
   "points": {
     "O": {"at": [0, 0], "velocity": [0, 0], "acceleration": [0, 0]},
@@ -80,7 +81,7 @@ TEST(Results, AreWrittenAsTheFormatSays) {
     {"quantity": "omega 2", "graphical": -0.5, "numeric": -0.5, "difference": 0}
   ],
   "unsolved": [
-    {"what": "velocity of B", "why": "the mechanism is locked: \"here\""}
+    {"what": "motion of body \"3\"", "why": "dead point: it can only stand still here, and no driver moves it"}
   ]
 }
 )");
@@ -88,7 +89,7 @@ TEST(Results, AreWrittenAsTheFormatSays) {
 
 TEST(Results, ExactAddsFractionsOrTheBoundOfWhatIsLeftOver) {
     Solution solution = sample();
-    const Json exact = Json::parse(results_json(solution, true));
+    const Json exact = Json::parse(results_json(solution, true, english));
     EXPECT_EQ(exact["points"]["A"]["exact"], Json::parse(R"({"at": ["1/10", "-7/10"]})"));
     EXPECT_EQ(exact["points"]["A"]["on"]["4"]["exact"]["velocity"], Json::parse(R"(["0", "1/3"])"));
     EXPECT_EQ(exact["bodies"]["2"], Json::parse(R"({"omega": -0.5, "exact": {"omega": "-1/2"}})"));
@@ -97,12 +98,12 @@ TEST(Results, ExactAddsFractionsOrTheBoundOfWhatIsLeftOver) {
     solution.pose.exact = false;
     solution.pose.leftover[1] = Exact::power_of_two(-100);
     solution.points[1].velocity = Vector{Exact::ratio(1, 3) + Exact::power_of_two(-110), 0};
-    const Json left = Json::parse(results_json(solution, true));
+    const Json left = Json::parse(results_json(solution, true, english));
     EXPECT_FALSE(left["points"]["A"].contains("exact")) << left["points"]["A"];
     EXPECT_EQ(left["points"]["A"]["leftover"], "7.888609052210118e-31");
     EXPECT_FALSE(left["points"]["A"]["on"]["2"].contains("exact")) << "it hangs on the compass";
     EXPECT_EQ(left["bodies"]["2"]["exact"]["omega"], "-1/2") << "too short to hang on the compass";
-    EXPECT_FALSE(Json::parse(results_json(solution, false))["points"]["A"].contains("leftover"));
+    EXPECT_FALSE(Json::parse(results_json(solution, false, english))["points"]["A"].contains("leftover"));
 }
 
 TEST(Results, APointAtInfinityHasNoSense) {
@@ -112,13 +113,13 @@ TEST(Results, APointAtInfinityHasNoSense) {
         centre.second = 1;
         centre.at = ProjectivePoint{x, y, 0};
         solution.centres = {centre};
-        return Json::parse(results_json(solution, false))["instant centres"]["1,2"]["towards"];
+        return Json::parse(results_json(solution, false, english))["instant centres"]["1,2"]["towards"];
     };
     EXPECT_EQ(towards(0, -7), Json::parse("[0, 1]"));
     EXPECT_EQ(towards(-7, 0), Json::parse("[1, 0]"));
     EXPECT_EQ(towards(-1, 0), Json::parse("[1, 0]"));
     EXPECT_EQ(towards(decimal("-3e300"), decimal("4e300")), Json::parse("[0.6, -0.8]"));
-    const auto exact = Json::parse(results_json(solution, true))["instant centres"]["1,2"];
+    const auto exact = Json::parse(results_json(solution, true, english))["instant centres"]["1,2"];
     EXPECT_EQ(exact, Json::parse(R"({"towards": [0.6, -0.8], "exact": {"towards": ["3", "-4"]}})"));
     solution.pose.exact = false;
     EXPECT_EQ(towards(Exact::power_of_two(-110), -1), Json::parse("[0, 1]")) << "upright but for the compass";
@@ -128,7 +129,7 @@ TEST(Results, NoNumberIsNoJson) {
     Solution solution = sample();
     solution.bodies[1].omega = decimal("1e400");
     solution.checks = {{"omega 2", std::numeric_limits<double>::infinity(), std::nan(""), -0.0}};
-    const Json json = Json::parse(results_json(solution, false));
+    const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_TRUE(json["bodies"]["2"]["omega"].is_null());
     EXPECT_TRUE(json["checks"][0]["numeric"].is_null());
     EXPECT_FALSE(std::signbit(json["checks"][0]["difference"].get<double>()));
@@ -137,18 +138,18 @@ TEST(Results, NoNumberIsNoJson) {
 TEST(Results, NamesAreEscaped) {
     Solution solution = sample();
     solution.mechanism.points[0].name = "O\"\\\n\xe2\x82\x82";
-    solution.remarks = {"a\ttab"};
-    const Json json = Json::parse(results_json(solution, false));
+    solution.remarks = {{Sentence::lift_off, {PointName{"a\ttab"}}}};
+    const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_TRUE(json["points"].contains("O\"\\\n\xe2\x82\x82"));
-    EXPECT_EQ(json["remarks"][0], "a\ttab");
+    EXPECT_EQ(json["remarks"][0], "The contact at a\ttab would have to pull: there the bodies lift off.");
 }
 
 TEST(Results, ForcesAreThereWhereTheyAreAskedFor) {
     Solution solution = sample();
-    EXPECT_FALSE(Json::parse(results_json(solution, false)).contains("forces"));
+    EXPECT_FALSE(Json::parse(results_json(solution, false, english)).contains("forces"));
     solution.mechanism.find.stated = true;
     solution.mechanism.find.forces = true;
-    const Json json = Json::parse(results_json(solution, false));
+    const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_EQ(json["forces"], Json::object());
     EXPECT_EQ(json["effort"], Json::object());
 }
@@ -162,7 +163,7 @@ TEST(Results, RelativeMotionNamesItsObserver) {
     translating.query = {1, 0, 0, ""};
     translating.relative_velocity = Vector{1, 0};
     solution.relative_motion = {seen, translating};
-    const Json json = Json::parse(results_json(solution, false))["relative motion"];
+    const Json json = Json::parse(results_json(solution, false, english))["relative motion"];
     EXPECT_EQ(json[0], Json::parse(R"({"point": "A", "observer": "2", "coriolis": [0, 2]})"));
     EXPECT_EQ(json[1], Json::parse(R"({"point": "A", "observer": {"translating with": "O"}, "relative velocity": [1, 0]})"));
 }
