@@ -33,11 +33,7 @@ Status check_command(const std::string& file) {
                              (mechanism->bodies.size() == 1 ? "one body" : std::to_string(mechanism->bodies.size()) + " bodies") +
                              ", " + counted(mechanism->joints.size(), "joint") + ", " +
                              counted(mechanism->drivers.size(), "driver") + ")\n";
-    if (const auto failure = write_all({{"-", line}})) {
-        say("standard output", "cannot be written: " + failure->why);
-        return Status::output;
-    }
-    return Status::done;
+    return print(line);
 }
 
 }  // namespace kinegraph::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/messages.hpp"
+#include "render/pair_tables.hpp"
 #include "render/sheet.hpp"
 
 namespace kinegraph::app {
@@ -39,6 +40,14 @@ struct DiffRequest {
     double dpi = 0;                ///< for SVG; 0: as a PNG it is compared with, or 150
 };
 Status diff_command(const DiffRequest& request);
+
+/// pairs [FILE]: the catalogue of pairs, or the pairs of a mechanism.
+struct PairsRequest {
+    std::string file;  ///< "-" is standard input; empty: the catalogue
+    render::Language language = render::Language::en;
+    render::TextForm form = render::TextForm::plain;
+};
+Status pairs_command(const PairsRequest& request);
 
 /// How messages call a file: its path as given, or "standard input".
 std::string spoken(const std::string& file);

@@ -196,4 +196,12 @@ std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
     return std::nullopt;
 }
 
+Status print(const std::string& text) {
+    if (const auto failure = write_all({{"-", text}})) {
+        say("standard output", "cannot be written: " + failure->why);
+        return Status::output;
+    }
+    return Status::done;
+}
+
 }  // namespace kinegraph::app

@@ -7,6 +7,8 @@
 
 #include <tl/expected.hpp>
 
+#include "app/messages.hpp"
+
 namespace kinegraph::app {
 
 /// The largest file that is read, bytes.
@@ -30,5 +32,7 @@ struct NotWritten {
 /// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as it was.
 /// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
+/// A text on standard output, and how that ended; a failure is told.
+Status print(const std::string& text);
 
 }  // namespace kinegraph::app

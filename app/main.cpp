@@ -160,12 +160,26 @@ void add_diff(CLI::App& program, Action& action) {
     command->callback([&action, request] { action = [request] { return diff_command(*request); }; });
 }
 
-Status print(const std::string& text) {
-    if (const auto failure = write_all({{"-", text}})) {
-        say("standard output", "cannot be written: " + failure->why);
-        return Status::output;
-    }
-    return Status::done;
+void add_pairs(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "pairs", "The catalogue of pairs; with FILE, its pairs, freedoms counted, and the verdict");
+    auto request = std::make_shared<PairsRequest>();
+    auto language = std::make_shared<std::string>("en");
+    auto form = std::make_shared<std::string>("text");
+    command->add_option("FILE", request->file, "The mechanism file; - is standard input");
+    command->add_option("--lang", *language, "Language: en or it")
+        ->check(CLI::IsMember({"en", "it"}))
+        ->type_name("LANG")
+        ->capture_default_str();
+    command->add_option("--format", *form, "text or markdown")
+        ->check(CLI::IsMember({"text", "markdown"}))
+        ->type_name("FORMAT")
+        ->capture_default_str();
+    command->callback([&action, request, language, form] {
+        request->language = *language == "it" ? render::Language::it : render::Language::en;
+        request->form = *form == "markdown" ? render::TextForm::markdown : render::TextForm::plain;
+        action = [request] { return pairs_command(*request); };
+    });
 }
 
 Status run(int count, char** arguments) {
@@ -177,6 +191,7 @@ Status run(int count, char** arguments) {
     Action action;
     add_solve(program, action);
     add_check(program, action);
+    add_pairs(program, action);
     add_diff(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "constructions/act_of_motion.hpp"
+#include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
@@ -70,7 +71,7 @@ public:
 
     void run() {
         solution_.remarks = solution_.pose.remarks;
-        remark_redundancies();
+        remark_degeneracies();
         add_nodes_of_interest(structure_);
         solution_.bodies.resize(mechanism_.bodies.size());
         if (mechanism_.motion) {
@@ -141,11 +142,10 @@ private:
         return *finer_;
     }
 
-    void remark_redundancies() {
-        for (const Mobility::Redundant& redundant : solution_.mobility.redundant) {
-            const Joint& joint = mechanism_.joints[at(redundant.joint)];
-            solution_.remarks.push_back({Sentence::repeated_constraints, {PointName{joint.name}, Count{redundant.rows}}});
-        }
+    void remark_degeneracies() {
+        solution_.instant_motion = degenerate_motion(mechanism_, solution_.pose, solution_.mobility);
+        for (Message& remark : remarks_on_mobility(mechanism_, solution_.mobility, solution_.instant_motion))
+            solution_.remarks.push_back(std::move(remark));
     }
 
     void draw_motion_of_bodies() {

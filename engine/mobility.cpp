@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/assert.hpp"
+#include "engine/constraint_rows.hpp"
 
 namespace kinegraph {
 namespace {
@@ -135,7 +136,7 @@ public:
             }
             points_.push_back(std::move(place));
         }
-        for (std::size_t i = 0; i < mechanism.joints.size(); ++i) write(mechanism.joints[i], static_cast<int>(i));
+        for (const ConstraintRow& row : constraint_rows(mechanism, pose)) write(row);
         for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
             owner_ = {-1, static_cast<int>(i)};
             std::visit([&](const auto& driver) { write(driver); }, mechanism.drivers[i]);
@@ -191,34 +192,12 @@ private:
         for (const Vector& n : {Vector{1, 0}, Vector{0, 1}}) equal_speeds(i, j, point, direction(n));
     }
 
-    void write(const Joint& joint, int index) {
-        owner_ = {index, -1};
-        const BodyIndex i = joint.bodies[0];
-        const BodyIndex j = joint.bodies[1];
-        switch (joint.kind) {
-            case JointKind::revolute:
-                for (std::size_t k = 1; k < joint.bodies.size(); ++k) pinned(i, joint.bodies[k], joint.point);
-                return;
-            case JointKind::weld:
-                for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
-                    pinned(i, joint.bodies[k], joint.point);
-                    equal_turns(i, joint.bodies[k]);
-                }
-                return;
-            case JointKind::prismatic:
-                equal_speeds(i, j, joint.point, direction(quarter_turn(pose_.guides[slot(index)])));
-                equal_turns(i, j);
-                return;
-            case JointKind::pin_slot:
-            case JointKind::contact:
-                equal_speeds(i, j, joint.point, direction(pose_.normals[slot(index)]));
-                return;
-            case JointKind::rolling:
-                pinned(i, j, joint.point);
-                return;
-            case JointKind::gear:
-                equal_speeds(i, j, joint.point, direction(pose_.tangents[slot(index)]));
-                return;
+    void write(const ConstraintRow& row) {
+        owner_ = {row.joint, -1};
+        if (row.turn) {
+            equal_turns(row.i, row.j);
+        } else {
+            equal_speeds(row.i, row.j, row.point, direction(row.along));
         }
     }
     void write(const SpinDriver& driver) { equal_turns(driver.body, driver.relative_to); }
@@ -447,6 +426,17 @@ void count_joints(const Mechanism& mechanism, Mobility& mobility) {
 }
 
 }  // namespace
+
+int Mobility::repeated() const {
+    int rows = 0;
+    for (const Redundant& each : redundant) rows += each.rows;
+    return rows;
+}
+
+Mobility::Verdict Mobility::verdict() const {
+    if (effective == 0) return redundant.empty() ? Verdict::isostatic : Verdict::hyperstatic;
+    return gruebler > 0 ? Verdict::mechanism : Verdict::labile;
+}
 
 Mobility mobility_of(const Mechanism& mechanism, const Pose& pose) {
     Mobility mobility;

@@ -26,6 +26,17 @@ struct Mobility {
     std::vector<int> idle_drivers;       ///< drivers (by index) that fix nothing that is not fixed already
     std::vector<bool> determined;        ///< by BodyIndex: the body's velocity follows from the drivers (by the rank)
     bool decided_by_finer_pose = false;  ///< a pivot was judged zero because it shrank on the finer pose
+
+    /// How many constraints say what others say already.
+    int repeated() const;
+    /// What the rank makes of the structure, at this pose: instantaneous.
+    enum class Verdict {
+        mechanism,    ///< it moves, as the count lets expect
+        isostatic,    ///< it stands, and no constraint is too many
+        hyperstatic,  ///< it stands, with `repeated()` constraints too many
+        labile        ///< it moves in spite of the count
+    };
+    Verdict verdict() const;
 };
 
 /// Rank by exact arithmetic (residues modulo two large primes; never too high) on an exact pose; on a pose with a leftover by

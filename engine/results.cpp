@@ -172,8 +172,8 @@ public:
 
     std::string json() const {
         Members file;
-        file.emplace_back("mobility", object({{"gruebler", std::to_string(solution_.mobility.gruebler)},
-                                              {"effective", std::to_string(solution_.mobility.effective)}}));
+        file.emplace_back("mobility", mobility());
+        if (solution_.instant_motion && !solution_.instant_motion->branches.empty()) file.emplace_back("branches", branches());
         file.emplace_back("points", points());
         file.emplace_back("bodies", bodies());
         file.emplace_back("sliding", sliding());
@@ -200,6 +200,47 @@ private:
     const std::string& name_of_body(BodyIndex body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].name; }
     const std::string& name_of_point(PointIndex point) const { return mechanism_.points[static_cast<std::size_t>(point)].name; }
     Entry entry() const { return {solution_.pose, exact_}; }
+
+    std::string mobility() const {
+        const Mobility& found = solution_.mobility;
+        const auto verdict = [&] {
+            switch (found.verdict()) {
+                case Mobility::Verdict::mechanism:
+                    return "mechanism";
+                case Mobility::Verdict::isostatic:
+                    return "isostatic";
+                case Mobility::Verdict::hyperstatic:
+                    return "hyperstatic";
+                case Mobility::Verdict::labile:
+                    break;
+            }
+            return "labile";
+        };
+        Members members{{"gruebler", std::to_string(found.gruebler)},
+                        {"effective", std::to_string(found.effective)},
+                        {"verdict", quoted(verdict())}};
+        Members redundant;
+        for (const Mobility::Redundant& each : found.redundant)
+            redundant.emplace_back(mechanism_.joints[static_cast<std::size_t>(each.joint)].name, std::to_string(each.rows));
+        if (!redundant.empty()) members.emplace_back("redundant", object(redundant));
+        return object(members);
+    }
+    /// Ratios of angular velocities, by body.
+    std::string branches() const {
+        std::vector<std::string> all;
+        for (const Branch& branch : solution_.instant_motion->branches) {
+            Members ratios, fractions;
+            for (std::size_t body = 1; body < branch.ratios.size(); ++body)
+                ratios.emplace_back(mechanism_.bodies[body].name, number(branch.ratios[body]));
+            for (std::size_t body = 1; body < branch.exact.size(); ++body)
+                fractions.emplace_back(mechanism_.bodies[body].name, quoted(branch.exact[body].to_fraction()));
+            Members members{{"reference", branch.reference < 0 ? "null" : quoted(name_of_body(branch.reference))},
+                            {"ratios", object(ratios)}};
+            if (exact_ && !fractions.empty()) members.emplace_back("exact", object(fractions));
+            all.push_back(object(members));
+        }
+        return lines('[', all, ']');
+    }
 
     bool forces_asked() const {
         if (mechanism_.find.stated) return mechanism_.find.forces;

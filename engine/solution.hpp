@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/board.hpp"
+#include "engine/branches.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
@@ -149,6 +150,7 @@ struct Solution {
     Mechanism mechanism;
     Pose pose;
     Mobility mobility;
+    std::optional<InstantMotion> instant_motion;  ///< where constraints repeat each other or a driver drives nothing
     Protocol protocol;
     std::vector<PointMotion> points;  ///< in the file's order of points
     std::vector<BodyMotion> bodies;   ///< by BodyIndex

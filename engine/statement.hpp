@@ -110,13 +110,20 @@ enum class Sentence {
     act_velocity,             ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
     act_acceleration_centre,  ///< {0} the place K with no acceleration, {1} point
     // Remarks.
-    off_its_circle,        ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
-    off_its_foot,          ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
-    off_its_centres,       ///< {0} point, {1} distance, {2} {3} centres: the same between two circles
-    moved_to_foot,         ///< {0} point, {1} distance, {2} centre: a contact moved onto its line
-    moved_to_centres,      ///< {0} point, {1} distance, {2} {3} centres: a contact moved onto the line of the centres
-    repeated_constraints,  ///< {0} joint, {1} count
-    lift_off,              ///< {0} joint
+    off_its_circle,          ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
+    off_its_foot,            ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
+    off_its_centres,         ///< {0} point, {1} distance, {2} {3} centres: the same between two circles
+    moved_to_foot,           ///< {0} point, {1} distance, {2} centre: a contact moved onto its line
+    moved_to_centres,        ///< {0} point, {1} distance, {2} {3} centres: a contact moved onto the line of the centres
+    repeated_constraints,    ///< {0} joint, {1} count
+    lift_off,                ///< {0} joint
+    change_point,            ///< {0} count of freedoms by the rank, {1} by Grübler, {2} count of branches
+    branch,                  ///< {0} its number, {1} ratios
+    branch_without_turning,  ///< {0} its number
+    instant_only,            ///< {0} count of freedoms that have no acceleration
+    bound_velocities,        ///< {0} count of freedoms, {1} count of conditions on them
+    still_bodies,            ///< {0} bodies at rest in every motion
+    unturning_bodies,        ///< {0} bodies that turn in none
     // From here on phrases, without a capital and a full stop. What is not determined:
     motion_of_body,        ///< {0} body
     velocity_of_body,      ///< {0} body
@@ -125,7 +132,6 @@ enum class Sentence {
     drive_of_body,         ///< {0} body
     centre_of_bodies,      ///< {0} {1} bodies
     all_forces,
-    act_of_motion,
     // … and why not:
     one_body_only,  ///< {0} body: an act of motion is of one body
     velocities_contradict,
@@ -205,10 +211,17 @@ struct Amount {
 struct Count {
     int value = 0;
 };
-/// Of points or joints, in a row.
+/// ω_4/ω_2 = −3.
+struct Ratio {
+    Symbol above, below;
+    double value = 0;
+};
+using Ratios = std::vector<Ratio>;
+/// Of points, joints or bodies, in a row.
 using Names = std::vector<std::string>;
 using Symbols = std::vector<Symbol>;
-using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, Amount, Count, Names, Symbols, std::string>;
+using Argument =
+    std::variant<PointName, BodyName, Segment, LineReason, Symbol, Amount, Count, Ratios, Names, Symbols, std::string>;
 
 struct Message {
     Sentence sentence = Sentence::count_;

@@ -80,7 +80,7 @@ private:
             word("mobility", language_) + ": n = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2);
         if (m.welds > 0) text += " − 3·" + n(m.welds);
         text += " = " + n(m.gruebler) + " " + word("by Grübler", language_) + ", " + n(m.effective) + " " +
-                word("effective", language_);
+                word("effective", language_) + ": " + verdict_words(m, language_);
         return text + "\n";
     }
 

@@ -243,6 +243,23 @@ constexpr std::array sentences{
         "La coppia {0} ripete {1} {1|vincolo|vincoli} che le altre impongono già in questa configurazione."},
     Row{Sentence::lift_off, "The contact at {0} would have to pull: there the bodies lift off.",
         "Il contatto in {0} dovrebbe tirare: lì i corpi si staccano."},
+    Row{Sentence::change_point,
+        "Change point: {0} {0|freedom|freedoms} at this position for {1} of the count; to the second order {2} {2|branch leaves|branches leave} it.",
+        "Punto di diramazione: {0} {0|grado|gradi} di libertà in questa configurazione contro {1} del computo; al secondo ordine ne {2|parte|partono} {2} {2|ramo|rami}."},
+    Row{Sentence::branch, "Branch {0}: {1}.", "Ramo {0}: {1}."},
+    Row{Sentence::branch_without_turning, "Branch {0}: no body turns.", "Ramo {0}: nessun corpo ruota."},
+    Row{Sentence::instant_only,
+        "The position moves for an instant only: {0} {0|freedom|freedoms} by the rank, to which no accelerations belong.",
+        "La configurazione è mobile solo per un istante: {0} {0|grado|gradi} di libertà secondo il rango, cui non corrispondono accelerazioni."},
+    Row{Sentence::bound_velocities,
+        "The position has {0} freedoms for an instant; {1} second-order {1|condition binds|conditions bind} its velocities, so that not all of them can leave it.",
+        "La configurazione ha {0} gradi di libertà per un istante; {1} {1|condizione|condizioni} del secondo ordine {1|vincola|vincolano} le velocità: non tutte possono uscirne."},
+    Row{Sentence::still_bodies,
+        "{0|Body|Bodies} {0} {0|stands|stand} still in every motion that this position allows and cannot be driven here.",
+        "{0|Il corpo|I corpi} {0} {0|resta fermo|restano fermi} in ogni moto possibile in questa configurazione e non {0|può|possono} essere {0|comandato|comandati}."},
+    Row{Sentence::unturning_bodies,
+        "{0|Body|Bodies} {0} {0|does|do} not turn in any motion that this position allows: no angular velocity can be driven there.",
+        "{0|Il corpo|I corpi} {0} non {0|ruota|ruotano} in alcun moto possibile in questa configurazione: la velocità angolare non può essere assegnata."},
     // what is not determined
     Row{Sentence::motion_of_body, "motion of body {0}", "moto del corpo {0}"},
     Row{Sentence::velocity_of_body, "velocity of body {0}", "velocità del corpo {0}"},
@@ -251,7 +268,6 @@ constexpr std::array sentences{
     Row{Sentence::drive_of_body, "driver of body {0}", "movente del corpo {0}"},
     Row{Sentence::centre_of_bodies, "instant centre {0},{1}", "centro di istantanea rotazione {0},{1}"},
     Row{Sentence::all_forces, "forces", "forze"},
-    Row{Sentence::act_of_motion, "motion", "atto di moto"},
     // and why not
     Row{Sentence::one_body_only, "an act of motion is of one body, here {0}", "un atto di moto è di un solo corpo, qui {0}"},
     Row{Sentence::velocities_contradict, "the velocities contradict each other", "le velocità si contraddicono"},
@@ -393,6 +409,108 @@ constexpr std::array fixed_words{
     FixedWords{"degrees of freedom", "degrees of freedom", "gradi di libertà"},
     FixedWords{"effective", "effective at this pose", "effettivi in questa configurazione"},
     FixedWords{"by Grübler", "by Grübler", "secondo Grübler"},
+    FixedWords{"at this pose", "at this pose", "in questa configurazione"},
+    FixedWords{"verdict", "verdict", "giudizio"},
+    FixedWords{"verdict mechanism", "mechanism", "meccanismo"},
+    FixedWords{"verdict isostatic", "isostatic", "isostatico"},
+    FixedWords{"verdict hyperstatic", "hyperstatic", "iperstatico"},
+    FixedWords{"verdict labile", "labile in spite of the count", "labile nonostante il computo"},
+    FixedWords{"time", "time", "volta"},
+    FixedWords{"times", "times", "volte"},
+    // the catalogue of pairs
+    FixedWords{"catalogue of pairs", "Catalogue of pairs", "Catalogo delle coppie"},
+    FixedWords{"pairs of the plane", "Pairs of the plane", "Coppie nel piano"},
+    FixedWords{"lower pairs in space", "Lower pairs in space", "Coppie elementari nello spazio"},
+    FixedWords{"multiple hinges", "Multiple hinges", "Cerniere multiple"},
+    FixedWords{"pair revolute", "revolute pair (hinge)", "coppia rotoidale (cerniera)"},
+    FixedWords{"pair prismatic", "prismatic pair (slider, sleeve)", "coppia prismatica (corsoio, manicotto)"},
+    FixedWords{"pair pin-slot", "pin in a slot", "perno in un glifo"},
+    FixedWords{"pair rolling", "rolling without slip", "rotolamento senza strisciamento"},
+    FixedWords{"pair contact", "sliding contact (cam, roller support)", "contatto con strisciamento (camma, carrello)"},
+    FixedWords{"pair gear", "gear pair", "coppia di ruote dentate"},
+    FixedWords{"pair weld", "clamped joint", "incastro"},
+    FixedWords{"in the file", "file", "file"},
+    FixedWords{"freedoms left", "freedoms left", "libertà residue"},
+    FixedWords{"freedoms revolute", "rotation about P", "rotazione attorno a P"},
+    FixedWords{"freedoms prismatic", "translation along X", "traslazione lungo X"},
+    FixedWords{"freedoms pin-slot", "rotation about P, translation along X", "rotazione attorno a P, traslazione lungo X"},
+    FixedWords{"freedoms rolling", "rotation about the contact P", "rotazione attorno al contatto P"},
+    FixedWords{"freedoms contact", "rotation about P, sliding along the common tangent",
+               "rotazione attorno a P, strisciamento lungo la tangente comune"},
+    FixedWords{"freedoms gear", "rotation about P, sliding along the common normal of the pitch curves",
+               "rotazione attorno a P, scorrimento lungo la normale comune alle primitive"},
+    FixedWords{"class", "class", "classe"},
+    FixedWords{"no pair", "none: the two are one body", "nessuna: i due sono un solo corpo"},
+    FixedWords{"reaction", "reaction", "reazione"},
+    FixedWords{"unknown", "unknown", "incognita"},
+    FixedWords{"unknowns", "unknowns", "incognite"},
+    FixedWords{"force any direction", "force through P in any direction", "forza per P in direzione qualsiasi"},
+    FixedWords{"force normal to guide", "force normal to the guide", "forza normale alla guida"},
+    FixedWords{"force along normal", "force through P along the common normal", "forza per P secondo la normale comune"},
+    FixedWords{"force along line of action", "force through P along the line of action of the teeth",
+               "forza per P secondo la retta d’azione dei denti"},
+    FixedWords{"and a couple", "and a couple", "e una coppia"},
+    FixedWords{"fixed", "fixed", "elementi fissi"},
+    FixedWords{"fixed revolute", "P is one point of both bodies", "P è lo stesso punto dei due corpi"},
+    FixedWords{"fixed prismatic", "the line of the guide, the same in both bodies",
+               "la retta della guida, la stessa nei due corpi"},
+    FixedWords{"fixed pin-slot", "P on body i, the guide on body j", "P sul corpo i, la guida sul corpo j"},
+    FixedWords{"fixed rolling", "the profiles; the points at the contact have one velocity",
+               "i profili; i punti a contatto hanno la stessa velocità"},
+    FixedWords{"fixed contact", "the profiles; the points at the contact have one velocity along the normal",
+               "i profili; i punti a contatto hanno la stessa velocità lungo la normale"},
+    FixedWords{"fixed gear", "the pitch curves; the points at the pitch point have one velocity along the tangent",
+               "le primitive; i punti nel punto primitivo hanno la stessa velocità lungo la tangente"},
+    FixedWords{"fixed weld", "every point is one point of both bodies", "ogni punto è lo stesso per i due corpi"},
+    FixedWords{"instant centre", "instant centre", "centro di istantanea rotazione"},
+    FixedWords{"centre revolute", "P", "P"},
+    FixedWords{"centre prismatic", "at infinity, normal to the guide", "all’infinito, in direzione normale alla guida"},
+    FixedWords{"centre pin-slot", "on the normal to the guide at P", "sulla normale alla guida in P"},
+    FixedWords{"centre rolling", "the contact P", "il contatto P"},
+    FixedWords{"centre contact", "on the common normal at P", "sulla normale comune in P"},
+    FixedWords{"centre gear", "the pitch point P, where the arm holds both centres",
+               "il punto primitivo P, se il portatreno regge i due centri"},
+    FixedWords{"centre weld", "everywhere", "ovunque"},
+    FixedWords{"pair", "pair", "coppia"},
+    FixedWords{"motions", "motions", "moti"},
+    FixedWords{"components", "components", "componenti"},
+    FixedWords{"space revolute", "revolute", "rotoidale"},
+    FixedWords{"space prismatic", "prismatic", "prismatica"},
+    FixedWords{"space helical", "helical (screw)", "elicoidale (vite)"},
+    FixedWords{"space cylindrical", "cylindrical", "cilindrica"},
+    FixedWords{"space planar", "planar", "piana"},
+    FixedWords{"space spherical", "spherical", "sferica"},
+    FixedWords{
+        "axes of pairs",
+        "t translations and r rotations left, F forces and M couples of the reaction; z is the pair’s axis, or the normal of the planar pair; p is the advance of the screw for each radian.",
+        "t traslazioni e r rotazioni residue, F forze e M coppie della reazione; z è l’asse della coppia, o la normale della coppia piana; p è l’avanzamento della vite per radiante."},
+    FixedWords{"multiplicity rule", "A hinge of n bodies has multiplicity n − 1: it counts as n − 1 binary hinges of class 1.",
+               "Una cerniera di n corpi ha molteplicità n − 1: vale n − 1 cerniere binarie di classe 1."},
+    FixedWords{"stars rule", "With all binary hinges on one body there are n equivalent schemes, one for each body.",
+               "Con tutte le cerniere binarie su un solo corpo vi sono n schemi equivalenti, uno per ciascun corpo."},
+    FixedWords{"trees rule",
+               "In all there are n^(n − 2), as many as trees on n bodies (Cayley); for n = 3 the two numbers are the same.",
+               "In tutto sono n^(n − 2), quanti gli alberi su n corpi (Cayley); per n = 3 i due numeri coincidono."},
+    FixedWords{"schemes of three", "A hinge of bodies 1, 2, 3", "Una cerniera dei corpi 1, 2, 3"},
+    FixedWords{"bodies at the hinge", "bodies", "corpi"},
+    FixedWords{"multiplicity", "multiplicity", "molteplicità"},
+    FixedWords{"stars", "all on one body", "tutte su un corpo"},
+    FixedWords{"schemes", "in all", "in tutto"},
+    FixedWords{"equivalent schemes", "equivalent binary schemes", "schemi binari equivalenti"},
+    FixedWords{"pairs", "Pairs", "Coppie"},
+    FixedWords{"joint", "joint", "vincolo"},
+    FixedWords{"bodies of a pair", "bodies", "corpi"},
+    FixedWords{"count", "Count of the freedoms (Grübler)", "Computo dei gradi di libertà (Grübler)"},
+    FixedWords{
+        "symbols of the first count",
+        "m bodies with the frame, c₁ pairs of class 1, c₂ of class 2, w clamped joints; multiple hinges count by their multiplicity.",
+        "m corpi compreso il telaio, c₁ coppie di classe 1, c₂ di classe 2, w incastri; le cerniere multiple contano secondo la molteplicità."},
+    FixedWords{"symbols of the second count", "n_c bodies without the frame, n₁ single, n₂ double and n₃ triple constraints.",
+               "n_c corpi escluso il telaio, n₁ vincoli semplici, n₂ doppi e n₃ tripli."},
+    FixedWords{"at this position", "At this position (instantaneous)", "In questa configurazione (istantaneo)"},
+    FixedWords{"rank", "rank", "rango"},
+    FixedWords{"constraints", "constraints", "vincoli"},
+    FixedWords{"repeated", "repeated", "ripetuti"},
     FixedWords{"conventions", "Conventions", "Convenzioni"},
     FixedWords{"axes", "z points towards the reader; ω and α are positive counter-clockwise.",
                "Asse z verso chi legge; ω e α positive in senso antiorario."},
@@ -582,6 +700,17 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
             } else if constexpr (std::is_same_v<T, Names>) {
                 std::vector<RichText> members;
                 for (const std::string& each : value) members.push_back(name(each));
+                return in_a_row(members);
+            } else if constexpr (std::is_same_v<T, Ratios>) {
+                std::vector<RichText> members;
+                for (const Ratio& each : value) {
+                    RichText member = symbol(each.above);
+                    member.push_back(piece("/"));
+                    append(member, symbol(each.below));
+                    constexpr int digits = 5;
+                    member.push_back(piece(" = " + number(each.value, digits, language)));
+                    members.push_back(std::move(member));
+                }
                 return in_a_row(members);
             } else if constexpr (std::is_same_v<T, Symbols>) {
                 std::vector<RichText> members;
@@ -846,6 +975,24 @@ std::string fixed(double value, int decimals, Language language) {
 const std::string& in(const Words& words, Language language) {
     if (language == Language::it) return words.it.empty() ? words.en : words.it;
     return words.en.empty() ? words.it : words.en;
+}
+
+std::string verdict_words(const Mobility& mobility, Language language) {
+    const auto times = [&](std::string_view key) {
+        const int count = mobility.repeated();
+        return word(key, language) + ", " + std::to_string(count) + " " + word(count == 1 ? "time" : "times", language);
+    };
+    switch (mobility.verdict()) {
+        case Mobility::Verdict::mechanism:
+            return word("verdict mechanism", language);
+        case Mobility::Verdict::isostatic:
+            return word("verdict isostatic", language);
+        case Mobility::Verdict::hyperstatic:
+            return times("verdict hyperstatic");
+        case Mobility::Verdict::labile:
+            return word("verdict labile", language);
+    }
+    KG_ASSERT(false, "a mobility has a verdict");
 }
 
 std::string word(std::string_view key, Language language) {

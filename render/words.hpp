@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/mechanism.hpp"
+#include "engine/mobility.hpp"
 #include "engine/statement.hpp"
 #include "render/text.hpp"
 
@@ -25,6 +26,9 @@ std::string number(double value, int digits, Language language);
 /// A fixed number of decimals, for columns.
 std::string fixed(double value, int decimals, Language language);
 const std::string& in(const Words& words, Language language);
+
+/// "mechanism", "hyperstatic, 2 times", …: what the rank says of the structure at this pose.
+std::string verdict_words(const Mobility& mobility, Language language);
 
 /// Headings and fixed words by key ("velocity polygon", "results", "numeric", …); a key without words is a fault.
 std::string word(std::string_view key, Language language);

@@ -60,7 +60,7 @@ TEST(Results, AreWrittenAsTheFormatSays) {
     solution.checks = {{"omega 2", -0.5, -0.5, -0.0}};
     solution.unsolved = {{{Sentence::motion_of_body, {BodyName{"\"3\""}}}, {Sentence::stands_still, {}}}};
     EXPECT_EQ(results_json(solution, false, english), R"({
-  "mobility": {"gruebler": 1, "effective": 2},
+  "mobility": {"gruebler": 1, "effective": 2, "verdict": "mechanism"},
   "points": {
     "O": {"at": [0, 0], "velocity": [0, 0], "acceleration": [0, 0]},
     "A": {"at": [0.1, -0.7], "on": {"2": {"velocity": [0.55, 0]}, "4": {"velocity": [0, 0.3333333333333333], "acceleration": [1, 2]}}},

@@ -1,0 +1,20 @@
+// Degeneracy: what there is to say of a position where the rank and the count differ, or a driver drives nothing.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/branches.hpp"
+#include "engine/mobility.hpp"
+#include "engine/statement.hpp"
+
+namespace kinegraph {
+
+/// The motions of this position, where there is a reason to look: constraints that repeat others, or a driver that fixes nothing.
+std::optional<InstantMotion> degenerate_motion(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
+
+/// Redundant constraints, bodies that cannot be driven, branches of a change point: one sentence each.
+std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobility& mobility,
+                                         const std::optional<InstantMotion>& motion);
+
+}  // namespace kinegraph

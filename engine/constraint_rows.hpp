@@ -1,0 +1,25 @@
+// Constraint rows: what each pair forbids to the velocities of its bodies, one scalar condition a row. One list for the count of
+// the rank and for all that is asked of it afterwards. Knows no arithmetic but the pose's own.
+#pragma once
+
+#include <vector>
+
+#include "engine/mechanism.hpp"
+#include "engine/pose.hpp"
+
+namespace kinegraph {
+
+/// along · (v_i(P) − v_j(P)) = 0, or ω_i = ω_j.
+struct ConstraintRow {
+    JointIndex joint = -1;
+    BodyIndex i = -1, j = -1;
+    PointIndex point = -1;
+    Vector along;  ///< any length; unused where `turn`
+    bool turn = false;
+};
+
+/// The rows of all joints, in the file's order. Two for a revolute (n−1 times), a prismatic and a rolling pair, one for a
+/// pin-slot, a contact and a gear, three for a weld (n−1 times).
+std::vector<ConstraintRow> constraint_rows(const Mechanism& mechanism, const Pose& pose);
+
+}  // namespace kinegraph

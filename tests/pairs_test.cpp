@@ -1,0 +1,140 @@
+// The catalogue of pairs: what it says is what the rank finds, its schemes are trees, its page is the program's own output.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "engine/constraint_rows.hpp"
+#include "engine/mobility.hpp"
+#include "engine/pair_catalogue.hpp"
+#include "render/pair_tables.hpp"
+#include "tests/sketch.hpp"
+
+namespace kinegraph {
+namespace {
+
+using namespace sketch;
+using render::Language;
+using render::TextForm;
+
+/// One body against the frame by one pair of the kind.
+Sketch single(JointKind kind) {
+    Sketch s;
+    s.point("P", "0", "0").point("C", "0", "1");
+    switch (kind) {
+        case JointKind::prismatic:
+        case JointKind::pin_slot:
+            s.joint(kind, "P", {"2", "1"}).along = at_angle("0");
+            break;
+        case JointKind::rolling:
+        case JointKind::contact:
+        case JointKind::gear:
+            s.touching(kind, "P", {"2", "1"}, {CircleProfile{s["C"]}, LineProfile{at_angle("0")}});
+            break;
+        case JointKind::revolute:
+        case JointKind::weld:
+            s.joint(kind, "P", {"2", "1"});
+            break;
+    }
+    return s;
+}
+
+TEST(Catalogue, LeavesTheFreedomsThatTheRankFinds) {
+    for (const PlanePair& pair : plane_pairs) {
+        const Sketch s = single(pair.kind);
+        const auto pose = draw_pose(s.mechanism);
+        ASSERT_TRUE(pose) << pair.key;
+        const Mobility mobility = mobility_of(s.mechanism, *pose);
+        EXPECT_EQ(mobility.effective, pair.freedoms) << pair.key;
+        EXPECT_EQ(mobility.gruebler, pair.freedoms) << pair.key;
+        EXPECT_EQ(static_cast<int>(constraint_rows(s.mechanism, *pose).size()), pair.reactions()) << pair.key;
+    }
+}
+
+TEST(Catalogue, ReactionsAreThoseOfTheForcesDrawn) {
+    for (const PlanePair& pair : plane_pairs) {
+        const int force = pair.force == PlanePair::Force::any_direction ? 2 : 1;
+        EXPECT_EQ(force + (pair.couple ? 1 : 0), pair.reactions()) << pair.key;
+        EXPECT_EQ(pair.couple, !pair.turns) << pair.key << ": a couple is what hinders turning";
+    }
+}
+
+TEST(Catalogue, InSpaceMotionsAndReactionsAreSix) {
+    for (const SpacePair& pair : space_pairs) {
+        const auto letters = [](std::string_view text, std::string_view of) {
+            std::set<std::string_view> different;
+            for (std::size_t i = 0; i + 2 < text.size(); ++i)
+                if (of.find(text[i]) != std::string_view::npos && text[i + 1] == '_') different.insert(text.substr(i, 3));
+            if (text.size() >= 3) different.insert(text.substr(text.size() - 3));
+            return static_cast<int>(different.size());
+        };
+        // On a screw one motion is two components in proportion, and so is one reaction.
+        const int tied = pair.key == "helical" ? 1 : 0;
+        EXPECT_EQ(letters(pair.motions, "tr") - tied, pair.freedoms) << pair.key;
+        EXPECT_EQ(letters(pair.reactions, "FM") - tied, pair.reaction_count()) << pair.key;
+    }
+}
+
+TEST(Schemes, AreAllTreesAndEachOnce) {
+    const std::array<std::size_t, 5> cayley{1, 3, 16, 125, 1296};
+    for (int bodies = 2; bodies <= 6; ++bodies) {
+        const auto schemes = binary_schemes(bodies);
+        ASSERT_EQ(schemes.size(), cayley.at(static_cast<std::size_t>(bodies) - 2));
+        std::set<std::vector<std::array<int, 2>>> different;
+        int stars = 0;
+        for (const BinaryScheme& scheme : schemes) {
+            ASSERT_EQ(static_cast<int>(scheme.hinges.size()), bodies - 1);
+            different.insert(scheme.hinges);
+            std::set<int> reached{0};
+            for (int round = 0; round < bodies; ++round)
+                for (const auto& [a, b] : scheme.hinges)
+                    if (reached.count(a) != 0 || reached.count(b) != 0) reached.insert({a, b});
+            EXPECT_EQ(static_cast<int>(reached.size()), bodies) << "the bodies hang together";
+            for (int centre = 0; centre < bodies; ++centre) {
+                bool star = true;
+                for (const auto& [a, b] : scheme.hinges) star = star && (a == centre || b == centre);
+                stars += star ? 1 : 0;
+            }
+        }
+        EXPECT_EQ(different.size(), schemes.size());
+        EXPECT_EQ(stars, bodies);
+    }
+}
+
+std::string contents(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Catalogue, ThePageOfTheDocsIsTheProgramsOwn) {
+    EXPECT_EQ(contents(KINEGRAPH_TESTS_DIR "/../docs/pairs.md"), render::pair_catalogue(Language::en, TextForm::markdown))
+        << "print it again: kinegraph pairs --format markdown > docs/pairs.md";
+}
+
+TEST(Catalogue, SpeaksBothLanguages) {
+    const std::string english = render::pair_catalogue(Language::en, TextForm::plain);
+    const std::string italian = render::pair_catalogue(Language::it, TextForm::plain);
+    EXPECT_NE(english.find("1296"), std::string::npos) << "schemes of six bodies";
+    EXPECT_NE(english.find("revolute"), std::string::npos);
+    EXPECT_NE(italian.find("cerniera"), std::string::npos);
+    EXPECT_EQ(italian.find("revolute pair"), std::string::npos);
+}
+
+TEST(PairReport, CountsBothWaysAndListsTheSchemesOfAHinge) {
+    Sketch s;
+    s.point("O", "0", "0").point("A", "1", "0").point("B", "0", "1").point("C", "1", "2");
+    s.revolute("O", {"1", "2"}).revolute("A", {"2", "3", "4"}).revolute("B", {"3", "1"}).revolute("C", {"4", "1"});
+    const auto pose = draw_pose(s.mechanism);
+    ASSERT_TRUE(pose);
+    const Mobility mobility = mobility_of(s.mechanism, *pose);
+    EXPECT_EQ(mobility.verdict(), Mobility::Verdict::hyperstatic);
+    const std::string text = render::pair_report(s.mechanism, mobility, {}, Language::en, TextForm::plain);
+    EXPECT_NE(text.find("n = 3(m − 1) − 2c₁ − c₂ = 3·3 − 2·5 − 0 = −1"), std::string::npos) << text;
+    EXPECT_NE(text.find("n = 3n_c − n₁ − 2n₂ − 3n₃ = 3·3 − 0 − 2·5 − 3·0 = −1"), std::string::npos) << text;
+    EXPECT_NE(text.find("(2–3)(2–4), (2–3)(3–4), (2–4)(3–4)"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace kinegraph
