@@ -191,8 +191,8 @@ Status run(int count, char** arguments) {
     Action action;
     add_solve(program, action);
     add_check(program, action);
-    add_pairs(program, action);
     add_diff(program, action);
+    add_pairs(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {

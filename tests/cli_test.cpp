@@ -32,8 +32,8 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         const char* arguments;
         const char* said;
     } rows[] = {
-        {"", "kinegraph: a command is missing; there are solve, check, diff.*"},
-        {"slove four_bar.json", "kinegraph: no command is named \"slove\"; there are solve, check, diff.*"},
+        {"", "kinegraph: a command is missing; there are solve, check, diff, pairs.*"},
+        {"slove four_bar.json", "kinegraph: no command is named \"slove\"; there are solve, check, diff, pairs.*"},
         {"--exact", "kinegraph: .*"},
         {"solve", "kinegraph: FILE is required.*"},
         {"check", "kinegraph: FILE is required.*"},
@@ -67,6 +67,9 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"solve /dev/zero -o a.svg", "/dev/zero: is larger than 64 MiB.*"},
         {"solve \"$(printf 'a\\nb\\033.json')\" -o a.svg", R"(a\\nb\\x1b.json: cannot be read: .*)"},
         {"check absent.json", "absent.json: cannot be read: No such file or directory"},
+        {"pairs absent.json", "absent.json: cannot be read: No such file or directory"},
+        {"pairs --lang de", "kinegraph: --lang.*"},
+        {"pairs --format pdf", "kinegraph: --format.*"},
     };
     for (const auto& row : rows) {
         const Outcome outcome = run(row.arguments);
@@ -116,6 +119,18 @@ TEST_F(CommandLine, CheckSaysThatAFileIsInOrder) {
     EXPECT_EQ(outcome.out, "four_bar.json: in order (4 bodies, 4 joints, 1 driver)\n");
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(run("check - <four_bar.json").out, "standard input: in order (4 bodies, 4 joints, 1 driver)\n");
+}
+
+TEST_F(CommandLine, PairsPrintsTheCatalogueOrAMechanismsPairs) {
+    const Outcome catalogue = run("pairs --lang it");
+    EXPECT_EQ(catalogue.status, 0);
+    EXPECT_EQ(catalogue.err, "");
+    EXPECT_NE(catalogue.out.find("coppia rotoidale"), std::string::npos) << catalogue.out;
+    const Outcome four_bar = run("pairs four_bar.json");
+    EXPECT_EQ(four_bar.status, 0);
+    EXPECT_NE(four_bar.out.find("3·3 − 2·4 − 0 = 1"), std::string::npos) << four_bar.out;
+    EXPECT_NE(four_bar.out.find("verdict: mechanism"), std::string::npos) << four_bar.out;
+    EXPECT_EQ(run("pairs four_bar.json --format markdown").out.rfind("# ", 0), 0u);
 }
 
 TEST_F(CommandLine, SolveWithoutOutputsPrintsTheTable) {
