@@ -22,7 +22,7 @@ struct PlanePair {
     int reactions() const { return 3 - freedoms; }
 };
 /// In the order of JointKind.
-constexpr std::array plane_pairs{
+inline constexpr std::array plane_pairs{
     PlanePair{JointKind::revolute, "revolute", R"({"revolute": P, "bodies": [i, j]})", 1, true, PlanePair::Force::any_direction,
               false},
     PlanePair{JointKind::prismatic, "prismatic", R"({"prismatic": P, "bodies": [i, j], "along": X})", 1, false,
@@ -47,7 +47,7 @@ struct SpacePair {
     std::string_view reactions;  ///< components it can transmit: forces F_x …, couples M_x …
     int reaction_count() const { return 6 - freedoms; }
 };
-constexpr std::array space_pairs{
+inline constexpr std::array space_pairs{
     SpacePair{"revolute", 1, "r_z", "F_x F_y F_z M_x M_y"},
     SpacePair{"prismatic", 1, "t_z", "F_x F_y M_x M_y M_z"},
     SpacePair{"helical", 1, "r_z, t_z = p r_z", "F_x F_y M_x M_y, p F_z = −M_z"},
