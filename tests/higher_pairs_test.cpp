@@ -11,6 +11,7 @@
 
 #include "constructions/solve.hpp"
 #include "tests/random_mechanism.hpp"
+#include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
@@ -77,7 +78,7 @@ double worst_difference(const Solution& solution) {
 
 /// Solved wholly, and as the check has it.
 void expect_solved(const Solution& solution) {
-    for (const Unsolved& missing : solution.unsolved) ADD_FAILURE() << missing.what << ": " << missing.why;
+    for (const Unsolved& missing : solution.unsolved) ADD_FAILURE() << english_of(missing);
     EXPECT_FALSE(solution.checks.empty());
     EXPECT_LE(worst_difference(solution), 1e-9);
 }
@@ -157,7 +158,7 @@ TEST(Rolling, WithoutProfilesOnlyVelocitiesAreKnown) {
     EXPECT_EQ(read.v("C", "2"), (Vector{-2, 0}));
     EXPECT_FALSE(read.motion("C", "2").acceleration);
     ASSERT_EQ(solution.unsolved.size(), 1U);
-    EXPECT_EQ(solution.unsolved[0].why, "it needs the curvatures at P; give the \"profiles\" of both bodies there");
+    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the \"profiles\" of both bodies there");
 }
 
 // --- contacts ------------------------------------------------------------------------------------------------------------------
@@ -264,8 +265,8 @@ TEST(Contact, WithoutCurvaturesAccelerationsAskForThem) {
                                                   {"weld": "C", "bodies": [2, 4]}, {"revolute": "Q", "bodies": [1, 3]})"));
     EXPECT_TRUE((Reading{solution}.motion("P", "3").velocity));
     ASSERT_FALSE(solution.unsolved.empty());
-    EXPECT_EQ(solution.unsolved[0].what, "acceleration of body 3");
-    EXPECT_EQ(solution.unsolved[0].why, "it needs the curvatures at P; give the \"profiles\" of both bodies there");
+    EXPECT_EQ(english(solution.unsolved[0].what), "acceleration of body 3");
+    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the \"profiles\" of both bodies there");
 }
 
 // --- gears ---------------------------------------------------------------------------------------------------------------------
@@ -504,7 +505,7 @@ TEST(HigherPairs, RandomMechanismsAgreeWithTheCheck) {
         if (solution.mobility.effective != 1 || !solution.mobility.idle_drivers.empty()) continue;
         ++movable;
         for (const Unsolved& missing : solution.unsolved)
-            ADD_FAILURE() << "seed " << seed << ": " << missing.what << ": " << missing.why << "\n" << text;
+            ADD_FAILURE() << "seed " << seed << ": " << english_of(missing) << "\n" << text;
         EXPECT_LE(worst_difference(solution), 1e-9) << "seed " << seed << ": " << text;
     }
     EXPECT_GE(movable, 125);
