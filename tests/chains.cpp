@@ -1,6 +1,7 @@
 #include "tests/chains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <functional>
 #include <numeric>
@@ -193,8 +194,11 @@ private:
         std::vector<std::optional<int>> shared(at(chain_.links));
         for (const auto& [a, b] : chain_.joints) {
             if (dissolved(a) || dissolved(b)) continue;
-            if (random_.chance(15)) {
+            const int kind = random_.whole(1, 100);
+            if (kind <= 15) {
                 if (!slide(a, b)) return false;
+            } else if (kind <= 20) {
+                if (!touch(a, b, true)) return false;
             } else if (!hinge(a, b, shared)) {
                 return false;
             }
@@ -202,7 +206,8 @@ private:
         for (const int link : dissolved_) {
             const std::vector<int> ends = chain_.neighbours(link);
             const bool swap = random_.chance(50);
-            if (!slot(ends[swap ? 1 : 0], ends[swap ? 0 : 1])) return false;
+            const int a = ends[swap ? 1 : 0], b = ends[swap ? 0 : 1];
+            if (random_.chance(35) ? !touch(a, b, false) : !slot(a, b)) return false;
         }
         for (int link = 0; link < chain_.links; ++link) {
             if (dissolved(link)) continue;
@@ -266,6 +271,28 @@ private:
         carry(guide, *centre);
         draw().pin_in_arc(*point, body(pin), body(guide), *centre);
         note("arc " + between(pin, guide));
+        return true;
+    }
+
+    /// A circle of `a` on a circle or on a straight side of `b`, rolling without slip or sliding.
+    bool touch(int a, int b, bool rolls) {
+        const auto point = draw().given_anywhere(), centre = draw().given_anywhere();
+        if (!point || !centre) return false;
+        carry(a, *centre);
+        std::optional<int> other;
+        if (random_.chance(60)) {
+            // Beyond the point the circles touch from outside, before it one lies in the other.
+            constexpr std::array ratios{-0.6, 0.4, 1.4, 1.7, 2.1};
+            other = draw().on_line(*centre, *point, ratios[at(random_.whole(0, 4))]);
+            if (!other) return false;
+            carry(b, *other);
+        }
+        if (rolls) {
+            draw().rolling(*point, body(a), body(b), *centre, other);
+        } else {
+            draw().contact(*point, body(a), body(b), *centre, other);
+        }
+        note(between(a, b) + (rolls ? " rolls" : " touches"));
         return true;
     }
 

@@ -43,6 +43,7 @@ public:
         second_ways_agree();
         bodies_are_rigid();
         slidings_follow_their_guides();
+        rolling_does_not_slip();
         equations_close();
         drawn_vectors_are_the_results();
         centres_have_one_velocity();
@@ -109,9 +110,11 @@ private:
     }
 
     std::size_t sliding_joints() const {
-        return static_cast<std::size_t>(std::count_if(
-            solution_.mechanism.joints.begin(), solution_.mechanism.joints.end(),
-            [](const Joint& joint) { return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot; }));
+        return static_cast<std::size_t>(
+            std::count_if(solution_.mechanism.joints.begin(), solution_.mechanism.joints.end(), [](const Joint& joint) {
+                return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot ||
+                       joint.kind == JointKind::contact;
+            }));
     }
 
     void second_ways_agree() {
@@ -169,6 +172,9 @@ private:
                 const Vector radius = place - solution_.pose.at(joint.arc);
                 EXPECT_TRUE(dot(*sliding.velocity, radius).is_zero()) << joint.name << " runs off its slot";
                 EXPECT_EQ(dot(*sliding.acceleration, radius), -squared_length(*sliding.velocity)) << joint.name;
+            } else if (joint.kind == JointKind::contact) {
+                EXPECT_TRUE(dot(*sliding.velocity, solution_.pose.normals[at(sliding.joint)]).is_zero())
+                    << joint.name << " lifts off or digs in";
             } else {
                 const Vector& guide = solution_.pose.guides[at(sliding.joint)];
                 EXPECT_TRUE(cross(*sliding.velocity, guide).is_zero()) << joint.name << " runs off its guide";
@@ -178,6 +184,20 @@ private:
                 EXPECT_EQ(omega(i), omega(j)) << joint.name;
                 EXPECT_EQ(alpha(i), alpha(j)) << joint.name;
             }
+        }
+    }
+
+    /// The points in contact have one velocity, and part along the normal only.
+    void rolling_does_not_slip() {
+        for (std::size_t j = 0; j < solution_.mechanism.joints.size(); ++j) {
+            const Joint& joint = solution_.mechanism.joints[j];
+            if (joint.kind != JointKind::rolling) continue;
+            const Vector& place = solution_.pose.at(joint.point);
+            const auto v_i = velocity_on(joint.bodies[0], place), v_j = velocity_on(joint.bodies[1], place);
+            const auto a_i = acceleration_on(joint.bodies[0], place), a_j = acceleration_on(joint.bodies[1], place);
+            ASSERT_TRUE(v_i && v_j && a_i && a_j) << joint.name;
+            EXPECT_EQ(*v_i, *v_j) << joint.name << " slips";
+            EXPECT_TRUE(cross(*a_i - *a_j, solution_.pose.normals[j]).is_zero()) << joint.name << " begins to slip";
         }
     }
 

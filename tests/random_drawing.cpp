@@ -92,6 +92,21 @@ std::optional<int> Drawing::place() {
     return std::nullopt;
 }
 
+std::optional<int> Drawing::given_anywhere() {
+    for (int attempt = 0; attempt < 40; ++attempt) {
+        const Spot spot = anywhere();
+        if (is_free(spot)) return given(spot);
+    }
+    return std::nullopt;
+}
+
+std::optional<int> Drawing::on_line(int from, int to, double ratio) {
+    const Spot there = at(from) + ratio * (at(to) - at(from));
+    if (!is_free(there) || std::abs(there.x) > 2 * reach || std::abs(there.y) > 2 * reach) return std::nullopt;
+    return add(there,
+               "{\"from\": " + quoted(name(from)) + ", \"to\": " + quoted(name(to)) + ", \"ratio\": " + tenths(ratio) + "}");
+}
+
 std::optional<int> Drawing::pin_between(int a, int c) {
     for (int attempt = 0; attempt < 60; ++attempt) {
         Spot spot = anywhere();
@@ -201,6 +216,22 @@ void Drawing::drive_slide(const std::string& joint) {
 void Drawing::drive_point(int body, int point, const Guide& along) {
     drivers_.push_back("{\"body\": " + quoted(body_name(body)) + ", \"at\": " + quoted(name(point)) +
                        ", \"along\": " + along.text + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) + "}");
+}
+
+void Drawing::higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j) {
+    const auto circle = [&](int centre) { return "{\"circle\": " + quoted(name(centre)) + "}"; };
+    // The tangent, a quarter turn from the radius: places are in tenths, so this is exact.
+    const Spot radius = at(point) - at(centre_i);
+    const std::string other = centre_j ? circle(*centre_j) : "{\"line\": " + pair(tenths(-radius.y), tenths(radius.x)) + "}";
+    joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) +
+                      ", \"profiles\": {" + quoted(body_name(i)) + ": " + circle(centre_i) + ", " + quoted(body_name(j)) + ": " +
+                      other + "}, \"name\": " + quoted("h" + std::to_string(joints_.size())) + "}");
+}
+void Drawing::rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
+    higher_pair("rolling", point, i, j, centre_i, centre_j);
+}
+void Drawing::contact(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
+    higher_pair("contact", point, i, j, centre_i, centre_j);
 }
 
 void Drawing::balance(const char* kind, const std::string& where) {

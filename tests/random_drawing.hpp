@@ -47,6 +47,10 @@ public:
     int given(Spot spot);
     /// A further place somewhere: by coordinates, or from points already there.
     std::optional<int> place();
+    /// A free place by its coordinates.
+    std::optional<int> given_anywhere();
+    /// On the line of two places, at a ratio (tenths) of the way from the first to the second: exactly.
+    std::optional<int> on_line(int from, int to, double ratio);
     /// The pin between two arms from `a` and `c`: the angle between the arms away from 0° and 180°.
     std::optional<int> pin_between(int a, int c);
     int any_point() { return random_.whole(0, static_cast<int>(points_.size()) - 1); }
@@ -69,6 +73,10 @@ public:
     std::string pin_slot(int point, int i, int j, const Guide& guide);
     std::string pin_in_arc(int point, int i, int j, int centre);
     Guide any_guide();
+    /// Rolling without slip and sliding contact at a place: circles about `centre_i` of i and `centre_j` of j, or a straight
+    /// profile of j where `centre_j` is none.
+    void rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j);
+    void contact(int point, int i, int j, int centre_i, std::optional<int> centre_j);
 
     // --- drivers -----------------------------------------------------------------------------------------------------------
     /// A decimal of few digits, not zero.
@@ -90,6 +98,7 @@ private:
     int add(Spot spot, std::string placement);
     std::string body_pair(int i, int j) const;
     std::string slide(const char* kind, int point, int i, int j, const std::string& along);
+    void higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j);
     void balance(const char* kind, const std::string& where);
     std::string joint_text(std::size_t index) const;
 
