@@ -2,8 +2,9 @@
 // Owns the candidates, their price and the search; knows no mechanics, only marks. Deterministic: all orders are those of the
 // figure, all ties go to the first.
 //
-// Method: point-feature labelling by candidate places on rings about the anchor (after Imhof's rules), least free first, then
-// rounds of improvement with evictions; obstacles lie in a uniform grid.
+// Method: point-feature labelling by candidate places on rings about the anchor (after Imhof's rules), each priced once against
+// the ink map and kept in the order of price; the least free label first, then rounds of improvement with evictions. What still
+// covers something then is moved to the nearest room that is free, with a leader.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,65 +13,52 @@
 #include <optional>
 
 #include "render/figure.hpp"
+#include "render/ink_map.hpp"
 #include "render/shapes.hpp"
 
 namespace kinegraph::render {
 
 namespace {
 
-constexpr double ink_margin = 0.45;    // clear paper round every letter, mm
-constexpr double label_gap = 0.8;      // between two labels
-constexpr double breathing = 1.3;      // a stroke nearer than this makes a place less wanted
-constexpr double cell = 4.0;           // of the grid
-constexpr double covers_stroke = 100;  // the price that no wish outweighs
+constexpr double ink_margin = 0.45;   // clear paper round every letter, mm
+constexpr double label_gap = 0.8;     // between two labels
+constexpr double breathing = 1.3;     // a stroke nearer than this makes a place less wanted
+constexpr double covers_stroke = 50;  // the price that no wish outweighs …
+constexpr double covers_area = 15;    // … and for each mm² of it
 constexpr double covers_label = 400;
+constexpr double crowding = 0.5;  // for each mm² of ink within breathing distance
+constexpr double most_crowding = 2.8;
 constexpr double beside_price = 2.5;  // of a vector's name beyond its ends
 constexpr double upright_price = 8;   // of a direction mark that leaves its line
 constexpr double leaves_room = 30;
 constexpr double leader_price = 6;
-constexpr double least_measure = 45;  // of a label, before it is shortened
-constexpr double least_of_far = 11;   // leader and distance: no far place costs less
+constexpr double crossing_price = 2.5;  // of a leader, for each stroke it crosses
+constexpr double far_price = 0.9;       // for each mm from the nearest place
+constexpr double least_measure = 45;    // of a label, before it is shortened
+constexpr double least_of_far = 11;     // leader and distance: no far place costs less
 
-/// A piece of stroke: everything within `half` of the segment is ink.
-struct Obstacle {
-    Spot from, to;
-    double half = 0;
-};
 /// A tinted area: a label may stand in it, but rather not.
 struct Area {
     std::vector<Spot> corners;
     Box box;
-    bool forbidden = false;
 };
 
-/// A turned box: `half` extents along `axis` and its normal.
-struct InkBox {
-    Spot centre, half, axis{1, 0};
-    Spot local(Spot spot) const {
-        const Spot d = spot - centre;
-        return {dot(d, axis), cross(axis, d)};
-    }
-    Spot reach() const {
-        return {std::abs(axis.x) * half.x + std::abs(axis.y) * half.y, std::abs(axis.y) * half.x + std::abs(axis.x) * half.y};
-    }
-};
+constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
-double squared(Spot a) { return dot(a, a); }
-
-/// Length of the part of a segment inside a box of half extents `half` about the origin; negative where they do not meet.
-double length_inside(Spot from, Spot to, Spot half) {
-    const Spot d = to - from;
-    double enter = 0, leave = 1;
-    const auto clip = [&](double start, double step, double limit) {
-        if (step == 0) return std::abs(start) <= limit;
-        double low = (-limit - start) / step, high = (limit - start) / step;
-        if (low > high) std::swap(low, high);
-        enter = std::max(enter, low);
-        leave = std::min(leave, high);
-        return enter <= leave;
-    };
-    if (!clip(from.x, d.x, half.x) || !clip(from.y, d.y, half.y)) return -1;
-    return (leave - enter) * length(d);
+bool apart(const Box& a, const Box& b) {
+    return a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y;
+}
+void enlarge(Box& box, Spot by) {
+    box.min = {std::min(box.min.x, by.x), std::min(box.min.y, by.y)};
+    box.max = {std::max(box.max.x, by.x), std::max(box.max.y, by.y)};
+}
+void enlarge(Box& box, const Box& by) {
+    enlarge(box, by.min);
+    enlarge(box, by.max);
+}
+Box extent_of(const InkBox& box) {
+    const Spot reach = box.reach();
+    return {box.centre - reach, box.centre + reach};
 }
 
 /// Distance of two turned boxes along their worst of four separating axes; negative where they overlap. Of more than `enough` it
@@ -106,101 +94,49 @@ bool inside(const Area& area, Spot spot) {
     return in;
 }
 
-/// All that is drawn already, pieces of stroke sorted into square cells.
+/// All that is drawn already.
 class Ground {
 public:
-    Ground(const std::vector<Mark>& marks, const Fonts& fonts) {
+    Ground(const std::vector<Mark>& marks, const Fonts& fonts) : map_(box_of(marks)) {
         for (const Mark& mark : marks) {
             if (const auto* path = std::get_if<Path>(&mark)) add(*path);
-            if (const auto* axis = std::get_if<Axis>(&mark)) add_segment(axis->tail, axis->tip, 0.35);
+            if (const auto* axis = std::get_if<Axis>(&mark)) map_.stroke(axis->tail, axis->tip, 0.35);
             if (const auto* text = std::get_if<TextMark>(&mark)) add(*text, fonts);
         }
-        sort_into_cells();
     }
 
-    struct Finding {
+    bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
+    /// What a label there costs: ink within the margin is forbidden, ink within breathing distance and a tint are a pity.
+    double price(const InkBox& box, bool free) const {
         double price = 0;
-        bool covered = false;
-        bool whole = true;  // false: the price is more than was asked for, all else was not looked at
-    };
-    /// What a label there would cover, up to a price that is `enough`. Ink within the margin is forbidden, ink within breathing
-    /// distance is a pity.
-    Finding at(const InkBox& box, Spot anchor, double enough) const {
-        Finding finding;
-        for (const InkBox& text : texts_)
-            if (gap_between(text, box, label_gap) < label_gap) {
-                finding.covered = true;
-                finding.price += covers_label;
-            }
         for (const Area& area : areas_)
-            if (inside(area, box.centre)) {
-                finding.price += area.forbidden ? covers_stroke : 2.0;
-                finding.covered = finding.covered || area.forbidden;
-            }
-        int crowded = 0;
-        visit(box.centre, box.reach(), [&](const Obstacle& obstacle) {
-            if (finding.price >= enough) finding.whole = false;
-            if (!finding.whole) return false;
-            const Spot from = box.local(obstacle.from), to = box.local(obstacle.to);
-            const double near = obstacle.half + ink_margin, far = obstacle.half + breathing;
-            if (length_inside(from, to, {box.half.x + far, box.half.y + far}) < 0) return true;
-            const double covered = length_inside(from, to, {box.half.x + near, box.half.y + near});
-            if (covered >= 0) {
-                finding.covered = true;
-                finding.price += covers_stroke * (0.5 + obstacle.half) + 10 * covered;
-            } else if (squared(obstacle.from - anchor) > 0.01 && squared(obstacle.to - anchor) > 0.01) {
-                ++crowded;  // … but a pin does not crowd its own name
-            }
-            return true;
-        });
-        finding.price += 0.7 * std::min(crowded, 4);
-        return finding;
+            if (inside(area, box.centre)) price += 2.0;
+        if (free) return price + std::min(most_crowding, crowding * map_.inked(box.grown(breathing)));
+        return price + covers_stroke + covers_area * map_.inked(box.grown(ink_margin));
     }
-
-    /// Strokes that a leader would cross, counted up to `enough`.
-    int crossed(Spot from, Spot to, double enough) const {
-        int count = 0;
-        const Spot middle = 0.5 * (from + to), along = unit(to - from);
-        const InkBox thread{middle, {length(to - from) / 2, 0.1}, along};
-        visit(middle, thread.reach(), [&](const Obstacle& obstacle) {
-            if (length_inside(thread.local(obstacle.from), thread.local(obstacle.to),
-                              {thread.half.x, thread.half.y + obstacle.half}) >= 0)
-                ++count;
-            return count < enough;
-        });
-        for (const InkBox& text : texts_)
-            if (gap_between(text, thread, 0.3) < 0.3) count += 20;
-        return count;
-    }
+    /// Strokes that a leader would cross.
+    int crossed(Spot from, Spot to) const { return map_.crossings(from, to); }
 
 private:
-    void add_segment(Spot from, Spot to, double half) {
-        // Cut to the size of a cell, so that a long diagonal fills only the cells it passes.
-        const int pieces = std::max(1, static_cast<int>(std::ceil(length(to - from) / cell)));
-        for (int i = 0; i < pieces; ++i)
-            obstacles_.push_back({from + (static_cast<double>(i) / pieces) * (to - from),
-                                  from + (static_cast<double>(i + 1) / pieces) * (to - from), half});
-    }
-
     void add(const Path& path) {
         const double half = path.stroked ? path.pen.width / 2 : 0;
         // Pins, dots and balloons: one disc.
         if (path.filled && path.segments.size() == 3)
             if (const auto* arc = std::get_if<ArcTo>(&path.segments[1]); arc && arc->radius <= 3) {
-                obstacles_.push_back({arc->centre, arc->centre, arc->radius + half});
+                map_.stroke(arc->centre, arc->centre, arc->radius + half);
                 return;
             }
-        std::vector<Spot> outline;
+        outline_.clear();
         Spot pen, start;
         const auto stroke_to = [&](Spot to) {
-            add_segment(pen, to, half);
-            outline.push_back(to);
+            if (path.stroked) map_.stroke(pen, to, half);
+            outline_.push_back(to);
             pen = to;
         };
         for (const Segment& segment : path.segments) {
             if (const auto* m = std::get_if<MoveTo>(&segment)) {
                 pen = start = m->to;
-                outline.push_back(pen);
+                outline_.push_back(pen);
             } else if (const auto* l = std::get_if<LineTo>(&segment)) {
                 stroke_to(l->to);
             } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
@@ -217,135 +153,55 @@ private:
                 for (int i = 0; i <= parts; ++i) {
                     const double angle = a->from + sweep * i / parts;
                     const Spot at = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
-                    if (i == 0 && outline.empty()) pen = start = at;
+                    if (i == 0 && outline_.empty()) pen = start = at;
                     stroke_to(at);
                 }
             } else {
                 stroke_to(start);
             }
         }
-        if (!path.filled || outline.size() < 3) return;
-        Area area{std::move(outline), {{1e300, 1e300}, {-1e300, -1e300}}, false};
-        for (const Spot& spot : area.corners) {
-            area.box.min = {std::min(area.box.min.x, spot.x), std::min(area.box.min.y, spot.y)};
-            area.box.max = {std::max(area.box.max.x, spot.x), std::max(area.box.max.y, spot.y)};
-        }
+        if (!path.filled || outline_.size() < 3) return;
         const int light = std::min({path.fill.red, path.fill.green, path.fill.blue});
-        area.forbidden = light < 0xC0;
+        if (light < 0xC0) {
+            map_.fill(outline_);
+            return;
+        }
+        Area area{outline_, nowhere};
+        for (const Spot& spot : area.corners) enlarge(area.box, spot);
         areas_.push_back(std::move(area));
     }
 
     void add(const TextMark& text, const Fonts& fonts) {
-        Box box{{1e300, 1e300}, {-1e300, -1e300}};
-        for (const Glyph& glyph : text.glyphs)
-            for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
-                std::array<Spot, 3> spots{};
-                int count = 0;
-                if (const auto* m = std::get_if<MoveTo>(&segment)) spots[0] = m->to, count = 1;
-                if (const auto* l = std::get_if<LineTo>(&segment)) spots[0] = l->to, count = 1;
-                if (const auto* c = std::get_if<CurveTo>(&segment)) spots = {c->control_1, c->control_2, c->to}, count = 3;
-                for (int i = 0; i < count; ++i) {
-                    const Spot s = spots[static_cast<std::size_t>(i)];
-                    const Spot at{glyph.origin.x + glyph.size * s.x, glyph.origin.y - glyph.size * s.y};
-                    box.min = {std::min(box.min.x, at.x), std::min(box.min.y, at.y)};
-                    box.max = {std::max(box.max.x, at.x), std::max(box.max.y, at.y)};
-                }
-            }
+        Box box = nowhere;
+        for (const Glyph& glyph : text.glyphs) {
+            const Box ink = fonts.ink(glyph.face, glyph.index);
+            enlarge(box, {{glyph.origin.x + glyph.size * ink.min.x, glyph.origin.y - glyph.size * ink.max.y},
+                          {glyph.origin.x + glyph.size * ink.max.x, glyph.origin.y - glyph.size * ink.min.y}});
+        }
         if (box.min.x > box.max.x) return;
         InkBox ink{0.5 * (box.min + box.max), 0.5 * (box.max - box.min), {1, 0}};
         const double c = std::cos(text.angle), s = std::sin(text.angle);
         const Spot arm = ink.centre - text.pivot;
         ink.centre = text.pivot + Spot{arm.x * c - arm.y * s, arm.x * s + arm.y * c};
         ink.axis = {c, s};
-        texts_.push_back(ink);
+        map_.fill(ink.grown(label_gap - ink_margin));
     }
 
-    void sort_into_cells() {
-        if (obstacles_.empty()) return;
-        Box box{{1e300, 1e300}, {-1e300, -1e300}};
-        for (const Obstacle& o : obstacles_)
-            for (const Spot s : {o.from, o.to}) {
-                box.min = {std::min(box.min.x, s.x), std::min(box.min.y, s.y)};
-                box.max = {std::max(box.max.x, s.x), std::max(box.max.y, s.y)};
-            }
-        // Each piece is entered once, by its middle; a look at a box reaches half a piece and half the widest stroke further.
-        origin_ = box.min;
-        columns_ = static_cast<int>(box.width() / cell) + 1;
-        rows_ = static_cast<int>(box.height() / cell) + 1;
-        starts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-        for (const Obstacle& o : obstacles_) ++starts_[cell_of(0.5 * (o.from + o.to)) + 1];
-        for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-        std::vector<Obstacle> sorted(obstacles_.size());
-        std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
-        for (const Obstacle& o : obstacles_) {
-            sorted[next[cell_of(0.5 * (o.from + o.to))]++] = o;
-            reach_ = std::max(reach_, o.half);
-        }
-        obstacles_ = std::move(sorted);
-        reach_ += breathing + cell / 2;
-    }
-    int column_of(double x) const { return std::clamp(static_cast<int>(std::floor((x - origin_.x) / cell)), 0, columns_ - 1); }
-    int row_of(double y) const { return std::clamp(static_cast<int>(std::floor((y - origin_.y) / cell)), 0, rows_ - 1); }
-    std::size_t cell_of(Spot spot) const {
-        return static_cast<std::size_t>(row_of(spot.y)) * static_cast<std::size_t>(columns_) +
-               static_cast<std::size_t>(column_of(spot.x));
-    }
-
-    template <class Look>
-    void visit(Spot centre, Spot reach, Look look) const {
-        if (obstacles_.empty()) return;
-        const Spot half{reach.x + reach_, reach.y + reach_};
-        const int left = column_of(centre.x - half.x), right = column_of(centre.x + half.x);
-        for (int row = row_of(centre.y - half.y), last = row_of(centre.y + half.y); row <= last; ++row) {
-            const std::size_t base = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-            // Cells of a row lie one behind the other.
-            const std::size_t end = starts_[base + static_cast<std::size_t>(right) + 1];
-            for (std::size_t i = starts_[base + static_cast<std::size_t>(left)]; i < end; ++i) {
-                const Obstacle& o = obstacles_[i];
-                const double margin = o.half + breathing;
-                if (std::abs(0.5 * (o.from.x + o.to.x) - centre.x) > reach.x + margin + 0.5 * std::abs(o.to.x - o.from.x))
-                    continue;
-                if (std::abs(0.5 * (o.from.y + o.to.y) - centre.y) > reach.y + margin + 0.5 * std::abs(o.to.y - o.from.y))
-                    continue;
-                if (!look(o)) return;
-            }
-        }
-    }
-
-    std::vector<Obstacle> obstacles_;
-    std::vector<InkBox> texts_;
+    InkMap map_;
     std::vector<Area> areas_;
-    std::vector<std::size_t> starts_;
-    Spot origin_;
-    int columns_ = 0, rows_ = 0;
-    double reach_ = 0;
+    std::vector<Spot> outline_;  // of the path at hand
 };
 
 /// A place a label may take.
 struct Candidate {
     InkBox box;
-    double base = 0;       // the part of the price that is known at once
-    double price = 0;      // what does not depend on other labels; the least it can be until it is settled
-    bool settled = false;  // the ground and the neighbours have been looked at
-    bool covered = false;
+    double price = 0;      // what does not depend on other labels
+    bool covered = false;  // … or out of the room
     bool leader = false;
     Spot leader_from, leader_to;
-    InkBox thread;  // the leader's
-    Box extent;     // of box and leader and what another label must keep off it
+    Box extent = nowhere;  // of box and leader and what another label must keep off it
+    InkBox thread;         // the leader's
 };
-
-bool apart(const Box& a, const Box& b) {
-    return a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y;
-}
-void enlarge(Box& box, const Box& by) {
-    box.min = {std::min(box.min.x, by.min.x), std::min(box.min.y, by.min.y)};
-    box.max = {std::max(box.max.x, by.max.x), std::max(box.max.y, by.max.y)};
-}
-Box extent_of(const InkBox& box) {
-    const Spot reach = box.reach();
-    return {box.centre - reach, box.centre + reach};
-}
-constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
 /// The first `count` characters of UTF-8 text.
 std::string beginning(const std::string& text, std::size_t count) {
@@ -397,7 +253,7 @@ void shorten(const LabelRequest& request, const Fonts& fonts, double measure, Sh
 class Placing {
 public:
     Placing(const Figure& figure, const Fonts& fonts, const Ground& ground, const std::optional<Spot>& room, bool strict)
-        : requests_(figure.labels), ground_(ground), box_(figure.box), outside_price_(strict ? 3 * covers_label : leaves_room) {
+        : requests_(figure.labels), ground_(ground), box_(figure.box), strict_(strict) {
         if (!(box_.width() > 0) || !(box_.height() > 0)) box_ = box_of(figure.marks);
         if (room) spare_ = {std::max(0.0, room->x - box_.width()) / 2, std::max(0.0, room->y - box_.height()) / 2};
         for (const LabelRequest& request : requests_) {
@@ -406,8 +262,8 @@ public:
         }
         candidates_.resize(requests_.size());
         stage_.assign(requests_.size(), 0);
-        chosen_.assign(requests_.size(), -1);
-        taken_.assign(requests_.size(), nowhere);
+        kinds_.resize(requests_.size());
+        chosen_.resize(requests_.size());
         span_.assign(requests_.size(), nowhere);
         for (std::size_t i = 0; i < requests_.size(); ++i) propose(i);
     }
@@ -417,76 +273,88 @@ public:
         std::vector<std::pair<int, std::size_t>> order;
         for (std::size_t i = 0; i < requests_.size(); ++i) {
             int free = 0;
-            for (Candidate& candidate : candidates_[i]) {
-                if (candidate.leader) continue;
-                settle(i, candidate, candidate.base + covers_stroke / 2);
-                free += candidate.settled && !candidate.covered;
-            }
+            for (const Candidate& candidate : candidates_[i]) free += !candidate.covered;
             order.emplace_back(free, i);
         }
         std::sort(order.begin(), order.end());
-        for (const auto& [free, i] : order) choose(i, best(i));
-        looks_left_ = 60 + 3 * static_cast<int>(requests_.size());
+        for (const auto& [free, i] : order) chosen_[i] = *best(i);
+        int looks_left = 30 + static_cast<int>(requests_.size());  // where there is no room at all, looking on finds none
         for (int round = 0; round < 4; ++round) {
             bool changed = false;
             for (const auto& [free, i] : order) {
-                const int before = chosen_[i];
-                choose(i, best(i));
-                changed = changed || chosen_[i] != before;
-                changed = evict(i) || changed;
+                if (const auto better = best(i, price_now(i) - least_gain)) {
+                    chosen_[i] = *better;
+                    changed = true;
+                }
+                changed = evict(i, looks_left) || changed;
             }
             if (!changed) break;
         }
+        repair(order);
     }
 
     const ShapedLine& shaped(std::size_t i) const { return shaped_[i]; }
-    const Candidate& chosen(std::size_t i) const { return candidates_[i][static_cast<std::size_t>(chosen_[i])]; }
+    const Candidate& chosen(std::size_t i) const { return chosen_[i]; }
+    /// Whether the label covers something, or its leader another label, or where it may not stand.
+    bool in_the_way(std::size_t i) const {
+        if (chosen_[i].covered) return true;
+        for (std::size_t j = 0; j < requests_.size(); ++j)
+            if (j != i && clash(chosen_[i], chosen_[j])) return true;
+        return false;
+    }
 
 private:
+    static constexpr double least_gain = 1e-6;
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     InkBox box_at(std::size_t i, Spot centre, Spot axis) const {
         if (const double r = requests_[i].balloon; r > 0) return {centre, {r, r}, axis};
         const ShapedLine& s = shaped_[i];
         return {centre, {s.width / 2, (s.ascent + s.descent) / 2}, axis};
     }
+    bool beside_line(std::size_t i) const {
+        return requests_[i].toward && length(*requests_[i].toward - requests_[i].anchor) > 0;
+    }
 
     void propose(std::size_t i) {
-        const LabelRequest& request = requests_[i];
-        if (request.toward && length(*request.toward - request.anchor) > 0) {
-            propose_beside_line(i, *request.toward);
-        } else {
+        if (beside_line(i))
+            propose_beside_line(i, *requests_[i].toward);
+        else
             propose_around(i, 0, 0, false);
-        }
         sort_from(i, 0);
     }
 
     /// Less wanted places, thought of only where nothing so far costs less than they would.
     bool propose_more(std::size_t i, double least) {
         const LabelRequest& request = requests_[i];
-        const bool beside = request.toward.has_value();
-        const std::size_t so_far = candidates_[i].size();
+        const bool beside = beside_line(i);
         // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
         const double price = request.along ? upright_price : beside_price;
+        const std::size_t so_far = candidates_[i].size();
         if (stage_[i] == 0) {
             if (beside && least < price) return false;
-            if (beside) propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
-            sort_from(i, so_far);
             stage_[i] = 1;
-            if (beside) return true;
+            if (beside) {
+                propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
+                sort_from(i, so_far);
+                return true;
+            }
         }
         if (stage_[i] == 1) {
             if (least < least_of_far) return false;
+            stage_[i] = 2;
             propose_around(i, beside ? price : 0.0, 0, true);
             sort_from(i, so_far);
-            stage_[i] = 2;
             return true;
         }
         return false;
     }
 
-    /// The most wanted first: where one of them is free, few others need a look.
+    /// The most wanted first: where one of them is free, the others need no look.
     void sort_from(std::size_t i, std::size_t first) {
         std::stable_sort(candidates_[i].begin() + static_cast<std::ptrdiff_t>(first), candidates_[i].end(),
                          [](const Candidate& a, const Candidate& b) { return a.price < b.price; });
+        kinds_[i].push_back(candidates_[i].size());
     }
 
     void propose_beside_line(std::size_t i, Spot toward) {
@@ -525,35 +393,56 @@ private:
     }
 
     void propose_around(std::size_t i, double penalty, double half_line, bool far) {
-        const LabelRequest& request = requests_[i];
-        constexpr int directions = 24;
+        static const std::vector<Spot> round = directions(24);
         static constexpr std::array near_rings{0.0, 0.5, 1.1, 2.0, 3.2}, far_rings{6.0, 9.0, 13.0, 18.0, 24.0};
         for (const double extra : far ? far_rings : near_rings)
-            for (int k = 0; k < directions; ++k) {
-                const bool leader = extra > 3.5 || (request.balloon > 0 && extra > 1.5);
+            for (std::size_t k = 0; k < round.size(); ++k) {
+                const bool leader = extra > 3.5 || (requests_[i].balloon > 0 && extra > 1.5);
                 if (leader && k % 2 != 0) continue;
                 if (half_line > 0 && !leader && extra > 2.5) continue;
-                const double angle = 2 * std::numbers::pi * k / directions;
-                const Spot u{std::cos(angle), -std::sin(angle)};
-                Candidate candidate;
-                InkBox box = box_at(i, {}, {1, 0});
-                box.centre = request.anchor + centre_distance(box, u, request.clearance + extra) * u;
-                candidate.box = box;
-                // Upper right is read first, then upper left, right, below.
-                candidate.price =
-                    penalty + 0.9 * extra + 0.45 * (1 - std::cos(angle - std::numbers::pi / 4)) + 0.25 * (k % 6 == 0 ? 0 : 0.2);
-                if (leader) {
-                    candidate.leader = true;
-                    const Spot at = box.local(request.anchor);
-                    const Spot nearest{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
-                    const Spot foot = box.centre + nearest;
-                    const Spot back = unit(foot - request.anchor);
-                    candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
-                    candidate.leader_to = foot - 0.5 * back;
-                    candidate.price += leader_price;
-                }
+                Candidate candidate = place_around(i, round[k], extra, leader);
+                candidate.price += penalty + (k % 6 == 0 ? 0 : 0.05);
                 finish(i, candidate);
             }
+    }
+
+    static std::vector<Spot> directions(int count) {
+        std::vector<Spot> round;
+        for (int k = 0; k < count; ++k) {
+            const double angle = 2 * std::numbers::pi * k / count;
+            round.push_back({std::cos(angle), -std::sin(angle)});
+        }
+        return round;
+    }
+
+    void draw_leader(std::size_t i, Candidate& candidate) const {
+        const LabelRequest& request = requests_[i];
+        const InkBox& box = candidate.box;
+        const Spot at = request.anchor - box.centre;
+        const Spot foot = box.centre + Spot{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
+        const Spot back = unit(foot - request.anchor);
+        candidate.leader = true;
+        candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
+        candidate.leader_to = foot - 0.5 * back;
+        candidate.thread = {0.5 * (candidate.leader_from + candidate.leader_to),
+                            {length(candidate.leader_to - candidate.leader_from) / 2, 0.1},
+                            back};
+    }
+
+    /// A place in the direction u from the anchor, `extra` mm further than the nearest.
+    Candidate place_around(std::size_t i, Spot u, double extra, bool leader) const {
+        const LabelRequest& request = requests_[i];
+        Candidate candidate;
+        InkBox box = box_at(i, {}, {1, 0});
+        box.centre = request.anchor + centre_distance(box, u, request.clearance + extra) * u;
+        candidate.box = box;
+        // Upper right is read first, then upper left, right, below.
+        candidate.price = far_price * extra + 0.45 * (1 - (u.x - u.y) * std::numbers::sqrt2 / 2);
+        if (leader) {
+            draw_leader(i, candidate);
+            candidate.price += leader_price;
+        }
+        return candidate;
     }
 
     /// How far along u the box's centre is when its nearest ink is `distance` from the origin.
@@ -566,51 +455,124 @@ private:
         return b + std::sqrt(std::max(0.0, b * b - c));
     }
 
-    /// Adds a place with what is known of its price at once; the ground is looked at when the place has a chance.
-    void finish(std::size_t i, Candidate& candidate) {
+    /// How far a box stands out of the figure's, to the left or right and above or below.
+    Spot outside(const Box& extent) const {
+        return {std::max({0.0, box_.min.x - extent.min.x, extent.max.x - box_.max.x}),
+                std::max({0.0, box_.min.y - extent.min.y, extent.max.y - box_.max.y})};
+    }
+    /// Half of what two labels keep between them, and a little for turned ones.
+    static void close_extent(Candidate& candidate) {
         candidate.extent = extent_of(candidate.box);
-        const Box& e = candidate.extent;
-        const double wide = std::max({0.0, box_.min.x - e.min.x, e.max.x - box_.max.x});
-        const double high = std::max({0.0, box_.min.y - e.min.y, e.max.y - box_.max.y});
-        candidate.price += 0.06 * (wide + high);
-        // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
-        if (wide > spare_.x || high > spare_.y) candidate.price += outside_price_;
         if (candidate.leader) {
-            const Spot thread = candidate.leader_to - candidate.leader_from;
-            candidate.thread = {0.5 * (candidate.leader_from + candidate.leader_to), {length(thread) / 2, 0.1}, unit(thread)};
-            enlarge(candidate.extent, extent_of(candidate.thread));
+            enlarge(candidate.extent, candidate.leader_from);
+            enlarge(candidate.extent, candidate.leader_to);
         }
-        // Half of what two labels keep between them, and a little for turned ones.
         candidate.extent.min = candidate.extent.min - Spot{1.2, 1.2};
         candidate.extent.max = candidate.extent.max + Spot{1.2, 1.2};
+    }
+
+    /// Prices a place as far as other labels do not matter, and keeps it.
+    void finish(std::size_t i, Candidate& candidate) {
+        const Spot out = outside(extent_of(candidate.box));
+        candidate.price += 0.06 * (out.x + out.y);
+        // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
+        if (out.x > spare_.x || out.y > spare_.y) {
+            candidate.price += strict_ ? covers_label : leaves_room;
+            candidate.covered = strict_;
+        }
+        const bool free = ground_.is_free(candidate.box);
+        candidate.covered = candidate.covered || !free;
+        candidate.price += ground_.price(candidate.box, free);
+        if (free) candidate.price += near_others(i, candidate);
+        if (candidate.leader && free)
+            candidate.price += crossing_price * ground_.crossed(candidate.leader_from, candidate.leader_to);
+        close_extent(candidate);
         enlarge(span_[i], candidate.extent);
-        candidate.base = candidate.price;
         candidates_[i].push_back(candidate);
     }
 
-    /// Looks at what the place covers, whom it is near to, what its leader crosses, as long as its price is below `limit`.
-    void settle(std::size_t i, Candidate& candidate, double limit) const {
-        if (candidate.settled || candidate.price >= limit) return;
-        double price = candidate.base + near_others(i, candidate);
-        candidate.price = std::max(candidate.price, price);
-        if (price >= limit) return;
-        const Ground::Finding finding = ground_.at(candidate.box, requests_[i].anchor, limit - price);
-        candidate.covered = finding.covered;
-        price += finding.price;
-        candidate.price = std::max(candidate.price, price);
-        if (!finding.whole || price >= limit) {
-            candidate.settled = finding.whole && !candidate.leader;
-            return;
+    /// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from getting
+    /// there are moved next.
+    void repair(const std::vector<std::pair<int, std::size_t>>& order) {
+        std::vector<std::size_t> waiting;
+        for (const auto& [free, i] : order)
+            if (in_the_way(i)) waiting.push_back(i);
+        std::size_t moves_left = 2 * requests_.size();
+        for (std::size_t next = 0; next < waiting.size() && moves_left > 0; ++next) {
+            const std::size_t i = waiting[next];
+            if (!in_the_way(i)) continue;
+            const auto place = nearest_free(i);
+            if (!place) continue;
+            --moves_left;
+            chosen_[i] = *place;
+            for (std::size_t j = 0; j < requests_.size(); ++j)
+                if (j != i && clash(chosen_[i], chosen_[j])) waiting.push_back(j);
         }
-        if (candidate.leader) {
-            constexpr double crossing = 2.5;
-            const double enough = (limit - price) / crossing;
-            const int crossed = ground_.crossed(candidate.leader_from, candidate.leader_to, enough);
-            price += crossing * crossed;
-            candidate.price = std::max(candidate.price, price);
-            if (crossed >= enough) return;
+    }
+
+    std::optional<Candidate> nearest_free(std::size_t i) const {
+        const Spot half = box_at(i, {}, {1, 0}).half;
+        const Box room{box_.min - spare_ + half, box_.max + spare_ - half};
+        if (const auto found = nearest_free(i, room)) return found;
+        if (strict_) return std::nullopt;
+        constexpr double beyond = 4;
+        const Spot edge = 2.0 * half + Spot{beyond, beyond};
+        return nearest_free(i, {box_.min - edge, box_.max + edge});
+    }
+    /// The nearest place with its middle in a box that covers no stroke and no label; of those about as near the one whose leader
+    /// crosses least.
+    std::optional<Candidate> nearest_free(std::size_t i, const Box& middles) const {
+        constexpr double step = 1, unruly_price = 12;
+        const LabelRequest& request = requests_[i];
+        InkBox box = box_at(i, {}, {1, 0});
+        InkMap labels({middles.min - box.half, middles.max + box.half}), leaders = labels;
+        for (std::size_t j = 0; j < requests_.size(); ++j) {
+            if (j == i) continue;
+            labels.fill(chosen_[j].box.grown(label_gap));
+            if (chosen_[j].leader) leaders.stroke(chosen_[j].leader_from, chosen_[j].leader_to, ink_margin);
         }
-        candidate.settled = true;
+        std::optional<Candidate> found;
+        const auto look_at = [&](Spot centre) {
+            box.centre = centre;
+            const double extra = distance_to_box(request.anchor, box) - request.clearance;
+            const double least = leader_price + far_price * extra;
+            if (extra < step || (found && least >= found->price)) return;
+            if (labels.touches(box) || leaders.touches(box) || !ground_.is_free(box)) return;
+            Candidate candidate;
+            candidate.box = box;
+            candidate.price = least;
+            draw_leader(i, candidate);
+            candidate.price += crossing_price * ground_.crossed(candidate.leader_from, candidate.leader_to) +
+                               unruly_price * (labels.crossings(candidate.leader_from, candidate.leader_to) +
+                                               leaders.crossings(candidate.leader_from, candidate.leader_to) +
+                                               labels.touches({candidate.leader_from, {0.1, 0.1}}));
+            if (!found || candidate.price < found->price) found = candidate;
+        };
+        // Square rings about the anchor, as far as a better place may be.
+        const Spot at = request.anchor;
+        const auto last = static_cast<int>(
+            std::max({at.x - middles.min.x, middles.max.x - at.x, at.y - middles.min.y, middles.max.y - at.y}) / step);
+        for (int ring = 1; ring <= last; ++ring) {
+            const double away = ring * step;
+            if (found && leader_price + far_price * (away - std::max(box.half.x, box.half.y) - request.clearance) >= found->price)
+                break;
+            const auto row = [&](double y) {
+                if (y < middles.min.y || y > middles.max.y) return;
+                for (double x = std::max(at.x - away, middles.min.x); x <= std::min(at.x + away, middles.max.x); x += step)
+                    look_at({x, y});
+            };
+            const auto column = [&](double x) {
+                if (x < middles.min.x || x > middles.max.x) return;
+                for (double y = std::max(at.y - away + step, middles.min.y); y < std::min(at.y + away, middles.max.y); y += step)
+                    look_at({x, y});
+            };
+            row(at.y - away);
+            row(at.y + away);
+            column(at.x + away);
+            column(at.x - away);
+        }
+        if (found) close_extent(*found);
+        return found;
     }
 
     /// A name must not seem to belong to a neighbour.
@@ -645,25 +607,22 @@ private:
         return length(d - t * half);
     }
 
-    void choose(std::size_t i, int place) {
-        chosen_[i] = place;
-        taken_[i] = place < 0 ? nowhere : chosen(i).extent;
-    }
-
     /// The labels that some place of label i may meet.
-    void look_around(std::size_t i, int besides) {
+    void look_around(std::size_t i) {
         around_.clear();
         for (std::size_t j = 0; j < requests_.size(); ++j)
-            if (j != i && static_cast<int>(j) != besides && !apart(taken_[j], span_[i])) around_.push_back(j);
+            if (j != i && !apart(chosen_[j].extent, span_[i])) around_.push_back(j);
     }
 
-    double price_now(std::size_t i, int besides = -1) const {
-        const Candidate& candidate = chosen(i);
-        double price = candidate.price;
+    double price_now(std::size_t i) const {
+        double price = chosen_[i].price;
         for (std::size_t j = 0; j < requests_.size(); ++j)
-            if (j != i && static_cast<int>(j) != besides && !apart(taken_[j], candidate.extent))
-                price += price_between(candidate, chosen(j));
+            if (j != i && !apart(chosen_[j].extent, chosen_[i].extent)) price += price_between(chosen_[i], chosen_[j]);
         return price;
+    }
+
+    static bool clash(const Candidate& a, const Candidate& b) {
+        return !apart(a.extent, b.extent) && price_between(a, b) >= covers_stroke;
     }
 
     static double price_between(const Candidate& a, const Candidate& b) {
@@ -680,91 +639,93 @@ private:
         return price;
     }
 
-    /// The cheapest place, other labels standing where they do. Far ones, with a leader, are looked at only where they can win.
-    /// −1 where none costs less than `least`.
-    int best(std::size_t i, double least = std::numeric_limits<double>::infinity()) {
-        int found = -1;
-        look_around(i, -1);
-        for (std::size_t k = 0;; ++k) {
-            if (k == candidates_[i].size()) {
-                if (!propose_more(i, least)) break;
-                if (k == candidates_[i].size()) break;
-                look_around(i, -1);
+    /// The cheapest place that costs less than `least`, other labels standing where they do.
+    std::optional<Candidate> best(std::size_t i, double least = infinity) {
+        std::optional<std::size_t> found;
+        look_around(i);
+        std::size_t k = 0;
+        for (;;) {
+            // Of each kind the cheapest come first.
+            for (const std::size_t end : kinds_[i]) {
+                for (; k < end && candidates_[i][k].price < least; ++k) {
+                    const Candidate& candidate = candidates_[i][k];
+                    double price = candidate.price;
+                    for (std::size_t n = 0; n < around_.size() && price < least; ++n)
+                        if (const Candidate& other = chosen_[around_[n]]; !apart(other.extent, candidate.extent))
+                            price += price_between(candidate, other);
+                    if (price < least) least = price, found = k;
+                }
+                k = std::max(k, end);
             }
-            Candidate& candidate = candidates_[i][k];
-            if (candidate.price >= least) continue;
-            settle(i, candidate, least);
-            double price = candidate.price;
-            for (std::size_t n = 0; n < around_.size() && price < least; ++n)
-                if (!apart(taken_[around_[n]], candidate.extent)) price += price_between(candidate, chosen(around_[n]));
-            if (price < least) {
-                least = price;
-                found = static_cast<int>(k);
-            }
+            if (!propose_more(i, least)) break;
+            look_around(i);
         }
-        return found;
+        if (!found) return std::nullopt;
+        return candidates_[i][*found];
     }
 
     /// A place that would cost less if one other label were not there.
     struct Wish {
         std::size_t other;
-        int place;
+        std::size_t place;
         double price;
     };
     /// For each label that keeps label i from a cheaper place than its own (which costs `now`), the cheapest of these.
     void wishes_of(std::size_t i, double now) {
         wishes_.clear();
-        look_around(i, -1);
-        for (std::size_t k = 0; k < candidates_[i].size(); ++k) {
-            Candidate& candidate = candidates_[i][k];
-            if (candidate.price >= now) continue;
-            settle(i, candidate, now);
-            met_.clear();
-            double sum = candidate.price, most = 0;
-            for (const std::size_t j : around_) {
-                if (sum - most >= now) break;
-                if (apart(taken_[j], candidate.extent)) continue;
-                const double price = price_between(candidate, chosen(j));
-                if (price <= 0) continue;
-                met_.emplace_back(j, price);
-                sum += price;
-                most = std::max(most, price);
-            }
-            if (sum - most >= now) continue;
-            for (const auto& met : met_) {
-                const std::size_t j = met.first;
-                const double without = sum - met.second;
-                if (without >= now) continue;
-                const auto there = std::find_if(wishes_.begin(), wishes_.end(), [&](const Wish& w) { return w.other == j; });
-                if (there == wishes_.end())
-                    wishes_.push_back({j, static_cast<int>(k), without});
-                else if (without < there->price)
-                    *there = {j, static_cast<int>(k), without};
-            }
+        look_around(i);
+        std::size_t k = 0;
+        for (const std::size_t end : kinds_[i]) {
+            for (; k < end && candidates_[i][k].price < now; ++k) wish_for(i, k, now);
+            k = end;
         }
         constexpr std::size_t most = 6;
         std::sort(wishes_.begin(), wishes_.end(),
                   [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });
         if (wishes_.size() > most) wishes_.resize(most);
     }
+    void wish_for(std::size_t i, std::size_t k, double now) {
+        const Candidate& candidate = candidates_[i][k];
+        met_.clear();
+        double sum = candidate.price, most = 0;
+        for (const std::size_t j : around_) {
+            if (apart(chosen_[j].extent, candidate.extent)) continue;
+            const double price = price_between(candidate, chosen_[j]);
+            if (price <= 0) continue;
+            met_.emplace_back(j, price);
+            sum += price;
+            most = std::max(most, price);
+            if (sum - most >= now) return;
+        }
+        for (const auto& met : met_) {
+            const std::size_t j = met.first;
+            const double without = sum - met.second;
+            if (without >= now) continue;
+            const auto there = std::find_if(wishes_.begin(), wishes_.end(), [&](const Wish& w) { return w.other == j; });
+            if (there == wishes_.end())
+                wishes_.push_back({j, k, without});
+            else if (without < there->price)
+                *there = {j, k, without};
+        }
+    }
 
     /// Takes a better place from another label where that one can move at less cost.
-    bool evict(std::size_t i) {
+    bool evict(std::size_t i, int& looks_left) {
         const double now = price_now(i);
-        if (now < 3 || looks_left_ <= 0) return false;
+        if (now < leader_price || looks_left <= 0) return false;
         wishes_of(i, now);
         for (const Wish& wish : wishes_) {
-            if (looks_left_ <= 0) return false;
-            --looks_left_;
+            if (--looks_left < 0) return false;
             const std::size_t j = wish.other;
-            const int i_before = chosen_[i];
-            const double before = now + price_now(j, static_cast<int>(i));
-            choose(i, wish.place);
-            if (const int place = best(j, before - wish.price - 1e-6); place >= 0) {
-                choose(j, place);
+            const Candidate before = chosen_[i];
+            double both = now + price_now(j);
+            if (!apart(before.extent, chosen_[j].extent)) both -= price_between(before, chosen_[j]);
+            chosen_[i] = candidates_[i][wish.place];
+            if (const auto place = best(j, both - wish.price - least_gain)) {
+                chosen_[j] = *place;
                 return true;
             }
-            choose(i, i_before);
+            chosen_[i] = before;
         }
         return false;
     }
@@ -772,15 +733,14 @@ private:
     const std::vector<LabelRequest>& requests_;
     const Ground& ground_;
     Box box_;
-    double outside_price_;
+    bool strict_;
     Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
     std::vector<std::vector<Candidate>> candidates_;
-    std::vector<int> stage_;  // how many kinds of place have been proposed
-    int looks_left_ = 0;      // where there is no room at all, looking on and on finds none
-    std::vector<int> chosen_;
-    std::vector<Box> taken_;  // what the chosen places take, by label
-    std::vector<Box> span_;   // what all the places of a label take
+    std::vector<std::vector<std::size_t>> kinds_;  // where each kind of place ends, by label
+    std::vector<int> stage_;                       // how many kinds of place have been proposed
+    std::vector<Candidate> chosen_;
+    std::vector<Box> span_;  // what all the places of a label take
     // Of one look at one label, kept for their memory.
     std::vector<std::size_t> around_;
     std::vector<std::pair<std::size_t, double>> met_;
@@ -800,14 +760,20 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     if (grouped) figure.marks.pop_back();
     const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
     if (!boxed) figure.box = box_of(figure.marks);
+    const auto part_of_label = [](Path path) {
+        path.of_label = true;
+        return path;
+    };
     for (std::size_t i = 0; i < figure.labels.size(); ++i) {
         const LabelRequest& request = figure.labels[i];
         const Candidate& place = placing.chosen(i);
         const ShapedLine& shaped = placing.shaped(i);
         if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-        if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
+        if (place.leader)
+            figure.marks.emplace_back(part_of_label(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false})));
         const Spot centre = place.box.centre;
-        if (request.balloon > 0) figure.marks.emplace_back(circle(centre, request.balloon, {0.35, request.colour, {}, false}));
+        if (request.balloon > 0)
+            figure.marks.emplace_back(part_of_label(circle(centre, request.balloon, {0.35, request.colour, {}, false})));
         const std::size_t first = figure.marks.size();
         set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2},
                  request.colour, "label");

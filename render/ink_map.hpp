@@ -1,0 +1,58 @@
+// The ink map: which parts of a figure are inked already, as bits. Owns their size and the questions put to them; knows no label
+// and no price. A box of any turn is asked row by row, a word of 64 bits at a time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/figure.hpp"
+
+namespace kinegraph::render {
+
+/// A turned box: `half` extents along `axis` (a unit vector) and its normal.
+struct InkBox {
+    Spot centre, half, axis{1, 0};
+    /// The spot as seen from the box: along its axis and across it.
+    Spot local(Spot spot) const;
+    /// Half extents of the upright box round it.
+    Spot reach() const;
+    InkBox grown(double margin) const { return {centre, {half.x + margin, half.y + margin}, axis}; }
+};
+
+class InkMap {
+public:
+    static constexpr double pitch = 0.2;  ///< mm, of a bit; coarser for drawings larger than half a metre
+
+    /// A blank map of the area; what is drawn outside of it is not seen.
+    explicit InkMap(const Box& area);
+
+    /// Ink within `half` of the segment.
+    void stroke(Spot from, Spot to, double half);
+    void fill(const InkBox& box);
+    /// The inside of a polygon, by the even-odd rule.
+    void fill(const std::vector<Spot>& corners);
+
+    /// Inked area within the box, mm². 0: all clear (to half a bit).
+    double inked(const InkBox& box) const;
+    /// inked(box) > 0, found sooner.
+    bool touches(const InkBox& box) const;
+    /// How often a thin line from a spot to another meets ink; the ink that it starts in is not counted.
+    int crossings(Spot from, Spot to) const;
+
+private:
+    template <class Look>
+    void rows_of(const InkBox& box, Look look) const;
+    /// Looks at the words that hold the bits of a row from x to x.
+    template <class Look>
+    void words_of(int row, double from, double to, Look look) const;
+    void ink_row(int row, double from, double to);
+    bool at(Spot spot) const;
+
+    Spot origin_;
+    double pitch_ = pitch;
+    int columns_ = 0, rows_ = 0;
+    std::size_t words_ = 0;  // of a row
+    std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace kinegraph::render
