@@ -14,6 +14,12 @@
 
 namespace kinegraph::render {
 
+struct Box {
+    Spot min, max;
+    double width() const { return max.x - min.x; }
+    double height() const { return max.y - min.y; }
+};
+
 /// A label that wants a place near its object.
 struct LabelRequest {
     RichText text;

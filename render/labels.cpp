@@ -129,7 +129,7 @@ private:
         outline_.clear();
         Spot pen, start;
         const auto stroke_to = [&](Spot to) {
-            if (path.stroked) map_.stroke(pen, to, half);
+            map_.stroke(pen, to, half);
             outline_.push_back(to);
             pen = to;
         };
@@ -173,11 +173,15 @@ private:
 
     void add(const TextMark& text, const Fonts& fonts) {
         Box box = nowhere;
-        for (const Glyph& glyph : text.glyphs) {
-            const Box ink = fonts.ink(glyph.face, glyph.index);
-            enlarge(box, {{glyph.origin.x + glyph.size * ink.min.x, glyph.origin.y - glyph.size * ink.max.y},
-                          {glyph.origin.x + glyph.size * ink.max.x, glyph.origin.y - glyph.size * ink.min.y}});
-        }
+        for (const Glyph& glyph : text.glyphs)
+            for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
+                const auto add = [&](Spot s) {
+                    enlarge(box, Spot{glyph.origin.x + glyph.size * s.x, glyph.origin.y - glyph.size * s.y});
+                };
+                if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
+                if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
+                if (const auto* c = std::get_if<CurveTo>(&segment)) add(c->control_1), add(c->control_2), add(c->to);
+            }
         if (box.min.x > box.max.x) return;
         InkBox ink{0.5 * (box.min + box.max), 0.5 * (box.max - box.min), {1, 0}};
         const double c = std::cos(text.angle), s = std::sin(text.angle);
@@ -760,20 +764,14 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     if (grouped) figure.marks.pop_back();
     const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
     if (!boxed) figure.box = box_of(figure.marks);
-    const auto part_of_label = [](Path path) {
-        path.of_label = true;
-        return path;
-    };
     for (std::size_t i = 0; i < figure.labels.size(); ++i) {
         const LabelRequest& request = figure.labels[i];
         const Candidate& place = placing.chosen(i);
         const ShapedLine& shaped = placing.shaped(i);
         if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-        if (place.leader)
-            figure.marks.emplace_back(part_of_label(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false})));
+        if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
         const Spot centre = place.box.centre;
-        if (request.balloon > 0)
-            figure.marks.emplace_back(part_of_label(circle(centre, request.balloon, {0.35, request.colour, {}, false})));
+        if (request.balloon > 0) figure.marks.emplace_back(circle(centre, request.balloon, {0.35, request.colour, {}, false}));
         const std::size_t first = figure.marks.size();
         set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2},
                  request.colour, "label");

@@ -21,13 +21,6 @@ struct Spot {
     double y = 0;
 };
 
-/// Upright, mm.
-struct Box {
-    Spot min, max;
-    double width() const { return max.x - min.x; }
-    double height() const { return max.y - min.y; }
-};
-
 /// An sRGB colour.
 struct Colour {
     std::uint8_t red = 0;
@@ -71,7 +64,6 @@ struct Path {
     Colour fill;
     bool stroked = false;
     Pen pen;
-    bool of_label = false;  ///< a leader or the ring round a number: it belongs to the label after it
 };
 
 /// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured there.

@@ -60,6 +60,7 @@ public:
                        figure.id,
                        plain(figure.caption),
                        {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", unit_}}});
+        draw_trials(figure);
         draw_lines(figure);
         draw_vectors(figure);
         draw_pole(figure);
@@ -175,6 +176,38 @@ private:
             mark.clearance = 1.2;
             mark.along = true;
             figure.labels.push_back(std::move(mark));
+        }
+    }
+
+    /// What was assumed and drawn on the way: thin, broken and grey, as far as it lies near the solution; its vertices carry the
+    /// number of the trial.
+    void draw_trials(Figure& figure) const {
+        const Trials& trials = protocol_.trials;
+        const double near = 0.5 * extent_;
+        const auto is_near = [&](int element) {
+            if (protocol_.point(element).at_infinity()) return false;
+            const Place p = place(element);
+            return p.x > min_.x - near && p.x < max_.x + near && p.y > min_.y - near && p.y < max_.y + near;
+        };
+        const Pen pen{context_.theme.thin, context_.theme.secondary, dashes(), false};
+        const auto draw = [&](int from, int to) {
+            if (is_near(from) && is_near(to)) figure.marks.emplace_back(line(spot(figure, from), spot(figure, to), pen));
+        };
+        for (const DrawnVector& vector : trials.vectors)
+            if (vector.polygon == index_) draw(vector.tail, vector.tip);
+        for (const DrawnLine& each : trials.lines)
+            if (each.polygon == index_ && each.points.size() > 1) draw(each.points.front(), each.points.back());
+        for (const Image& image : trials.images) {
+            if (image.polygon != index_ || !is_near(image.point)) continue;
+            figure.marks.emplace_back(disc(spot(figure, image.point), 0.4, context_.theme.secondary));
+            LabelRequest label;
+            label.text = typeset(image.symbol, context_.language);
+            if (!label.text.empty()) label.text.back().sup += image.trial == 1 ? "I" : "II";
+            label.size = context_.theme.small;
+            label.colour = context_.theme.secondary;
+            label.anchor = spot(figure, image.point);
+            label.clearance = 1.4;
+            figure.labels.push_back(std::move(label));
         }
     }
 

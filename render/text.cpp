@@ -580,11 +580,6 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& text, double size_points, do
 
 const Outline& Fonts::outline(std::uint8_t face, std::uint32_t index) const { return state_->drawing(face, index).outline; }
 
-Box Fonts::ink(std::uint8_t face, std::uint32_t index) const {
-    const Ink& ink = state_->drawing(face, index).ink;
-    return {{ink.left, ink.bottom}, {ink.right, ink.top}};
-}
-
 std::string_view Fonts::file(std::uint8_t face) const {
     KG_ASSERT(face < face_count, "the font has four faces");
     unsigned length = 0;

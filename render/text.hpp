@@ -70,8 +70,6 @@ public:
     std::vector<ShapedLine> wrap(const RichText& text, double size_points, double measure) const;
     /// The outline of a glyph, em units, y upwards; cached.
     const Outline& outline(std::uint8_t face, std::uint32_t index) const;
-    /// The box round a glyph's ink, em units, y upwards; upside-down (min > max) where there is none.
-    Box ink(std::uint8_t face, std::uint32_t index) const;
     /// The bytes of a face's file; they live as long as the Fonts.
     std::string_view file(std::uint8_t face) const;
     /// Characters met so far that the font has not, in order ("U+4E2D").
