@@ -951,12 +951,12 @@ private:
         if (joint.kind == revolute || joint.kind == weld) {
             for (const BodyIndex on : joint.bodies) carry(on, joint.point);
         }
-        if ((is_sliding(joint) || joint.kind == contact) && !joint.name.empty()) {
+        if (is_sliding(joint) && !joint.name.empty()) {
             const auto [found, first] = sliding_keys_.emplace(joint.name, joint.where);
             if (!first) {
                 fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " + found->second +
                                  "); give one of them a \"name\"");
-            } else if (is_sliding(joint)) {
+            } else {
                 sliding_by_name_.emplace(joint.name, static_cast<JointIndex>(mechanism_.joints.size()));
                 sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
             }

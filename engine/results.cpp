@@ -295,9 +295,20 @@ private:
             motion.add("velocity", slide.velocity);
             motion.add("acceleration", slide.acceleration);
             motion.add("coriolis", slide.coriolis);
-            if (!motion.empty()) all.emplace_back(mechanism_.joints[static_cast<std::size_t>(slide.joint)].name, motion.json());
+            if (!motion.empty()) all.emplace_back(sliding_key(slide), motion.json());
         }
         return object_of_lines(all);
+    }
+
+    /// The joint's name; a contact that shares it with another joint that slides also says of whom on whom.
+    std::string sliding_key(const Sliding& slide) const {
+        const Joint& joint = mechanism_.joints[static_cast<std::size_t>(slide.joint)];
+        const auto shares = [&](const Sliding& other) {
+            return other.joint != slide.joint && mechanism_.joints[static_cast<std::size_t>(other.joint)].name == joint.name;
+        };
+        if (joint.kind != JointKind::contact || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
+            return joint.name;
+        return joint.name + " (" + name_of_body(joint.bodies[0]) + " on " + name_of_body(joint.bodies[1]) + ")";
     }
 
     std::string centres() const {
