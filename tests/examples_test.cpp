@@ -143,6 +143,8 @@ TEST(Examples, AgreeWithTheCheckTo1e9) {
         // A turn is small against the one that would move the drawing's far end as fast as its fastest point.
         const double size_of_drawing = solution.pose.size.to_double();
         scale["omega"] = std::max(scale["omega"], scale["velocity"] / size_of_drawing);
+        // A centre at the origin is small against the drawing.
+        scale["centre"] = std::max(scale["centre"], size_of_drawing);
         // Where nothing turns faster and faster, ω² is what an α is small against.
         scale["alpha"] = std::max(scale["alpha"], fastest * fastest);
         // Powers add up to nothing: each alone is what their sum is small against.
