@@ -399,7 +399,7 @@ TEST(HigherPairs, AFollowerTooFastLiftsOff) {
     expect_solved(fast);
     EXPECT_TRUE(slow.remarks.empty());
     ASSERT_EQ(fast.remarks.size(), 1U);
-    EXPECT_EQ(english(fast.remarks[0]), "the contact at P would have to pull: there the bodies lift off");
+    EXPECT_EQ(english(fast.remarks[0]), "The contact at P would have to pull: there the bodies lift off.");
 }
 
 // --- random mechanisms ---------------------------------------------------------------------------------------------------------
