@@ -135,7 +135,7 @@ bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
 std::vector<FigureParts> parts_of(const Page& page, const Fonts& fonts) {
     std::vector<FigureParts> figures;
     std::vector<const GroupBegin*> groups;
-    std::optional<Box> ring;
+    std::vector<Box> rings;
     std::vector<Stroke> leader;
     bool in_label = false;  // further colours of the label before
     for (std::size_t k = 0; k < page.marks.size(); ++k) {
@@ -151,11 +151,11 @@ std::vector<FigureParts> parts_of(const Page& page, const Fonts& fonts) {
         if (const auto* text = std::get_if<TextMark>(&mark)) {
             if (text->cls == "label") {
                 Box box = unturned_ink(*text, fonts);
-                if (ring) widen(box, ring->min), widen(box, ring->max);
+                for (const Box& ring : rings) widen(box, ring.min), widen(box, ring.max);
                 figure.labels.push_back({text->words, turned_about(box, text->pivot, text->angle)});
                 for (const Stroke& each : leader) figure.leaders.emplace_back(figure.labels.size() - 1, each);
                 leader.clear();
-                ring.reset();
+                rings.clear();
                 in_label = true;
             } else if (in_label && text->words.empty()) {
                 const TurnedBox more = turned_about(unturned_ink(*text, fonts), text->pivot, text->angle);
@@ -174,7 +174,7 @@ std::vector<FigureParts> parts_of(const Page& page, const Fonts& fonts) {
             if (std::holds_alternative<LineTo>(path->segments[1]))
                 leader = strokes;
             else
-                ring = box_of({mark});
+                rings.assign(1, box_of({mark}));
             continue;
         }
         if (!path->stroked && path->filled && std::min({path->fill.red, path->fill.green, path->fill.blue}) >= 0xC0)
