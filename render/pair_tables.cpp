@@ -180,7 +180,7 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
     page.title(in(mechanism.title, language));
 
     page.heading(say_word("pairs"));
-    std::vector<Cells> rows{{say_word("joint"), say_word("pair"), say_word("bodies of a pair"), say_word("class")}};
+    std::vector<Cells> rows{{say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
     std::vector<std::string> multiple;
     for (const Joint& joint : mechanism.joints) {
         const PlanePair& pair = plane_pair(joint.kind);

@@ -498,7 +498,7 @@ constexpr std::array fixed_words{
     FixedWords{"schemes", "in all", "in tutto"},
     FixedWords{"equivalent schemes", "equivalent binary schemes", "schemi binari equivalenti"},
     FixedWords{"pairs", "Pairs", "Coppie"},
-    FixedWords{"joint", "joint", "vincolo"},
+    FixedWords{"kind of pair", "pair", "tipo"},
     FixedWords{"bodies of a pair", "bodies", "corpi"},
     FixedWords{"count", "Count of the freedoms (Grübler)", "Computo dei gradi di libertà (Grübler)"},
     FixedWords{
@@ -730,6 +730,14 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
         },
         arg);
 }
+
+constexpr bool keys_are_different() {
+    for (std::size_t i = 0; i < fixed_words.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (fixed_words[i].key == fixed_words[j].key) return false;
+    return true;
+}
+static_assert(keys_are_different(), "a key has one row of words");
 
 constexpr bool rows_are_in_order() {
     for (std::size_t i = 0; i < sentences.size(); ++i)
