@@ -63,14 +63,14 @@ void Sketch::draw_alone(BodyIndex body) {
         if (joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot)
             pins.emplace_back(ring(at, 0.8 * pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
         else
-            pins.emplace_back(disc(at, 0.65, theme_.text));
+            draw_dot(at);
     }
     for (std::size_t p = 0; p < spots_.size(); ++p) {
         if (!s_.shown[p] || !once(spots_[p])) continue;
         if (s_.mass_centre[p])
             draw_mass_centre(spots_[p]);
         else
-            pins.emplace_back(disc(spots_[p], 0.65, theme_.text));
+            draw_dot(spots_[p]);
     }
 }
 

@@ -385,7 +385,7 @@ Shape Sketch::shape_of(BodyIndex body) const {
             shape.bars.push_back({chord.from, chord.to});
         else
             shape.plate = hull_of(corners);
-        shape.solid = !shape.plate.empty() && chord.deviation < 1.8 * theme_.link;
+        shape.solid = !shape.plate.empty() && chord.deviation < 1.8 * theme_.link && theme_.body(body).dashes.empty();
     }
     cut_knife_edges(shape, body);
     if (!shape.plate.empty()) {

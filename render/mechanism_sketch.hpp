@@ -75,7 +75,7 @@ struct Shape {
     std::vector<Bar> bars;
     std::vector<Bar> edges;   // knife edges, from the end of the bar to the tip
     std::vector<Spot> plate;  // hull; empty: none
-    bool solid = false;       // the plate is too slender to show its tint
+    bool solid = false;       // the plate is too slender to show its tint, and its lines are full
     std::vector<Bar> slots;   // centre lines of straight slots
     std::vector<Rim> rims;
     std::vector<Flat> flats;
@@ -191,6 +191,7 @@ private:
     void draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks);
     void draw_curved_slot(const Joint& joint, std::vector<Mark>& marks);
     void draw_mass_centre(Spot centre);
+    void draw_dot(Spot at);
     void draw_clamp(const Joint& joint);
     void balloon(BodyIndex body);
     Colour line_colour(BodyIndex body) const { return body == 0 ? theme_.text : theme_.body(body).line; }

@@ -177,7 +177,7 @@ void Sketch::draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks
     path.filled = true;
     path.fill = theme_.paper;
     path.stroked = true;
-    path.pen = {theme_.vector, line_colour(body), {}, true};
+    path.pen = pen_of(body, theme_.vector);
     marks.emplace_back(std::move(path));
 }
 
@@ -196,7 +196,7 @@ void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
     path.fill = theme_.paper;
     path.stroked = true;
     const BodyIndex body = joint.bodies[1];
-    path.pen = {body == 0 ? theme_.outline : theme_.vector, line_colour(body), {}, true};
+    path.pen = pen_of(body, body == 0 ? theme_.outline : theme_.vector);
     if (body == 0) {
         hatch_arc(centre, radius + slot_side_, from, to, true);
         if (radius > 3 * slot_side_) hatch_arc(centre, radius - slot_side_, from, to, false);
@@ -266,7 +266,7 @@ void Sketch::draw_crossings(BodyIndex body, const std::vector<BodyIndex>& below,
 void Sketch::draw_barrel(const Cylinder& cylinder, BodyIndex body, std::vector<Mark>& marks) const {
     const Spot along = unit(cylinder.barrel.to - cylinder.barrel.from), w = sleeve_side_ * turned(along);
     const auto& [from, to] = cylinder.barrel;
-    Path barrel = polyline({from + w, to + w, to - w, from - w}, {theme_.vector, line_colour(body), {}, false}, true);
+    Path barrel = polyline({from + w, to + w, to - w, from - w}, pen_of(body, theme_.vector), true);
     barrel.filled = true;
     barrel.fill = tint_colour(body);
     marks.emplace_back(std::move(barrel));
@@ -411,6 +411,20 @@ void Sketch::draw_mass_centre(Spot centre) {
     }
 }
 
+/// A point, or a place of contact: black, on a stroke set off from it by the paper.
+void Sketch::draw_dot(Spot at) {
+    constexpr double radius = 0.65, halo = 0.35;
+    const bool on_a_stroke = std::any_of(shapes_.begin(), shapes_.end(), [&](const Shape& shape) {
+        const std::vector<Spot>& plate = shape.plate;
+        const double near = theme_.link / 2;
+        for (std::size_t i = 0; i < plate.size(); ++i)
+            if (distance(at, {plate[i], plate[(i + 1) % plate.size()]}) < near) return true;
+        return std::any_of(shape.bars.begin(), shape.bars.end(), [&](const Bar& bar) { return distance(at, bar) < near; });
+    });
+    if (on_a_stroke) pins.emplace_back(disc(at, radius + halo, theme_.paper));
+    pins.emplace_back(disc(at, radius, theme_.text));
+}
+
 /// Two bodies in one piece: a filled square across the joint; a clamp in the frame: a wall.
 void Sketch::draw_clamp(const Joint& joint) {
     const Spot at = spot(joint.point);
@@ -464,7 +478,7 @@ void Sketch::draw_in_colour() {
             pins.emplace_back(ring(at, pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
             pinned.push_back(at);
         } else if (joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear) {
-            pins.emplace_back(disc(at, 0.65, theme_.text));
+            draw_dot(at);
         }
         pins.emplace_back(GroupEnd{});
     }
@@ -477,7 +491,7 @@ void Sketch::draw_in_colour() {
         if (s_.mass_centre[p])
             draw_mass_centre(spots_[p]);
         else
-            pins.emplace_back(disc(spots_[p], 0.65, theme_.text));
+            draw_dot(spots_[p]);
     }
 }
 

@@ -235,13 +235,13 @@ private:
                                                  name + " = " + shortest(value) + " " + unit_,
                                                  {{"data-name", name}, {"data-value", shortest(value)}}});
             figure.marks.emplace_back(Axis{tail, tip});
-            draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line, colour.dashes);
-            figure.marks.emplace_back(GroupEnd{});
-
-            // Two that fall together have one label: a_A = a_A^n.
+            // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n.
             const auto same = std::find_if(labelled.begin(), labelled.end(), [&](const Labelled& other) {
                 return (length(other.tail - tail) < coincident && length(other.tip - tip) < coincident);
             });
+            if (same == labelled.end()) draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line, colour.dashes);
+            figure.marks.emplace_back(GroupEnd{});
+
             if (same != labelled.end()) {
                 RichText& text = figure.labels[same->label].text;
                 text.push_back(one_piece(" = ").front());

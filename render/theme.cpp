@@ -17,12 +17,13 @@ namespace {
 Theme print() {
     constexpr Colour black{0x00, 0x00, 0x00}, grey{0x6E, 0x6E, 0x6E}, white{0xFF, 0xFF, 0xFF};
     Theme theme;
+    theme.bodies.clear();
     theme.paper = white;
     theme.text = black;
     theme.secondary = theme.skeleton = theme.faint = grey;
-    theme.bodies = {{black, white, black, {}},         {grey, white, grey, {}},
-                    {black, white, black, {3.2, 1.1}}, {black, white, black, {0.8, 0.8}},
-                    {grey, white, grey, {3.2, 1.1}},   {black, white, black, {3.2, 0.8, 0.8, 0.8}}};
+    for (const std::vector<double>& dashes :
+         {std::vector<double>{}, {3.2, 1.1}, {0.8, 0.8}, {3.2, 0.8, 0.8, 0.8}, {3.2, 0.8, 0.8, 0.8, 0.8, 0.8}})
+        for (const Colour ink : {black, grey}) theme.bodies.push_back({ink, white, ink, dashes});
     return theme;
 }
 
@@ -34,11 +35,11 @@ Theme dark() {
     theme.secondary = {0xA6, 0xAA, 0xB4};
     theme.skeleton = {0x7C, 0x81, 0x8E};
     theme.faint = {0x4A, 0x4F, 0x5A};
-    theme.bodies = {{{0xD1, 0x89, 0x3E}, {0x33, 0x29, 0x21}, {0xE2, 0x9B, 0x52}},
-                    {{0xF7, 0xD0, 0x35}, {0x39, 0x35, 0x20}, {0xF7, 0xD0, 0x35}},
-                    {{0x72, 0x66, 0xF6}, {0x24, 0x24, 0x3F}, {0x9C, 0x93, 0xFF}},
-                    {{0x4D, 0xC9, 0x97}, {0x1E, 0x33, 0x30}, {0x4D, 0xC9, 0x97}},
-                    {{0xE2, 0xF4, 0xFF}, {0x36, 0x3A, 0x40}, {0xE2, 0xF4, 0xFF}}};
+    theme.bodies = with_line_kinds({{{0xD1, 0x89, 0x3E}, {0x33, 0x29, 0x21}, {0xE2, 0x9B, 0x52}},
+                                    {{0xF7, 0xD0, 0x35}, {0x39, 0x35, 0x20}, {0xF7, 0xD0, 0x35}},
+                                    {{0x72, 0x66, 0xF6}, {0x24, 0x24, 0x3F}, {0x9C, 0x93, 0xFF}},
+                                    {{0x4D, 0xC9, 0x97}, {0x1E, 0x33, 0x30}, {0x4D, 0xC9, 0x97}},
+                                    {{0xE2, 0xF4, 0xFF}, {0x36, 0x3A, 0x40}, {0xE2, 0xF4, 0xFF}}});
     return theme;
 }
 
@@ -192,6 +193,16 @@ private:
 };
 
 }  // namespace
+
+std::vector<BodyColour> with_line_kinds(std::vector<BodyColour> bodies) {
+    const std::size_t count = bodies.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        BodyColour again = bodies[i];
+        again.dashes = {3.6, 0.9};
+        bodies.push_back(std::move(again));
+    }
+    return bodies;
+}
 
 const std::vector<std::string_view>& theme_names() {
     static const Names names{"colour", "print", "dark"};

@@ -19,18 +19,22 @@ struct BodyColour {
     std::vector<double> dashes{};
 };
 
+/// The looks of `bodies`, then the same colours again in a line kind: lightness tells no more than five lines apart in grey.
+std::vector<BodyColour> with_line_kinds(std::vector<BodyColour> bodies);
+
 struct Theme {
     Colour paper{0xFF, 0xFF, 0xFF};
     Colour text{0x1B, 0x1B, 0x1F};
     Colour secondary{0x6B, 0x6B, 0x73};  ///< construction, lines of action, what is said in passing
     Colour skeleton{0x9A, 0x9A, 0xA2};   ///< of the mechanism where vectors are drawn on it
     Colour faint{0xC4, 0xC4, 0xCA};      ///< helping lines behind all others
-    /// In the order of bodies (the frame not counted), cyclic. Colour-blind safe, lightness apart in grey.
-    std::vector<BodyColour> bodies{{{0xC8, 0x40, 0x0F}, {0xF9, 0xE3, 0xDA}, {0xB5, 0x38, 0x0B}},
-                                   {{0xE6, 0xA8, 0x17}, {0xFC, 0xF0, 0xD2}, {0x94, 0x64, 0x00}},
-                                   {{0x0B, 0x44, 0x84}, {0xDC, 0xE8, 0xF4}, {0x0B, 0x44, 0x84}},
-                                   {{0x25, 0x9B, 0x7A}, {0xDC, 0xF1, 0xEA}, {0x15, 0x73, 0x57}},
-                                   {{0x3A, 0x0F, 0x2C}, {0xED, 0xE1, 0xE8}, {0x3A, 0x0F, 0x2C}}};
+    /// In the order of bodies (the frame not counted), cyclic. Five colours, colour-blind safe, lightness apart in grey; from the
+    /// sixth body on with dashes.
+    std::vector<BodyColour> bodies = with_line_kinds({{{0xC8, 0x40, 0x0F}, {0xF9, 0xE3, 0xDA}, {0xB5, 0x38, 0x0B}},
+                                                      {{0xE6, 0xA8, 0x17}, {0xFC, 0xF0, 0xD2}, {0x94, 0x64, 0x00}},
+                                                      {{0x0B, 0x44, 0x84}, {0xDC, 0xE8, 0xF4}, {0x0B, 0x44, 0x84}},
+                                                      {{0x25, 0x9B, 0x7A}, {0xDC, 0xF1, 0xEA}, {0x15, 0x73, 0x57}},
+                                                      {{0x3A, 0x0F, 0x2C}, {0xED, 0xE1, 0xE8}, {0x3A, 0x0F, 0x2C}}});
     const BodyColour& body(int index) const {
         return bodies[index > 0 ? (static_cast<std::size_t>(index) - 1) % bodies.size() : 0];
     }

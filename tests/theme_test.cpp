@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "constructions/solve.hpp"
@@ -83,6 +84,7 @@ TEST(Theme, BodiesAreApartForAllEyesAndInGrey) {
         const Theme look = theme(name);
         for (std::size_t i = 0; i < look.bodies.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
+                if (look.bodies[i].dashes != look.bodies[j].dashes) continue;  // the line kind tells them apart
                 const Colour a = look.bodies[i].line, b = look.bodies[j].line;
                 for (const Matrix& eye : {usual, protanope, deuteranope, tritanope})
                     EXPECT_GE(apart(a, b, eye), 27) << name << ": bodies " << j << " and " << i;
@@ -93,11 +95,14 @@ TEST(Theme, BodiesAreApartForAllEyesAndInGrey) {
     EXPECT_LT(apart({0x9C, 0x5A, 0x00}, {0x5E, 0x6E, 0x00}, deuteranope), 27) << "brown and olive: the measure sees confusion";
 }
 
-TEST(Theme, WithoutColourLineKindsTellBodiesApart) {
-    const Theme look = theme("print");
-    std::set<std::pair<std::uint8_t, std::vector<double>>> kinds;
-    for (const BodyColour& body : look.bodies) EXPECT_TRUE(kinds.emplace(body.line.red, body.dashes).second);
-    EXPECT_EQ(kinds.size(), 6U);
+TEST(Theme, TenBodiesHaveLooksOfTheirOwn) {
+    for (const std::string_view name : theme_names()) {
+        const Theme look = theme(name);
+        std::set<std::tuple<std::uint8_t, std::uint8_t, std::uint8_t, std::vector<double>>> looks;
+        for (const BodyColour& body : look.bodies)
+            EXPECT_TRUE(looks.emplace(body.line.red, body.line.green, body.line.blue, body.dashes).second) << name;
+        EXPECT_GE(looks.size(), 10U) << name;
+    }
 }
 
 TEST(Theme, TypeCanBeRead) {
