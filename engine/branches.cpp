@@ -20,7 +20,7 @@ public:
     explicit Arithmetic(bool exact) : exact_(exact) {}
     bool is_exact() const { return exact_; }
     bool is_zero(const Exact& value) const { return exact_ ? value.is_zero() : abs(value) < Exact::power_of_two(-60); }
-    Exact trimmed(Exact value) const { return exact_ ? value : rounded(value, 400); }
+    Exact trimmed(const Exact& value) const { return exact_ ? value : rounded(value, 400); }
 
 private:
     bool exact_;
@@ -59,8 +59,8 @@ public:
         for (BodyIndex body = 1; slot(body) < mechanism_.bodies.size(); ++body) {
             const auto rests = [&](int from, int to) {
                 return std::all_of(velocities_.begin(), velocities_.end(), [&](const Row& u) {
-                    return std::all_of(u.begin() + 3 * (body - 1) + from, u.begin() + 3 * (body - 1) + to,
-                                       [&](const Exact& value) { return arithmetic_.is_zero(value); });
+                    const auto first = u.begin() + static_cast<Row::difference_type>(3 * slot(body - 1));
+                    return std::all_of(first + from, first + to, [&](const Exact& value) { return arithmetic_.is_zero(value); });
                 });
             };
             if (rests(0, 3)) {
@@ -87,7 +87,7 @@ private:
             Row row = coefficients(rows_[i]);
             row.resize(columns + count);
             row[columns + i] = 1;
-            for (const auto& [pivot, other] : kept) subtract(row, row[pivot], other);
+            for (const auto& [pivot, other] : kept) subtract(row, pivot, other);
             std::size_t pivot = 0;
             for (std::size_t k = 1; k < columns; ++k)
                 if (abs(row[k]) > abs(row[pivot])) pivot = k;
@@ -98,7 +98,7 @@ private:
             const Exact scale = row[pivot];
             for (Exact& entry : row)
                 if (!entry.is_zero()) entry = arithmetic_.trimmed(entry / scale);
-            for (auto& [unused, other] : kept) subtract(other, other[pivot], row);
+            for (auto& [unused, other] : kept) subtract(other, pivot, row);
             kept.emplace_back(pivot, std::move(row));
         }
         std::vector<bool> is_pivot(columns);
@@ -111,9 +111,10 @@ private:
             velocities_.push_back(std::move(u));
         }
     }
-    void subtract(Row& from, const Exact& times, const Row& other) const {
-        if (times.is_zero()) return;
-        const Exact factor = times;  // it may stand in the row that changes
+    /// `column`: of `from`, where the factor stands before the row changes.
+    void subtract(Row& from, std::size_t column, const Row& other) const {
+        const Exact factor = from[column];
+        if (factor.is_zero()) return;
         for (std::size_t k = 0; k < from.size(); ++k)
             if (!other[k].is_zero()) from[k] = arithmetic_.trimmed(from[k] - factor * other[k]);
     }

@@ -594,7 +594,7 @@ void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string&
 }
 
 void draw_couple(Sketch& sketch, const DrawingContext& context, Clutter& clutter, const RichText& text, Spot at, bool positive,
-                 BodyColour colour) {
+                 const BodyColour& colour) {
     // On paper y runs down: counter-clockwise is the negative turn.
     const double turn = positive ? -1 : 1;
     constexpr double sweep = 2.4;
