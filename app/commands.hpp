@@ -19,6 +19,7 @@ struct SolveRequest {
     render::Language language = render::Language::en;
     render::Paper paper = render::Paper::a4;
     render::Orientation orientation = render::Orientation::landscape;
+    render::Dimensions dimensions = render::Dimensions::automatic;
     std::string author, date;      ///< in the title block, where given
     std::string figure;            ///< this one alone; empty: the sheet
     std::string theme = "colour";  ///< a built-in theme, or the path of a theme file

@@ -62,6 +62,7 @@ void add_solve(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     auto paper = std::make_shared<std::string>("A4");
     auto orientation = std::make_shared<std::string>("landscape");
+    auto dimensions = std::make_shared<std::string>("auto");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
     command
         ->add_option("-o,--output", request->outputs,
@@ -89,6 +90,13 @@ void add_solve(CLI::App& program, Action& action) {
                      "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
                      "body-3 …; of a wrong name the message lists those there are")
         ->type_name("NAME");
+    command
+        ->add_option(
+            "--dimensions", *dimensions,
+            "Given lengths, radii and angles on the mechanism figure: auto (each that finds a free place), on (all) or off")
+        ->transform(CLI::IsMember({"auto", "on", "off"}, CLI::ignore_case))
+        ->type_name("WHICH")
+        ->capture_default_str();
     command->add_option("--date", request->date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command->add_option("--author", request->author, "A name for the title block")->type_name("TEXT");
     command
@@ -108,10 +116,12 @@ void add_solve(CLI::App& program, Action& action) {
         ->check(CLI::IsMember({"joukowsky"}))
         ->type_name("FIGURE");
     command->add_flag("--exact", request->exact, "Add exact values to the JSON results, as fractions");
-    command->callback([&action, request, language, paper, orientation] {
+    command->callback([&action, request, language, paper, orientation, dimensions] {
         request->language = *language == "it" ? render::Language::it : render::Language::en;
         if (*paper == "A3") request->paper = render::Paper::a3;
         if (*paper == "letter") request->paper = render::Paper::letter;
+        if (*dimensions == "on") request->dimensions = render::Dimensions::on;
+        if (*dimensions == "off") request->dimensions = render::Dimensions::off;
         if (*orientation == "portrait") request->orientation = render::Orientation::portrait;
         action = [request] { return solve_command(*request); };
     });

@@ -183,6 +183,7 @@ Status solve_command(const SolveRequest& request) {
             render::SheetOptions options;
             options.paper = request.paper;
             options.language = request.language;
+            options.dimensions = request.dimensions;
             options.joukowsky = wants_lever || !request.figure.empty();
             options.orientation = request.orientation;
             options.author = request.author;

@@ -47,11 +47,15 @@ struct Figure {
     void move(double dx, double dy);
 };
 
+/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place, all, none.
+enum class Dimensions { automatic, on, off };
+
 struct DrawingContext {
     const Solution& solution;
     const Theme& theme;
     const Fonts& fonts;
     Language language = Language::en;
+    Dimensions dimensions = Dimensions::automatic;
 };
 
 /// The largest scale of 1-2-2.5-5 × 10ⁿ units per mm at which `extent` units fit into `room` mm; the file's own where it asks

@@ -39,7 +39,7 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
 }  // namespace
 
 std::vector<std::string> figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    const DrawingContext context{solution, options.theme, fonts, options.language};
+    const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     WantedFigures wanted(context, format_of(options.paper, options.orientation).measure, options.joukowsky);
     std::vector<std::string> names;
     for (const Choice& each : choices(context, wanted)) names.push_back(each.name);
@@ -48,7 +48,7 @@ std::vector<std::string> figure_names(const Solution& solution, const SheetOptio
 
 std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& options, const std::string& name,
                                   const Fonts& fonts) {
-    const DrawingContext context{solution, options.theme, fonts, options.language};
+    const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const SheetFormat format = format_of(options.paper, options.orientation);
     WantedFigures wanted(context, format.measure, options.joukowsky);
     const std::vector<Choice> all = choices(context, wanted);

@@ -58,6 +58,8 @@ private:
         Spot at;
     };
 
+    static constexpr double broken_end = 10;  // of a line to a far centre, mm
+
     bool is_primary(std::size_t c) const { return all_[c].how == InstantCentre::How::primary; }
     Pen thin() const { return {sketch_.theme_.thin, sketch_.theme_.secondary, {}, false}; }
     RichText name_of_centre(std::size_t c) const { return typeset(sketch_.symbol_of(all_[c]), sketch_.context_.language); }
@@ -177,9 +179,9 @@ private:
         }
         constexpr double beyond = 16;
         if (forward)
-            ray.to = where_[c] == Where::far ? std::max(seen.to, ray.to + 4) : ray.to + beyond;
+            ray.to = where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + 4) : ray.to + beyond;
         else
-            ray.from = where_[c] == Where::far ? std::min(seen.from, ray.from - 4) : ray.from - beyond;
+            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - 4) : ray.from - beyond;
         arrows_[c].push_back({ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along});
     }
     double obstruction(const Ray& ray, double end, double sense) const {
@@ -267,6 +269,7 @@ private:
     struct Shaft {
         Spot base, along;
         double length = 3;
+        bool broken = false;
     };
     Shaft shaft_of(std::size_t c) const {
         if (where_[c] == Where::infinity && is_primary(c)) {
@@ -288,7 +291,10 @@ private:
                 return {at, (flip ? -1.0 : 1.0) * place_[c], sketch_.slider_side_ + 15};
             }
         }
-        if (!arrows_[c].empty()) return {arrows_[c].front().base, arrows_[c].front().along, 3};
+        if (!arrows_[c].empty()) {
+            const auto& [base, along] = arrows_[c].front();
+            return where_[c] == Where::far ? Shaft{base, along, broken_end, true} : Shaft{base, along};
+        }
         const Spot start = sketch_.shape(all_[c].second).middle;
         return {start, where_[c] == Where::infinity ? place_[c] : unit(place_[c] - start), 18};
     }
@@ -302,7 +308,7 @@ private:
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
-            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary);
+            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary, shaft.broken);
             // Parallels all say where they go; of two lines to a far centre one says it.
             for (std::size_t k = 1; k < arrows_[d].size() && where_[d] == Where::infinity; ++k)
                 draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,

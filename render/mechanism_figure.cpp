@@ -96,18 +96,28 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
-    return fitted_figure(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) {
-        Sketch sketch(subject, context, scale, "");
-        sketch.draw_drivers();
-        sketch.draw_compass();
-        sketch.draw_in_colour();
-        if (with_centres) sketch.draw_centres();
-        sketch.draw_equivalent_linkages();
-        sketch.draw_points(true);
-        Figure figure = sketch.finish("mechanism", "mechanism", "m");
-        figure.caption = one_piece(word(with_centres ? "mechanism and instant centres" : "mechanism", context.language));
-        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, context.solution.mechanism.units.length, strict);
-        return figure;
+    return fitted_figure(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) -> Figure {
+        const auto with_dimensions = [&](Dimensions dimensions) {
+            Sketch sketch(subject, context, scale, "");
+            sketch.draw_drivers();
+            sketch.draw_compass();
+            sketch.draw_in_colour();
+            if (with_centres) sketch.draw_centres();
+            sketch.draw_equivalent_linkages();
+            if (dimensions != Dimensions::off) sketch.draw_dimensions({room_x, room_y}, dimensions == Dimensions::on);
+            const bool dimensioned = !sketch.dimensions.empty();
+            sketch.draw_points(true);
+            Figure figure = sketch.finish("mechanism", "mechanism", "m");
+            figure.caption = one_piece(word(with_centres ? "mechanism and instant centres" : "mechanism", context.language));
+            sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, context.solution.mechanism.units.length,
+                         strict);
+            return std::pair{std::move(figure), dimensioned};
+        };
+        auto [figure, dimensioned] = with_dimensions(context.dimensions);
+        // Dimensions that are not asked for never cost the mechanism a step of its scale.
+        const bool fits = figure.labels.empty() && figure.box.width() <= room_x && figure.box.height() <= room_y;
+        if (dimensioned && !fits && context.dimensions == Dimensions::automatic) return with_dimensions(Dimensions::off).first;
+        return std::move(figure);
     });
 }
 

@@ -82,6 +82,9 @@ struct Shape {
     Spot middle;  // somewhere on it
 };
 
+/// The number as given: six significant digits without the zeros that only fill, four where the value is not round.
+std::string given_number(double value, Language language);
+
 /// What the figure takes from the solution, once, in metres with y downwards; scales are tried on it.
 struct Subject {
     const Solution& solution;
@@ -140,6 +143,9 @@ public:
     void draw_compass();
     void draw_centres();
     void draw_equivalent_linkages();
+    /// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn. `all`: even where it
+    /// is not.
+    void draw_dimensions(Spot room, bool all);
     void draw_pole(const InstantCentre& centre);
     Symbol symbol_of(const InstantCentre& centre) const;
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
@@ -147,6 +153,7 @@ public:
 
 private:
     friend class CentresDrawing;
+    friend class DimensionsDrawing;
 
     /// The centre line of a slot curved about a point; radius 0: too narrow to draw.
     struct CurvedSlot {

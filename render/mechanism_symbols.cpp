@@ -10,8 +10,7 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
-/// The number as given: significant digits without the zeros that only fill.
-std::string given_number(double value, Language language, int digits = 6) {
+std::string without_filling_zeros(double value, Language language, int digits) {
     std::string text = number(value, digits, language);
     const std::size_t mark = text.find_first_of(".,");
     if (mark == std::string::npos) return text;
@@ -21,14 +20,16 @@ std::string given_number(double value, Language language, int digits = 6) {
     while (keep > mark + 1 && text[keep - 1] == '0') --keep;
     if (keep == mark + 1) keep = mark;
     text.erase(keep, end - keep);
-    // Six digits are for round values; of 120 rpm in rad/s four tell enough.
-    if (digits == 6 && keep - mark > 3)
-        if (std::string rounded_text = given_number(value, language, 4); rounded_text.size() + 1 < text.size())
-            return rounded_text;
     return text;
 }
 
 }  // namespace
+
+std::string given_number(double value, Language language) {
+    std::string six = without_filling_zeros(value, language, 6), four = without_filling_zeros(value, language, 4);
+    // Six digits are for round values; of 120 rpm in rad/s four tell enough.
+    return four.size() + 1 < six.size() ? four : six;
+}
 
 /// Ground: a line with hatching on the side `away`.
 void Sketch::draw_wall(Spot from, Spot to, Spot away) {
@@ -498,13 +499,16 @@ void Sketch::draw_in_colour() {
 /// The same mechanism as a thin grey skeleton, under vectors.
 void Sketch::draw_in_grey() {
     const Pen thin{theme_.outline, theme_.skeleton, {}, true};
+    std::vector<Mark> none;  // all that the frame has is ground
+    draw_profiles(0, none);
+    construction.clear();
     for (const BodyIndex body : drawing_order()) {
         if (body == 0) continue;
         const Shape& shape = shapes_[at_index(body)];
         bodies.emplace_back(GroupBegin{"link", id("link", m_.bodies[at_index(body)].name), m_.bodies[at_index(body)].name, {}});
         for (std::size_t j = 0; j < m_.joints.size(); ++j) {
             const Joint& joint = m_.joints[j];
-            if (joint.kind != JointKind::prismatic || joint.bodies[0] != body) continue;
+            if (joint.kind != JointKind::prismatic || joint.bodies[0] != body || cylinder_of(j)) continue;
             const bool on_frame = joint.bodies[1] == 0;
             const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
             const Spot at = spot(joint.point), u = half * s_.guides[j], w = side * turned(s_.guides[j]);
@@ -513,8 +517,10 @@ void Sketch::draw_in_grey() {
             block.fill = theme_.paper;
             bodies.emplace_back(std::move(block));
         }
-        if (const auto& wheel = m_.bodies[at_index(body)].circle)
-            bodies.emplace_back(circle(spot(wheel->centre), wheel->radius.to_double() / scale_, thin));
+        for (const Rim& rim : shape.rims)
+            if (rim.form != Rim::Form::arc) bodies.emplace_back(circle(rim.centre, rim.radius, thin));
+        for (const Flat& flat : shape.flats) bodies.emplace_back(line(flat.bar.from, flat.bar.to, thin));
+        for (const Bar& edge : shape.edges) bodies.emplace_back(line(edge.from, edge.to, thin));
         if (!shape.plate.empty()) bodies.emplace_back(polyline(shape.plate, thin, true));
         for (const Bar& bar : shape.bars)
             if (length(bar.to - bar.from) > 1e-6) bodies.emplace_back(line(bar.from, bar.to, thin));

@@ -23,7 +23,7 @@ constexpr double one_page_share = 0.5;  // of the page that text may take where 
 class Layout {
 public:
     Layout(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
-        : context_{solution, options.theme, fonts, options.language},
+        : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           wanted_(context_, format_.measure, options.joukowsky) {}

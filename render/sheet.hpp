@@ -20,6 +20,7 @@ struct SheetOptions {
     Theme theme;
     bool joukowsky = false;  ///< with the lever figure, where forces and velocities are known
     Orientation orientation = Orientation::landscape;
+    Dimensions dimensions = Dimensions::automatic;  ///< of the given data, on the mechanism figure
     std::string author = "", date = "";  ///< in the title block as given, where given
 };
 

@@ -153,7 +153,8 @@ const DrawingContext& WantedFigures::unscaled() {
     if (!unscaled_) {
         unscaled_ = context_.solution;
         unscaled_->mechanism.scales.clear();
-        unscaled_context_.emplace(DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language});
+        unscaled_context_.emplace(
+            DrawingContext{*unscaled_, context_.theme, context_.fonts, context_.language, context_.dimensions});
     }
     return *unscaled_context_;
 }
