@@ -308,7 +308,7 @@ private:
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
-            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary, shaft.broken);
+            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary, shaft.broken ? dashes() : std::vector<double>{});
             // Parallels all say where they go; of two lines to a far centre one says it.
             for (std::size_t k = 1; k < arrows_[d].size() && where_[d] == Where::infinity; ++k)
                 draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,

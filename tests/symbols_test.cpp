@@ -25,13 +25,13 @@ struct Drawn {
     Figure figure;
     std::vector<Spot> points;
 
-    explicit Drawn(const std::string& points_bodies_joints, double room = 150) {
+    explicit Drawn(const std::string& points_bodies_joints, double room = 150, Dimensions dimensions = Dimensions::automatic) {
         auto mechanism = read_mechanism(R"({"kinegraph": 1, "frame": 1, "find": [], )" + points_bodies_joints + "}", "test");
         EXPECT_TRUE(mechanism.has_value());
         auto solution = solve(*mechanism);
         EXPECT_TRUE(solution.has_value());
         const Theme theme;
-        figure = mechanism_figure({*solution, theme, fonts()}, room, room, false);
+        figure = mechanism_figure({*solution, theme, fonts(), Language::en, dimensions}, room, room, false);
         // The first pin or dot of a joint's group stands at the joint's point: the whole figure is set off by the same.
         Spot offset;
         for (const Joint& joint : solution->mechanism.joints) {
@@ -327,6 +327,50 @@ TEST(Symbols, a_pin_under_a_block_that_it_does_not_hold_is_drawn_hidden) {
     const auto& pin = std::get<Path>(drawn.group("joint-O2").at(0));
     EXPECT_FALSE(pin.filled);
     EXPECT_FALSE(pin.pen.dashes.empty());
+}
+
+const std::string given_four_bar =
+    R"("units": {"length": "mm"}, "points": {"O2": [0, 0], "A": {"from": "O2", "distance": 40, "angle": 60}, "O4": [150, 0],
+       "B": {"meet": [{"circle": "A", "radius": 130}, {"circle": "O4", "radius": 80}], "side": "left"}},
+       "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]},
+       "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+                  {"revolute": "O4", "bodies": [1, 4]}])";
+
+TEST(Dimensions, say_what_the_file_gives_where_it_is_measured) {
+    const Drawn drawn(given_four_bar, 150, Dimensions::on);
+    const std::vector<std::pair<std::string, std::pair<int, int>>> lengths{
+        {"dimension-O2.A", {0, 1}}, {"dimension-A.B", {1, 3}}, {"dimension-O4.B", {2, 3}}, {"dimension-O2.O4", {0, 2}}};
+    const std::vector<std::string> values{"40 mm", "130 mm", "80 mm", "150 mm"};
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        const auto& [id, ends] = lengths[i];
+        SCOPED_TRACE(id);
+        const std::vector<Mark> marks = drawn.group(id);
+        ASSERT_FALSE(marks.empty());
+        // The arrowheads' tips are as far apart as the points.
+        std::vector<Spot> tips;
+        std::string words;
+        for (const Mark& mark : marks) {
+            if (const auto* path = std::get_if<Path>(&mark); path && path->filled)
+                tips.push_back(std::get<MoveTo>(path->segments[0]).to);
+            if (const auto* text = std::get_if<TextMark>(&mark)) words += text->words;
+        }
+        ASSERT_EQ(tips.size(), 2U);
+        const Spot a = drawn.points[static_cast<std::size_t>(ends.first)],
+                   b = drawn.points[static_cast<std::size_t>(ends.second)];
+        EXPECT_NEAR(length(tips[1] - tips[0]), length(b - a), 1e-6);
+        EXPECT_NEAR(cross(tips[1] - tips[0], b - a), 0, 1e-4);
+        EXPECT_EQ(words, values[i]);
+    }
+    EXPECT_FALSE(drawn.group("dimension-angle.O2.A").empty());
+}
+
+TEST(Dimensions, are_left_out_on_request_and_never_cost_a_step_of_the_scale) {
+    for (const double room : {60.0, 80.0, 100.0, 120.0, 150.0}) {
+        const Drawn none(given_four_bar, room, Dimensions::off), some(given_four_bar, room);
+        EXPECT_TRUE(none.role("dimensions").empty());
+        EXPECT_EQ(none.figure.scale, some.figure.scale);
+    }
+    EXPECT_FALSE(Drawn(given_four_bar).role("dimensions").empty());
 }
 
 TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
