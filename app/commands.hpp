@@ -23,6 +23,7 @@ struct SolveRequest {
     std::string author, date;      ///< in the title block, where given
     std::string figure;            ///< this one alone; empty: the sheet
     std::string theme = "colour";  ///< a built-in theme, or the path of a theme file
+    bool steps = false;            ///< the solution as a sequence of pages
     double dpi = 150;
     bool exact = false;
     std::vector<std::string> with;  ///< figures on request: "joukowsky"

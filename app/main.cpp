@@ -97,6 +97,10 @@ void add_solve(CLI::App& program, Action& action) {
         ->transform(CLI::IsMember({"auto", "on", "off"}, CLI::ignore_case))
         ->type_name("WHICH")
         ->capture_default_str();
+    command
+        ->add_flag("--steps", request->steps,
+                   "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")
+        ->excludes("--figure");
     command->add_option("--date", request->date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command->add_option("--author", request->author, "A name for the title block")->type_name("TEXT");
     command

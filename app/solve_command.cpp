@@ -8,6 +8,7 @@
 #include "constructions/solve.hpp"
 #include "render/backends.hpp"
 #include "render/figure_alone.hpp"
+#include "render/steps.hpp"
 #include "render/words.hpp"
 
 namespace kinegraph::app {
@@ -189,7 +190,9 @@ Status solve_command(const SolveRequest& request) {
             options.author = request.author;
             options.date = request.date;
             options.theme = *theme;
-            if (request.figure.empty()) {
+            if (request.steps) {
+                pages = render::lay_out_steps(*solution, options, *fonts);
+            } else if (request.figure.empty()) {
                 pages = render::lay_out(*solution, options, *fonts);
             } else if (auto page = render::lay_out_alone(*solution, options, request.figure, *fonts)) {
                 pages.push_back(*std::move(page));
@@ -210,6 +213,7 @@ Status solve_command(const SolveRequest& request) {
             remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
     }
     if (!request.figure.empty() && !draws) remarks.emplace_back("--figure chooses what is drawn, and no drawing is asked for");
+    if (request.steps && !draws) remarks.emplace_back("--steps adds pages to what is drawn, and no drawing is asked for");
     if (request.exact &&
         std::none_of(targets->begin(), targets->end(), [](const Target& target) { return target.format == Format::json; }))
         remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");

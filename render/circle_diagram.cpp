@@ -53,6 +53,7 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
             pen = {theme.thin, theme.text, dashes(), false};
         }
         marks.emplace_back(line(from + node * along, to - node * along, pen));
+        belong(marks, marks.size() - 1, centre.statement);
     }
     for (std::size_t b = 0; b < count; ++b) {
         const int body = static_cast<int>(b);
@@ -83,6 +84,7 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
         request.anchor = 0.5 * (from + to);
         request.toward = to;
         request.clearance = 0.7;
+        request.statement = found[i]->statement;
         figure.labels.push_back(std::move(request));
     }
     marks.emplace_back(GroupEnd{});

@@ -282,6 +282,16 @@ Box box_of(const std::vector<Mark>& marks) {
     return bounds.box;
 }
 
+void belong(std::vector<Mark>& marks, std::size_t first, int statement) {
+    const auto take = [&](int& own) {
+        if (own < 0) own = statement;
+    };
+    for (std::size_t i = first; i < marks.size(); ++i)
+        std::visit(Overloaded{[&](Path& path) { take(path.statement); }, [&](TextMark& text) { take(text.statement); },
+                              [&](GroupBegin& group) { take(group.statement); }, [](Axis&) {}, [](GroupEnd&) {}},
+                   marks[i]);
+}
+
 void move(std::vector<Mark>& marks, double dx, double dy) {
     for (Mark& mark : marks) Shift{dx, dy}(mark);
 }

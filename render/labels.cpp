@@ -768,6 +768,7 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         const LabelRequest& request = figure.labels[i];
         const Candidate& place = placing.chosen(i);
         const ShapedLine& shaped = placing.shaped(i);
+        const std::size_t own = figure.marks.size();
         if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
         if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
         const Spot centre = place.box.centre;
@@ -782,6 +783,7 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
             if (k > first) text.cls = "text";  // one label, one aria-label
         }
         if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});
+        belong(figure.marks, own, request.statement);
         const Spot reach = place.box.reach();
         figure.box.min = {std::min(figure.box.min.x, centre.x - reach.x), std::min(figure.box.min.y, centre.y - reach.y)};
         figure.box.max = {std::max(figure.box.max.x, centre.x + reach.x), std::max(figure.box.max.y, centre.y + reach.y)};

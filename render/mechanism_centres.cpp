@@ -28,7 +28,9 @@ public:
         for (const Ray& ray : rays_) {
             const Interval seen = within(grown(view_, 12), ray.at, ray.along);
             const double from = std::max(ray.from, seen.from), to = std::min(ray.to, seen.to);
-            if (to > from) sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, thin()));
+            if (to <= from) continue;
+            sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, thin()));
+            belong(sketch_.construction, sketch_.construction.size() - 1, ray.statement);
         }
         // Centres at one place are one dot with one label. Bodies that do not move against each other have none to show.
         std::vector<bool> done(all_.size(), false);
@@ -49,6 +51,7 @@ private:
     struct Ray {
         Spot at, along;
         double from, to;
+        int statement;  // that draws it first
     };
     struct Arrow {
         Spot base, along;
@@ -66,7 +69,7 @@ private:
     GroupBegin group(std::size_t c) const {
         const std::string& i = sketch_.m_.bodies[at_index(all_[c].first)].name;
         const std::string& j = sketch_.m_.bodies[at_index(all_[c].second)].name;
-        return GroupBegin{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}};
+        return GroupBegin{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}, all_[c].statement};
     }
 
     /// Where each centre is: near the mechanism, far from it, or at infinity.
@@ -146,7 +149,7 @@ private:
             along = unit(known[1] - start);
         else
             return;
-        Ray ray{start, along, 0, 0};
+        Ray ray{start, along, 0, 0, all_[c].statement};
         const auto take = [&](Spot spot) {
             ray.from = std::min(ray.from, dot(spot - start, along));
             ray.to = std::max(ray.to, dot(spot - start, along));
@@ -229,6 +232,7 @@ private:
         LabelRequest label;
         label.size = sketch_.theme_.label;
         label.colour = sketch_.theme_.text;
+        label.statement = all_[cluster.front()].statement;
         for (const std::size_t d : cluster) {
             // A pin has its own name; the centre there is for the reader who points at it.
             if (at_pin && is_primary(d)) continue;

@@ -64,6 +64,7 @@ struct Path {
     Colour fill;
     bool stroked = false;
     Pen pen;
+    int statement = -1;  ///< of the solution, that it is drawn by; −1: it is there from the beginning
 };
 
 /// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured there.
@@ -89,6 +90,7 @@ struct TextMark {
     double angle = 0;
     Spot pivot;
     std::vector<Path> extras;  ///< dots over letters, fraction bars
+    int statement = -1;        ///< as a Path's
 };
 
 /// Opens a group (`<g>`): class, id (already legal), title and data attributes in order.
@@ -97,6 +99,7 @@ struct GroupBegin {
     std::string id;
     std::string title;
     std::vector<std::pair<std::string, std::string>> attributes;
+    int statement = -1;  ///< as a Path's; of all that is in the group and has none of its own
 };
 struct GroupEnd {};
 

@@ -166,6 +166,7 @@ private:
             if (twice) continue;
             drawn.push_back(line_drawn);
             figure.marks.emplace_back(line(line_drawn.from, line_drawn.to, pen));
+            belong(figure.marks, figure.marks.size() - 1, each.statement);
             if (each.reason.kind == LineReason::Kind::known) continue;
             LabelRequest mark;
             mark.text = typeset(each.reason, context_.language);
@@ -175,6 +176,7 @@ private:
             mark.toward = meet + overshoot * along;
             mark.clearance = 1.2;
             mark.along = true;
+            mark.statement = each.statement;
             figure.labels.push_back(std::move(mark));
         }
     }
@@ -230,6 +232,7 @@ private:
 
             const BodyColour colour = colour_of(vector.body);
             const Spot tail = spot(figure, vector.tail), tip = spot(figure, vector.tip);
+            const std::size_t first = figure.marks.size();
             figure.marks.emplace_back(GroupBegin{"vector",
                                                  figure.id + "-" + legal_id(name),
                                                  name + " = " + shortest(value) + " " + unit_,
@@ -241,6 +244,7 @@ private:
             });
             if (same == labelled.end()) draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line, colour.dashes);
             figure.marks.emplace_back(GroupEnd{});
+            belong(figure.marks, first, vector.statement);
 
             if (same != labelled.end()) {
                 RichText& text = figure.labels[same->label].text;
@@ -258,6 +262,7 @@ private:
             label.anchor = 0.5 * (tail + tip);
             label.toward = tip;
             label.clearance = 1.5;
+            label.statement = vector.statement;
             figure.labels.push_back(std::move(label));
         }
     }
@@ -273,6 +278,7 @@ private:
             Spot at;
             RichText text;
             std::set<std::string> names;
+            int statement = -1;
         };
         std::vector<Cluster> clusters;
         Symbol pole{Symbol::Letter::pole, polygon_.plane == Plane::acceleration ? "a" : "v", ""};
@@ -280,7 +286,7 @@ private:
             const Image& image = protocol_.images[static_cast<std::size_t>(index)];
             if (image.symbol.letter == Symbol::Letter::pole && !image.symbol.about.empty()) pole = image.symbol;
         }
-        clusters.push_back({{0, 0}, typeset(pole, context_.language), {name_of(pole)}});
+        clusters.push_back({{0, 0}, typeset(pole, context_.language), {name_of(pole)}, -1});
         for (const int index : polygon_.images) {
             const Image& image = protocol_.images[static_cast<std::size_t>(index)];
             if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
@@ -290,16 +296,19 @@ private:
             auto same =
                 std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
             if (same == clusters.end()) {
-                clusters.push_back({at, text, {name}});
+                clusters.push_back({at, text, {name}, statement_of(image)});
             } else if (same->names.insert(name).second) {
                 same->text.push_back(one_piece(" ≡ ").front());
                 same->text.insert(same->text.end(), text.begin(), text.end());
             }
         }
         for (const Cluster& cluster : clusters) {
-            if (&cluster != &clusters.front() && !touched_by_vector(figure, cluster.at))
+            if (&cluster != &clusters.front() && !touched_by_vector(figure, cluster.at)) {
                 figure.marks.emplace_back(disc(cluster.at, 0.5, context_.theme.text));
+                belong(figure.marks, figure.marks.size() - 1, cluster.statement);
+            }
             LabelRequest label;
+            label.statement = cluster.statement;
             label.text = cluster.text;
             label.size = context_.theme.label;
             label.colour = context_.theme.text;
@@ -307,6 +316,14 @@ private:
             label.clearance = 2.0;
             figure.labels.push_back(std::move(label));
         }
+    }
+    /// An image stands once a vector ends in it; where none does, once its point is found.
+    int statement_of(const Image& image) const {
+        for (const int index : polygon_.vectors) {
+            const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
+            if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
+        }
+        return protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
     }
     bool touched_by_vector(const Figure& figure, Spot at) const {
         return std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {

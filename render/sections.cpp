@@ -7,6 +7,7 @@
 #include <string>
 
 #include "render/force_tables.hpp"
+#include "render/prose.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
 
@@ -48,31 +49,10 @@ public:
 
 private:
     Block heading(const std::string& text, const RichText& note = {}) const {
-        Block block;
-        const ShapedLine shaped = context_.fonts.shape(one_piece(text, Face::bold), context_.theme.label);
-        set_text(block.marks, shaped, {0, 3.6}, context_.theme.text, "text");
-        if (!note.empty()) {
-            const ShapedLine small = context_.fonts.shape(note, context_.theme.small);
-            if (shaped.width + 4 + small.width <= format_.measure)
-                set_text(block.marks, small, {shaped.width + 4, 3.6}, context_.theme.secondary, "text");
-        }
-        block.width = format_.measure;
-        block.height = 6.2;
-        return block;
+        return heading_block(context_, format_.measure, text, note);
     }
     Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
-        Block block;
-        double baseline = 3.2;
-        if (!number_text.empty())
-            set_text(block.marks, context_.fonts.shape(one_piece(number_text), context_.theme.body_text), {0, baseline},
-                     context_.theme.secondary, "text");
-        for (const ShapedLine& each : context_.fonts.wrap(text, context_.theme.body_text, format_.measure - indent)) {
-            set_text(block.marks, each, {indent, baseline}, context_.theme.text, "text");
-            baseline += 4.1;
-        }
-        block.width = format_.measure;
-        block.height = baseline - 3.2 + 0.7;
-        return block;
+        return paragraph_block(context_, format_.measure, text, indent, number_text);
     }
 
     bool lever_has_table() const {

@@ -6,8 +6,6 @@
 // left, then into the columns of further pages (sections, text_flow).
 #include "render/sheet.hpp"
 
-#include <map>
-
 #include "render/figure_pages.hpp"
 #include "render/sections.hpp"
 #include "render/shapes.hpp"
@@ -31,7 +29,8 @@ public:
     std::vector<Page> pages() {
         if (!on_one_page()) on_several();
         std::vector<Page> pages;
-        for (std::size_t i = 0; i < sheets_.size(); ++i) pages.push_back(finish(sheets_[i], i + 1, sheets_.size()));
+        for (std::size_t i = 0; i < sheets_.size(); ++i)
+            pages.push_back(framed_page(context_, format_, figures_.drawn, signature_, sheets_[i].marks, i + 1, sheets_.size()));
         return pages;
     }
 
@@ -73,32 +72,6 @@ private:
     /// The figures where they are, and the text. `force_equations`: with the steps, where the figure has no room for them.
     void set_text(bool force_equations) {
         sheets_ = flow_text(context_, format_, figures_, write_sections(context_, format_, wanted_, figures_, force_equations));
-    }
-
-    Page finish(const Sheet& sheet, std::size_t index, std::size_t count) const {
-        const Theme& theme = context_.theme;
-        Page page;
-        page.width = format_.width;
-        page.height = format_.height;
-        page.paper = theme.paper;
-        page.title = title_of(context_.solution, context_.language);
-        page.language = context_.language == Language::it ? "it" : "en";
-        const Pen pen{theme.outline, theme.text, {}, false};
-        page.marks.emplace_back(polyline({format_.inner.min,
-                                          {format_.inner.max.x, format_.inner.min.y},
-                                          format_.inner.max,
-                                          {format_.inner.min.x, format_.inner.max.y}},
-                                         pen, true));
-        draw_title_block(page.marks, context_, format_, figures_.drawn, signature_, index, count);
-        page.marks.insert(page.marks.end(), sheet.marks.begin(), sheet.marks.end());
-        // A point's label says its name as the file has it, however it is set.
-        std::map<std::string, std::string> names;
-        for (const NamedPoint& point : context_.solution.mechanism.points)
-            names.emplace(plain(typeset(Symbol{Symbol::Letter::point, point.name, ""}, context_.language)), point.name);
-        for (Mark& mark : page.marks)
-            if (auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
-                if (const auto found = names.find(text->words); found != names.end()) text->words = found->second;
-        return page;
     }
 
     DrawingContext context_;

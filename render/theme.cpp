@@ -21,6 +21,7 @@ Theme print() {
     theme.paper = white;
     theme.text = black;
     theme.secondary = theme.skeleton = theme.faint = grey;
+    theme.accent = theme.text;
     for (const std::vector<double>& dashes :
          {std::vector<double>{}, {3.2, 1.1}, {0.8, 0.8}, {3.2, 0.8, 0.8, 0.8}, {3.2, 0.8, 0.8, 0.8, 0.8, 0.8}})
         for (const Colour ink : {black, grey}) theme.bodies.push_back({ink, white, ink, dashes});
@@ -33,6 +34,7 @@ Theme dark() {
     theme.paper = {0x15, 0x17, 0x1C};
     theme.text = {0xEC, 0xEC, 0xEF};
     theme.secondary = {0xA6, 0xAA, 0xB4};
+    theme.accent = {0xFF, 0x7F, 0xD0};
     theme.skeleton = {0x7C, 0x81, 0x8E};
     theme.faint = {0x4A, 0x4F, 0x5A};
     theme.bodies = with_line_kinds({{{0xD1, 0x89, 0x3E}, {0x33, 0x29, 0x21}, {0xE2, 0x9B, 0x52}},
@@ -105,11 +107,12 @@ private:
             else
                 fault(base, "the name of a built-in theme is wanted here: " + listed(theme_names()));
         }
-        check_keys(root, {"based on", "paper", "text", "secondary", "skeleton", "faint", "bodies", "lines"},
+        check_keys(root, {"based on", "paper", "text", "secondary", "skeleton", "faint", "accent", "bodies", "lines"},
                    "the keys of a theme");
         read(root["paper"], theme_.paper);
         read(root["text"], theme_.text);
         read(root["secondary"], theme_.secondary);
+        read(root["accent"], theme_.accent);
         read(root["skeleton"], theme_.skeleton);
         read(root["faint"], theme_.faint);
         if (const JsonValue bodies = root["bodies"]) read_bodies(bodies);

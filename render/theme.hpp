@@ -28,6 +28,7 @@ struct Theme {
     Colour secondary{0x6B, 0x6B, 0x73};  ///< construction, lines of action, what is said in passing
     Colour skeleton{0x9A, 0x9A, 0xA2};   ///< of the mechanism where vectors are drawn on it
     Colour faint{0xC4, 0xC4, 0xCA};      ///< helping lines behind all others
+    Colour accent{0xA0, 0x12, 0x7C};     ///< what a step adds; what was there is secondary then
     /// In the order of bodies (the frame not counted), cyclic. Five colours, colour-blind safe, lightness apart in grey; from the
     /// sixth body on with dashes.
     std::vector<BodyColour> bodies = with_line_kinds({{{0xC8, 0x40, 0x0F}, {0xF9, 0xE3, 0xDA}, {0xB5, 0x38, 0x0B}},

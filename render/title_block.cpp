@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "render/caption.hpp"
 #include "render/shapes.hpp"
@@ -131,6 +132,31 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
               origin.empty() ? 0 : line);
     if (one_line) small_print(subtitle_of(solution, context.language), format.block.max.y - (origin.empty() ? 3.2 : 5.4));
     if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
+}
+
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const std::vector<Figure>& figures,
+                 const Signature& signature, const std::vector<Mark>& marks, std::size_t index, std::size_t count) {
+    const Theme& theme = context.theme;
+    Page page;
+    page.width = format.width;
+    page.height = format.height;
+    page.paper = theme.paper;
+    page.title = title_of(context.solution, context.language);
+    page.language = context.language == Language::it ? "it" : "en";
+    const Pen pen{theme.outline, theme.text, {}, false};
+    page.marks.emplace_back(polyline(
+        {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},
+        pen, true));
+    draw_title_block(page.marks, context, format, figures, signature, index, count);
+    page.marks.insert(page.marks.end(), marks.begin(), marks.end());
+    // A point's label says its name as the file has it, however it is set.
+    std::map<std::string, std::string> names;
+    for (const NamedPoint& point : context.solution.mechanism.points)
+        names.emplace(plain(typeset(Symbol{Symbol::Letter::point, point.name, ""}, context.language)), point.name);
+    for (Mark& mark : page.marks)
+        if (auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
+            if (const auto found = names.find(text->words); found != names.end()) text->words = found->second;
+    return page;
 }
 
 }  // namespace kinegraph::render

@@ -21,4 +21,8 @@ struct Signature {
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
                       const std::vector<Figure>& figures, const Signature& signature, std::size_t index, std::size_t count);
 
+/// A page with its frame, its title block and what is on it.
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const std::vector<Figure>& figures,
+                 const Signature& signature, const std::vector<Mark>& marks, std::size_t index, std::size_t count);
+
 }  // namespace kinegraph::render

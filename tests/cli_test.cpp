@@ -204,6 +204,12 @@ TEST_F(CommandLine, PaperAndResolutionAreTaken) {
     EXPECT_NEAR(width("upright.png"), 210 / 25.4 * 40, 1);
 }
 
+TEST_F(CommandLine, StepsArePagesAndNumberedFiles) {
+    ASSERT_EQ(run("solve four_bar.json --steps -o s.svg -o s.pdf").status, 0);
+    EXPECT_TRUE(is_there("s.svg") && is_there("s-2.svg") && is_there("s-6.svg") && is_there("s.pdf"));
+    EXPECT_EQ(run("solve four_bar.json --steps --figure velocity -o t.svg").status, 2);
+}
+
 TEST_F(CommandLine, AFigureMayStandAlone) {
     ASSERT_EQ(run("solve four_bar.json --figure velocity -o v.svg -o v.png -o v.pdf").status, 0);
     EXPECT_TRUE(is_there("v.png") && is_there("v.pdf") && !is_there("v-2.svg"));

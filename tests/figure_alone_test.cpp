@@ -4,39 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
-#include "constructions/solve.hpp"
-#include "render/shapes.hpp"
+#include "tests/pages.hpp"
 
 namespace {
 
 using namespace kinegraph;
 using namespace kinegraph::render;
 
-const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
-
-Solution example(const std::string& name) {
-    std::ifstream file(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / name);
-    std::stringstream text;
-    text << file.rdbuf();
-    auto solution = solve(*read_mechanism(text.str(), name));
-    return *std::move(solution);
-}
-
-std::vector<std::string> example_names() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
+using namespace kinegraph::pages;
 
 class FigureAlone : public testing::TestWithParam<std::string> {};
 
@@ -55,17 +32,11 @@ TEST_P(FigureAlone, IsWholeAndOnAPageOfItsSize) {
         EXPECT_NEAR(box.min.y, 4, 1e-6);
         EXPECT_NEAR(box.max.x, page->width - 4, 1e-6);
         EXPECT_NEAR(box.max.y, page->height - 4, 1e-6);
-        int depth = 0, figures = 0;
-        std::set<std::string> ids;
-        for (const Mark& mark : page->marks) {
-            if (const auto* group = std::get_if<GroupBegin>(&mark)) {
-                ++depth;
-                figures += group->cls == "figure" ? 1 : 0;
-                EXPECT_TRUE(group->id.empty() || ids.insert(group->id).second) << group->id;
-            }
-            if (std::holds_alternative<GroupEnd>(mark)) --depth;
-        }
-        EXPECT_EQ(depth, 0);
+        expect_sound_groups(*page);
+        const auto figures = std::count_if(page->marks.begin(), page->marks.end(), [](const Mark& mark) {
+            const auto* group = std::get_if<GroupBegin>(&mark);
+            return group && group->cls == "figure";
+        });
         EXPECT_GE(figures, 1);
     }
 }

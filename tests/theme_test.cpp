@@ -181,7 +181,7 @@ TEST(Theme, EveryColourOfASheetIsTheThemes) {
     Theme odd;
     std::uint8_t next = 1;
     const auto fresh = [&next] { return Colour{next++, 3, 5}; };
-    for (Colour* colour : {&odd.paper, &odd.text, &odd.secondary, &odd.skeleton, &odd.faint}) *colour = fresh();
+    for (Colour* colour : {&odd.paper, &odd.text, &odd.secondary, &odd.skeleton, &odd.faint, &odd.accent}) *colour = fresh();
     for (BodyColour& body : odd.bodies) body = {fresh(), fresh(), fresh(), {}};
     for (const char* example : examples)
         for (const Colour c : Colours(sheet(example, odd)).all)
@@ -247,7 +247,7 @@ TEST(ThemeFile, TellsEveryFaultWithItsPlace) {
         {R"({"papr": "#FFFFFF"})", {"/papr: unknown key \"papr\" (did you mean \"paper\"?)"}},
         {R"({"wallpaper!": 1})",
          {"/wallpaper!: unknown key \"wallpaper!\"; the keys of a theme are \"based on\", \"paper\", \"text\", \"secondary\", "
-          "\"skeleton\", \"faint\", \"bodies\" and \"lines\""}},
+          "\"skeleton\", \"faint\", \"accent\", \"bodies\" and \"lines\""}},
         {R"({"based on": "drak"})", {"/based on: no theme is named \"drak\" (did you mean \"dark\"?)"}},
         {R"({"based on": 3})", {"/based on: the name of a built-in theme is wanted here: \"colour\", \"print\" and \"dark\""}},
         {R"({"text": "red", "paper": "#12345", "faint": "#12345G", "secondary": "#-12345", "skeleton": 5})",

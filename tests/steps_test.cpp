@@ -1,0 +1,163 @@
+// Steps: every page adds to the one before, and moves nothing.
+#include "render/steps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "render/backends.hpp"
+#include "tests/pages.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+using namespace kinegraph::pages;
+
+SheetOptions in(Language language, Orientation orientation = Orientation::landscape) {
+    SheetOptions options;
+    options.language = language;
+    options.orientation = orientation;
+    return options;
+}
+
+/// Places of the labels of a page's large figure, by what they say; and the ids of its groups of a class.
+struct Shown {
+    std::string figure;
+    std::multiset<std::string> labels;
+    std::set<std::string> vectors, centres;
+};
+Shown shown_on(const Page& page) {
+    Shown shown;
+    bool large = true;  // the first figure of the page, or several of one kind: the polygons of the bodies
+    std::string kind;
+    for (const Mark& mark : page.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            if (group->cls == "figure") {
+                const std::string of = group->attributes.front().second;
+                if (kind.empty()) kind = of, shown.figure = kind == "forces" ? kind : group->id;
+                large = of == kind;
+            }
+            if (large && group->cls == "vector") shown.vectors.insert(group->id);
+            if (large && group->cls == "centre") shown.centres.insert(group->id);
+        }
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (large && text && text->cls == "label")
+            shown.labels.insert(text->words + " at " + std::to_string(text->pivot.x) + ", " + std::to_string(text->pivot.y));
+    }
+    return shown;
+}
+
+class Steps : public testing::TestWithParam<std::string> {};
+
+TEST_P(Steps, AreCleanPages) {
+    const Solution solution = example(GetParam() + ".json");
+    for (const SheetOptions& options : {in(Language::en), in(Language::it), in(Language::it, Orientation::portrait)}) {
+        const auto pages = lay_out_steps(solution, options, fonts());
+        expect_clean(pages);
+        for (const Page& page : pages) expect_sound_groups(page);
+    }
+}
+
+TEST_P(Steps, MoveNothingAndTakeNothingAway) {
+    std::map<std::string, Shown> before;
+    for (const Page& page : lay_out_steps(example(GetParam() + ".json"), {}, fonts())) {
+        Shown now = shown_on(page);
+        const Shown& then = before[now.figure];
+        const auto within = [](const auto& a, const auto& b) { return std::includes(b.begin(), b.end(), a.begin(), a.end()); };
+        EXPECT_TRUE(within(then.labels, now.labels)) << now.figure;
+        EXPECT_TRUE(within(then.vectors, now.vectors)) << now.figure;
+        EXPECT_TRUE(within(then.centres, now.centres)) << now.figure;
+        before[now.figure] = std::move(now);
+    }
+}
+
+TEST_P(Steps, EndWithTheFinishedFigures) {
+    const Solution solution = example(GetParam() + ".json");
+    std::map<std::string, Shown> last;
+    for (const Page& page : lay_out_steps(solution, {}, fonts())) {
+        Shown now = shown_on(page);
+        last[now.figure] = std::move(now);
+    }
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+        const Polygon& polygon = solution.protocol.polygons[p];
+        if (polygon.plane == Plane::force || !last.contains(legal_id(polygon.id))) continue;
+        const Figure figure = polygon_figure(context, static_cast<int>(p), 171, 140);
+        std::set<std::string> vectors;
+        for (const Mark& mark : figure.marks)
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector") vectors.insert(group->id);
+        EXPECT_EQ(last.at(legal_id(polygon.id)).vectors, vectors) << polygon.id;
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Examples, Steps, testing::ValuesIn(example_names()),
+                         [](const testing::TestParamInfo<std::string>& each) { return each.param; });
+
+TEST(StepsOfTheFourBar, BeginWithoutAPolygonAndDrawItLineByLine) {
+    const auto pages = lay_out_steps(example("four_bar.json"), {}, fonts());
+    std::vector<std::size_t> vectors;
+    for (const Page& page : pages)
+        if (const Shown shown = shown_on(page); shown.figure == "velocity") vectors.push_back(shown.vectors.size());
+    ASSERT_GE(vectors.size(), 2u);
+    EXPECT_EQ(vectors.front(), 1u) << "v_A alone";
+    EXPECT_EQ(vectors.back(), 3u);
+    EXPECT_TRUE(says(pages, "closes the polygon") || says(pages, "close the polygon"));
+}
+
+TEST(StepsOfTheFourBar, WhatIsNewIsInTheAccentAndWhatWasIsGrey) {
+    const Theme theme;
+    bool both = false;
+    for (const Page& page : lay_out_steps(example("four_bar.json"), {}, fonts())) {
+        if (shown_on(page).figure != "velocity") continue;
+        std::map<std::string, Colour> colours;
+        for (const TextMark* text : texts_of(page))
+            if (text->cls == "label") colours[text->words] = text->colour;
+        if (!colours.contains("v_BA")) continue;
+        if (colours["v_BA"] == theme.accent) {
+            EXPECT_EQ(colours["v_A"], theme.secondary);
+            both = true;
+        } else {
+            EXPECT_EQ(colours["v_BA"], theme.secondary);
+        }
+    }
+    EXPECT_TRUE(both);
+}
+
+TEST(StepsOfTheFourBar, AreTheSameEveryTime) {
+    const Solution solution = example("four_bar.json");
+    const auto first = lay_out_steps(solution, {}, fonts()), second = lay_out_steps(solution, {}, fonts());
+    ASSERT_EQ(first.size(), second.size());
+    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(to_svg(first[i], fonts()), to_svg(second[i], fonts()));
+}
+
+TEST(Revealed, DropsWhatComesLaterWithItsGroup) {
+    const Theme theme;
+    Path path;
+    path.stroked = true;
+    path.segments = {MoveTo{{0, 0}}, LineTo{{1, 1}}};
+    Path old = path, next = path;
+    old.statement = 0;
+    next.statement = 2;
+    std::vector<Mark> marks{GroupBegin{"figure", "f", "", {}},
+                            path,
+                            old,
+                            GroupBegin{"vector", "v", "", {}, 1},
+                            path,
+                            GroupEnd{},
+                            GroupBegin{"vector", "w", "", {}, 2},
+                            path,
+                            Axis{},
+                            GroupEnd{},
+                            next,
+                            GroupEnd{}};
+    const auto shown = revealed(marks, {0, 1, 2}, 1, theme);
+    ASSERT_EQ(shown.size(), 7u);
+    EXPECT_EQ(std::get<Path>(shown[1]).pen.colour, path.pen.colour);
+    EXPECT_EQ(std::get<Path>(shown[2]).pen.colour, theme.secondary);
+    EXPECT_EQ(std::get<Path>(shown[4]).pen.colour, theme.accent);
+    EXPECT_EQ(revealed(marks, {0, 1, 2}, 2, theme).size(), marks.size());
+}
+
+}  // namespace
