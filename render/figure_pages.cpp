@@ -154,7 +154,7 @@ private:
         };
         std::vector<Way> ways;
         for (const Block& block : blocks) {
-            if (room.width() - block.width > 45)
+            if (room.width() - block.width > 45 && block.height + 2 <= room.height())
                 ways.push_back({rectangle(room.min.x, room.min.y, room.max.x - block.width - 5, room.max.y),
                                 {room.max.x - block.width, room.min.y + 2},
                                 &block});

@@ -204,6 +204,39 @@ TEST(Sheet, LongNamesPushNothingAside) {
     for (const Paper paper : {Paper::a4, Paper::a3}) expect_clean(lay_out(*solution, {paper, Language::en, {}}, fonts()));
 }
 
+/// A crank and dyads one after the other, each on a pivot of its own.
+std::string chain_of(int dyads) {
+    std::string points = R"("O": [0, 0], "A0": {"from": "O", "distance": 40, "angle": 60})", bodies = R"("crank": ["O", "A0"])",
+                joints = R"({"revolute": "O", "bodies": ["0", "crank"]})", before = "crank";
+    for (int k = 1; k <= dyads; ++k) {
+        const std::string n = std::to_string(k), pin = "A" + std::to_string(k - 1);
+        points += ", \"Q" + n + "\": [" + std::to_string(150 * k) + ", " + std::to_string(k % 2 == 0 ? 5 : -5) + "], \"A" + n +
+                  "\": {\"meet\": [{\"circle\": \"" + pin + "\", \"radius\": 150}, {\"circle\": \"Q" + n +
+                  "\", \"radius\": 60}], \"side\": \"left\"}";
+        bodies +=
+            ", \"coupler" + n + "\": [\"" + pin + "\", \"A" + n + "\"], \"rocker" + n + "\": [\"Q" + n + "\", \"A" + n + "\"]";
+        joints += ", {\"revolute\": \"" + pin + "\", \"bodies\": [\"" + before + "\", \"coupler" + n +
+                  "\"]}, {\"revolute\": \"A" + n + "\", \"bodies\": [\"coupler" + n + "\", \"rocker" + n +
+                  "\"]}, {\"revolute\": \"Q" + n + "\", \"bodies\": [\"0\", \"rocker" + n + "\"]}";
+        before = "rocker" + n;
+    }
+    return R"({"kinegraph": 1, "frame": "0", "units": {"length": "mm"}, "points": {)" + points + R"(}, "bodies": {)" + bodies +
+           R"(}, "joints": [)" + joints + R"(], "drivers": [{"body": "crank", "omega": 5}]})";
+}
+
+TEST(Sheet, ALongChainGoesOnOverItsPages) {
+    auto mechanism = read_mechanism(chain_of(5), "chain.json");
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message;
+    const auto solution = solve(std::move(*mechanism));
+    ASSERT_TRUE(solution);
+    for (const Orientation orientation : {Orientation::landscape, Orientation::portrait})
+        for (const Paper paper : {Paper::a4, Paper::a3}) {
+            SheetOptions options{paper, Language::it, {}};
+            options.orientation = orientation;
+            expect_clean(lay_out(*solution, options, fonts()));
+        }
+}
+
 TEST(Results, AreMeasuredOnTheDrawing) {
     const Solution solution = example("four_bar.json");
     const Theme theme;
