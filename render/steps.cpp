@@ -236,10 +236,8 @@ private:
 
     /// What stands small beside a figure: the mechanism; beside itself the circle of the centres, or nothing.
     const Figure& small(const std::string& beside) {
-        const std::string name = beside == "forces"                                     ? "lines-of-action"
-                                 : beside == "centres"                                  ? "circle-diagram"
-                                 : beside == "lines-of-action" || beside == "mechanism" ? ""
-                                                                                        : "mechanism";
+        const bool itself = beside == "lines-of-action" || beside == "mechanism";
+        const std::string name = beside == "centres" ? "circle-diagram" : itself ? "" : "mechanism";
         const auto [found, fresh] = small_figures_.try_emplace(name);
         if (!fresh || name.empty()) return found->second;
         Figure& figure = found->second;

@@ -131,6 +131,17 @@ std::optional<int> decimals_for(double largest) {
     const int leading = static_cast<int>(std::floor(std::log10(largest))) + 1;
     return std::clamp(5 - leading, 0, 7);
 }
+/// What is read off the drawing to 0.1 mm, times its scale, and the decimals that such a reading has.
+struct Reading {
+    double value = 0;
+    int decimals = 0;
+};
+std::optional<Reading> reading_of(const ResultRow& row) {
+    if (!row.millimetres || !(*row.millimetres > 0) || !(row.drawing > 0)) return std::nullopt;
+    const double scale = row.drawing / *row.millimetres;
+    return Reading{std::round(*row.millimetres * 10) / 10 * scale,
+                   std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
+}
 std::string cell(double value, std::optional<int> decimals, Language language) {
     return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
 }
@@ -383,12 +394,16 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
         Line each;
         each.cells[0] = fonts.shape(quantity, theme.body_text + 0.5);
         each.cells[1] = shape(row.millimetres ? fixed(*row.millimetres, 1, language) : "–", theme.body_text);
-        each.cells[2] = shape(value(row.drawing), theme.body_text);
+        // A length is what was read; what has no length in a figure (ω, α, couples) is as the construction gives it.
+        const std::optional<Reading> reading = reading_of(row);
+        const double drawn = reading ? reading->value : row.drawing;
+        each.cells[2] = shape(reading && decimals ? fixed(drawn, std::min(*decimals, reading->decimals), language) : value(drawn),
+                              theme.body_text);
         each.cells[3] = shape(row.numeric ? value(*row.numeric) : "–", theme.body_text);
         each.cells[4] = shape(row.unit, theme.body_text);
         std::string difference = "–";
         if (row.numeric) {
-            const double gap = row.drawing - *row.numeric;
+            const double gap = drawn - *row.numeric;
             const double percent = std::abs(gap) <= 1e-9 * most ? 0
                                    : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
                                                                 : 100;

@@ -254,6 +254,25 @@ TEST(Results, AreMeasuredOnTheDrawing) {
     EXPECT_GE(vectors, 10);
 }
 
+TEST(Results, InTheTableAreReadToATenthOfAMillimetre) {
+    const Solution solution = example("four_bar.json");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    ResultRow row;
+    row.symbol = {Symbol::Letter::v, "A", ""};
+    row.millimetres = 100.53;
+    row.drawing = 100.53 * 0.005;
+    row.numeric = 0.5027;
+    row.unit = "m/s";
+    std::set<std::string> words;
+    for (const Mark& mark : results_block(context, {row}, 90, false).marks)
+        if (const auto* text = std::get_if<TextMark>(&mark)) words.insert(text->words);
+    EXPECT_TRUE(words.contains("100.5"));
+    EXPECT_TRUE(words.contains("0.5025")) << "100.5 mm at 0.005 m/s a millimetre";
+    EXPECT_TRUE(words.contains("0.50270"));
+    EXPECT_TRUE(words.contains("−0.04"));
+}
+
 TEST(Results, AsTextNameTheirUnits) {
     const std::string text = results_table(example("four_bar.json"), Language::en);
     for (const char* words : {"ω [rad/s]", "vx [m/s]", "x [mm]", "1,3", "Four-bar linkage", "by Grübler"})

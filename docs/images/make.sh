@@ -1,0 +1,40 @@
+#!/bin/sh
+# Draws the pictures of README.md and docs/gallery.md anew: docs/images/make.sh [PROGRAM]. PROGRAM is build/kinegraph if left out.
+# Pictures that came out above 200 KB are named, and the status is 1.
+set -eu
+cd "$(dirname "$0")/../.."
+program=$(realpath "${1:-build/kinegraph}")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# draw NAME EXAMPLE PAGE OPTION…: one page of what an example gives.
+draw() {
+    name=$1 example=$2 page=$3
+    shift 3
+    "$program" solve "examples/$example.json" -o "$work/$name.png" "$@" 2>/dev/null
+    if [ "$page" -gt 1 ]; then mv "$work/$name-$page.png" "$work/$name.png"; fi
+    mv "$work/$name.png" "docs/images/$name.png"
+}
+
+draw four_bar four_bar 1 --dpi 110
+draw sluice_gate sluice_gate 1 --dpi 110
+draw whitworth whitworth 1 --dpi 110
+draw watt_six_bar watt_six_bar 1 --dpi 110 --lang it
+draw gas_force gas_force 2 --dpi 110
+draw toggle_clamp toggle_clamp 1 --dpi 110
+draw upright quick_return 1 --dpi 100 --orientation portrait --lang it
+draw velocity four_bar_weights 1 --dpi 110 --figure velocity
+draw body four_bar_weights 1 --dpi 110 --figure body-3
+draw print slider_crank 1 --dpi 100 --theme print
+draw dark slider_crank 1 --dpi 100 --theme dark
+draw step_1 four_bar 4 --dpi 80 --steps
+draw step_2 four_bar 5 --dpi 80 --steps
+
+status=0
+for picture in docs/images/*.png; do
+    if [ "$(wc -c <"$picture")" -gt 204800 ]; then
+        echo "$picture is larger than 200 KB"
+        status=1
+    fi
+done
+exit $status
