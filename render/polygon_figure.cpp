@@ -192,17 +192,22 @@ private:
             return p.x > min_.x - near && p.x < max_.x + near && p.y > min_.y - near && p.y < max_.y + near;
         };
         const Pen pen{context_.theme.thin, context_.theme.secondary, dashes(), false};
-        const auto draw = [&](int from, int to) {
-            if (is_near(from) && is_near(to)) figure.marks.emplace_back(line(spot(figure, from), spot(figure, to), pen));
+        const auto draw = [&](int from, int to, int statement) {
+            if (!is_near(from) || !is_near(to)) return;
+            figure.marks.emplace_back(line(spot(figure, from), spot(figure, to), pen));
+            belong(figure.marks, figure.marks.size() - 1, statement);
         };
         for (const DrawnVector& vector : trials.vectors)
-            if (vector.polygon == index_) draw(vector.tail, vector.tip);
+            if (vector.polygon == index_) draw(vector.tail, vector.tip, vector.statement);
         for (const DrawnLine& each : trials.lines)
-            if (each.polygon == index_ && each.points.size() > 1) draw(each.points.front(), each.points.back());
+            if (each.polygon == index_ && each.points.size() > 1) draw(each.points.front(), each.points.back(), each.statement);
         for (const Image& image : trials.images) {
             if (image.polygon != index_ || !is_near(image.point)) continue;
             figure.marks.emplace_back(disc(spot(figure, image.point), 0.4, context_.theme.secondary));
+            const int statement = protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
+            belong(figure.marks, figure.marks.size() - 1, statement);
             LabelRequest label;
+            label.statement = statement;
             label.text = typeset(image.symbol, context_.language);
             if (!label.text.empty()) label.text.back().sup += image.trial == 1 ? "I" : "II";
             label.size = context_.theme.small;
