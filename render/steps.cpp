@@ -27,7 +27,6 @@ bool names_a_pair(Sentence sentence) {
         case Sentence::primary_rolling:
         case Sentence::primary_gear:
         case Sentence::primary_weld:
-        case Sentence::primary_line:
             return true;
         default:
             return false;
