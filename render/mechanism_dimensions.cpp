@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/ink_map.hpp"
 #include "render/mechanism_sketch.hpp"
 #include "render/tables.hpp"
 
@@ -241,7 +242,7 @@ private:
             price += 1.5 * count_near(extension, taken_, 0.4, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
         }
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width())) {
-            price += 4 * count_near(bar, heavy_, 0.9, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
+            price += 4 * count_near(bar, heavy_, 1.5, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
             price += 4 * count_near(bar, light_, 0.6, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
             price += 4 * count_near(bar, taken_, 0.6, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
         }
@@ -400,5 +401,93 @@ private:
 };
 
 void Sketch::draw_dimensions(Spot room, bool all) { DimensionsDrawing(*this, room).draw(all); }
+
+namespace {
+
+struct DimensionText {
+    InkBox box;
+    int dimension;
+};
+struct DimensionPath {
+    const Path* path;
+    int dimension;
+};
+
+/// The ink of a text, in the box that its turn carries along.
+InkBox ink_of(const TextMark& text, const Fonts& fonts) {
+    Box box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const Glyph& glyph : text.glyphs) {
+        const auto add = [&](Spot spot) {
+            const Spot at = glyph.origin + glyph.size * Spot{spot.x, -spot.y};
+            box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
+                   {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
+        };
+        for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
+            if (const auto* start = std::get_if<MoveTo>(&segment)) add(start->to);
+            if (const auto* straight = std::get_if<LineTo>(&segment)) add(straight->to);
+            if (const auto* curve = std::get_if<CurveTo>(&segment)) add(curve->control_1), add(curve->control_2), add(curve->to);
+        }
+    }
+    const Spot axis = polar_spot(text.angle), arm = 0.5 * (box.min + box.max) - text.pivot;
+    return {text.pivot + arm.x * axis + arm.y * Spot{-axis.y, axis.x}, 0.5 * (box.max - box.min), axis};
+}
+
+void ink(InkMap& map, const Path& path) {
+    const double half = path.stroked ? path.pen.width / 2 : 0.05;
+    Spot pen, start;
+    for (const Segment& segment : path.segments) {
+        if (const auto* move_to = std::get_if<MoveTo>(&segment)) pen = start = move_to->to;
+        if (const auto* line_to = std::get_if<LineTo>(&segment)) {
+            map.stroke(pen, line_to->to, half);
+            pen = line_to->to;
+        }
+        if (std::holds_alternative<Close>(segment)) map.stroke(pen, start, half);
+        if (const auto* arc = std::get_if<ArcTo>(&segment)) {
+            constexpr int pieces = 72;
+            const auto spot = [&](int i) {
+                return arc->centre + arc->radius * polar_spot(arc->from + (arc->to - arc->from) * i / pieces);
+            };
+            for (int i = 0; i < pieces; ++i) map.stroke(spot(i), spot(i + 1), half);
+            pen = spot(pieces);
+        }
+    }
+}
+
+}  // namespace
+
+bool a_dimension_is_covered(const Figure& figure, const Fonts& fonts) {
+    InkMap others(figure.box);
+    std::vector<DimensionText> texts;
+    std::vector<DimensionPath> paths;
+    int dimension = 0, dimension_depth = 0, depth = 0;  // the dimension that a mark belongs to, while its group is open
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            ++depth;
+            if (dimension_depth == 0 && group->cls == "dimension") {
+                dimension_depth = depth;
+                ++dimension;
+            }
+        }
+        if (std::holds_alternative<GroupEnd>(mark)) {
+            if (dimension_depth == depth) dimension_depth = 0;
+            --depth;
+        }
+        if (const auto* text = std::get_if<TextMark>(&mark); text && dimension_depth > 0 && !text->glyphs.empty())
+            texts.push_back({ink_of(*text, fonts).grown(0.3), dimension});
+        if (const auto* path = std::get_if<Path>(&mark)) {
+            if (dimension_depth > 0)
+                paths.push_back({path, dimension});
+            else
+                ink(others, *path);
+        }
+    }
+    return std::any_of(texts.begin(), texts.end(), [&](const DimensionText& text) {
+        if (others.touches(text.box)) return true;
+        InkMap of_other_dimensions(figure.box);
+        for (const DimensionPath& path : paths)
+            if (path.dimension != text.dimension) ink(of_other_dimensions, *path.path);
+        return of_other_dimensions.touches(text.box);
+    });
+}
 
 }  // namespace kinegraph::render::drawing

@@ -114,9 +114,11 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
             return std::pair{std::move(figure), dimensioned};
         };
         auto [figure, dimensioned] = with_dimensions(context.dimensions);
-        // Dimensions that are not asked for never cost the mechanism a step of its scale.
+        // Dimensions that are not asked for never cost the mechanism a step of its scale, nor a name its place.
         const bool fits = figure.labels.empty() && figure.box.width() <= room_x && figure.box.height() <= room_y;
-        if (dimensioned && !fits && context.dimensions == Dimensions::automatic) return with_dimensions(Dimensions::off).first;
+        if (dimensioned && context.dimensions == Dimensions::automatic &&
+            (!fits || a_dimension_is_covered(figure, context.fonts)))
+            return with_dimensions(Dimensions::off).first;
         return std::move(figure);
     });
 }

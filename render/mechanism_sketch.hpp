@@ -242,6 +242,9 @@ inline std::optional<double> asked_scale(const Mechanism& mechanism, std::string
 
 inline double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
 
+/// Whether the text of a dimension of a finished figure lies on a line that is none of a dimension's: a leader, say, that a name
+/// got later.
+bool a_dimension_is_covered(const Figure& figure, const Fonts& fonts);
 /// Draws at ever smaller scales until everything, labels too, is within the room. Names do not shrink: at half the scale at which
 /// the mechanism itself has room they must take what there is.
 template <class Draw>

@@ -36,7 +36,8 @@ Shown shown_on(const Page& page) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
             if (group->cls == "figure") {
                 const std::string of = group->attributes.front().second;
-                if (kind.empty()) kind = of, shown.figure = kind == "forces" ? kind : group->id;
+                if (kind.empty())
+                    kind = of, shown.figure = kind == "forces" ? kind : group->id == "mechanism" ? group->title : group->id;
                 large = of == kind;
             }
             if (large && group->cls == "vector") shown.vectors.insert(group->id);
