@@ -219,7 +219,7 @@ private:
         if (a >= 0.5 * pi_number - 1e-6) a -= pi_number;  // upright ones are read from the right
         return a;
     }
-    static constexpr double cap_height = 2.1, text_gap = 0.75;
+    static constexpr double cap_height = 2.1, text_gap = 1.0;
 
     /// The text's outline as bars about its middle.
     static std::array<Bar, 3> frame_of(Spot baseline_middle, double angle, double width) {
