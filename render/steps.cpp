@@ -268,7 +268,7 @@ private:
                 y += row.height;
             }
         }
-        return framed_page(context_, format_, {placed.figure}, signature_, marks, index + 1, steps_.size());
+        return framed_page(context_, format_, signature_, marks, index + 1, steps_.size());
     }
     std::string heading_of(const Step& step) const {
         for (const char* known : {"velocity", "acceleration", "relative motion", "centres", "forces"})

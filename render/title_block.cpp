@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <system_error>
 
 #include "render/caption.hpp"
 #include "render/shapes.hpp"
@@ -68,6 +71,21 @@ std::string subtitle_of(const Solution& solution, Language language) {
                 language);
 }
 
+/// The scale of the first drawing of the mechanism among the marks.
+std::optional<double> scale_of_mechanism(const std::vector<Mark>& marks) {
+    for (const Mark& mark : marks) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        if (group == nullptr || group->cls != "figure") continue;
+        const std::map<std::string, std::string> attributes(group->attributes.begin(), group->attributes.end());
+        const auto kind = attributes.find("data-figure"), scale = attributes.find("data-scale");
+        if (kind == attributes.end() || kind->second != "mechanism" || scale == attributes.end()) continue;
+        double value = 0;
+        const std::string& text = scale->second;
+        if (std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc()) return value;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::string title_of(const Solution& solution, Language language) {
@@ -76,7 +94,7 @@ std::string title_of(const Solution& solution, Language language) {
 }
 
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
-                      const std::vector<Figure>& figures, const Signature& signature, std::size_t index, std::size_t count) {
+                      const std::vector<Mark>& drawn, const Signature& signature, std::size_t index, std::size_t count) {
     const Solution& solution = context.solution;
     const Theme& theme = context.theme;
     const Pen edge{theme.outline, theme.text, {}, false}, inner_pen{theme.thin, theme.text, {}, false};
@@ -94,9 +112,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     const Units& units = solution.mechanism.units;
     std::string units_text = units.length.symbol + (has_motion(solution) || !has_forces(solution) ? ", s" : "");
     if (has_forces(solution)) units_text += ", " + units.force.symbol;
-    std::string scale = "–";
-    for (const Figure& figure : figures)
-        if (figure.kind == "mechanism") scale = ratio_words(figure.scale, context.language);
+    const std::optional<double> of_mechanism = scale_of_mechanism(drawn);
+    const std::string scale = of_mechanism ? ratio_words(*of_mechanism, context.language) : "–";
     const std::array<std::pair<std::string, std::string>, 6> cells{
         std::pair{word("block scale", context.language), scale},
         {word("block size", context.language), format.name},
@@ -134,8 +151,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
 }
 
-Page framed_page(const DrawingContext& context, const SheetFormat& format, const std::vector<Figure>& figures,
-                 const Signature& signature, const std::vector<Mark>& marks, std::size_t index, std::size_t count) {
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+                 const std::vector<Mark>& marks, std::size_t index, std::size_t count) {
     const Theme& theme = context.theme;
     Page page;
     page.width = format.width;
@@ -147,7 +164,7 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.marks.emplace_back(polyline(
         {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},
         pen, true));
-    draw_title_block(page.marks, context, format, figures, signature, index, count);
+    draw_title_block(page.marks, context, format, marks, signature, index, count);
     page.marks.insert(page.marks.end(), marks.begin(), marks.end());
     // A point's label says its name as the file has it, however it is set.
     std::map<std::string, std::string> names;

@@ -17,12 +17,13 @@ struct Signature {
     std::string author, date;
 };
 
-/// Drawn into the format's corner, on page `index` of `count`; the scale is that of the mechanism among the figures.
+/// Drawn into the format's corner, on page `index` of `count`; the scale is that of the first drawing of the mechanism on the
+/// page, whose marks are `drawn`.
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
-                      const std::vector<Figure>& figures, const Signature& signature, std::size_t index, std::size_t count);
+                      const std::vector<Mark>& drawn, const Signature& signature, std::size_t index, std::size_t count);
 
 /// A page with its frame, its title block and what is on it.
-Page framed_page(const DrawingContext& context, const SheetFormat& format, const std::vector<Figure>& figures,
-                 const Signature& signature, const std::vector<Mark>& marks, std::size_t index, std::size_t count);
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+                 const std::vector<Mark>& marks, std::size_t index, std::size_t count);
 
 }  // namespace kinegraph::render
