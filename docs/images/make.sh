@@ -22,6 +22,10 @@ draw whitworth whitworth 1 --dpi 110
 draw watt_six_bar watt_six_bar 1 --dpi 110 --lang it
 draw gas_force gas_force 2 --dpi 110
 draw toggle_clamp toggle_clamp 1 --dpi 110
+draw double_butterfly double_butterfly 1 --dpi 110
+draw cam_flat_follower cam_flat_follower 1 --dpi 110
+draw planetary_train planetary_train 1 --dpi 110
+draw act_of_motion act_of_motion_general 1 --dpi 110
 draw upright quick_return 1 --dpi 100 --orientation portrait --lang it
 draw velocity four_bar_weights 1 --dpi 110 --figure velocity
 draw body four_bar_weights 1 --dpi 110 --figure body-3
