@@ -402,7 +402,8 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
         each.cells[3] = shape(row.numeric ? value(*row.numeric) : "–", theme.body_text);
         each.cells[4] = shape(row.unit, theme.body_text);
         std::string difference = "–";
-        if (row.numeric) {
+        const bool too_short_to_read = reading && !(reading->value > 0);
+        if (row.numeric && !too_short_to_read) {
             const double gap = drawn - *row.numeric;
             const double percent = std::abs(gap) <= 1e-9 * most ? 0
                                    : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
