@@ -21,7 +21,7 @@ struct SheetOptions {
     bool joukowsky = false;  ///< with the lever figure, where forces and velocities are known
     Orientation orientation = Orientation::landscape;
     Dimensions dimensions = Dimensions::automatic;  ///< of the given data, on the mechanism figure
-    std::string author = "", date = "";  ///< in the title block as given, where given
+    std::string author = "", date = "";             ///< in the title block as given, where given
 };
 
 /// The worked solution on one or more pages. All figures come first (page 1 as long as they can be read), then text and tables.
