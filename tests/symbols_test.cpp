@@ -325,7 +325,8 @@ TEST(Symbols, a_pin_under_a_block_that_it_does_not_hold_is_drawn_hidden) {
     const Drawn drawn(R"("points": {"O2": [0, 0], "O4": [0.15, 0]}, "bodies": {"2": ["O2"], "3": [], "4": ["O4"]},
         "joints": [{"revolute": "O2", "bodies": [1, 2]}, {"revolute": "O4", "bodies": [1, 4]},
                    {"prismatic": "O2", "bodies": [3, 2], "along": 30, "name": "p"}, {"prismatic": "O4", "bodies": [3, 4], "along": 120, "name": "q"}])");
-    const auto& pin = std::get<Path>(drawn.group("joint-O2").at(0));
+    const std::vector<Mark> joint = drawn.group("joint-O2");
+    const auto& pin = std::get<Path>(joint.at(0));
     EXPECT_FALSE(pin.filled);
     EXPECT_FALSE(pin.pen.dashes.empty());
 }
