@@ -223,6 +223,7 @@ private:
     struct Side {
         Spot tail, tip;
         std::size_t label;
+        bool arrow = false;  ///< else a broken line
     };
 
     Spot spot(const Figure& figure, int element) const {
@@ -271,7 +272,7 @@ private:
             }
             const bool internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
             const BodyColour colour = colour_of(theme, vector.body);
-            // An inner side met again (a two-force body lies between): one stroke, both names.
+            // A side met again (a two-force body lies between): one stroke, both names. An outer force is the arrow.
             const auto same = std::find_if(drawn.begin(), drawn.end(), [&](const Side& side) {
                 return (length(side.tail - tail) < coincident && length(side.tip - tip) < coincident) ||
                        (length(side.tail - tip) < coincident && length(side.tip - tail) < coincident);
@@ -282,19 +283,25 @@ private:
                                           name + " = " + shortest(value) + " " + unit_.symbol,
                                           {{"data-name", name}, {"data-value", shortest(value)}}});
             marks.emplace_back(Axis{tail, tip});
-            if (!internal)
+            const bool alike = same != drawn.end() && length(same->tail - tail) < coincident;
+            if (!internal && !(alike && same->arrow))
                 draw_arrow(marks, tail, tip, theme.vector, colour.line, colour.dashes);
-            else if (same == drawn.end())
+            else if (internal && same == drawn.end())
                 marks.emplace_back(line(tail, tip, {theme.outline, colour.line, dashes(), false}));
             marks.emplace_back(GroupEnd{});
             const RichText symbol = typeset(vector.symbol, context_.language);
             if (same != drawn.end()) {
-                RichText& text = figure.labels[same->label].text;
-                text.push_back(one_piece(length(same->tail - tail) < coincident ? " = " : " = −").front());
-                text.insert(text.end(), symbol.begin(), symbol.end());
+                LabelRequest& label = figure.labels[same->label];
+                label.text.push_back(one_piece(alike ? " = " : " = −").front());
+                label.text.insert(label.text.end(), symbol.begin(), symbol.end());
+                if (!internal && !same->arrow) {
+                    label.size = theme.equation;
+                    label.colour = colour.letter;
+                    same->arrow = true;
+                }
                 continue;
             }
-            drawn.push_back({tail, tip, figure.labels.size()});
+            drawn.push_back({tail, tip, figure.labels.size(), !internal});
             LabelRequest label;
             label.text = symbol;
             label.size = internal ? theme.label : theme.equation;

@@ -117,6 +117,7 @@ private:
         for (const std::string& name : order) {
             Section section;
             std::set<BodyIndex> told;
+            section.in_order = name != "centres";  // these explain the first figure and are read with it
             if (name == "centres") section.home = 0;
             if (name == "forces") {
                 section.home = static_cast<int>(wanted_.first_of_forces);

@@ -46,6 +46,7 @@ struct Section {
     int home = -1;           ///< the figure it explains; −1: none
     bool continued = false;  ///< its first rows stand already: the rest comes after them
     bool of_forces = false;  ///< not before the pages of forces
+    bool in_order = false;   ///< steps that are read after those before them: it stands in no column before theirs
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;

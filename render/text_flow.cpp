@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "engine/assert.hpp"
 #include "render/caption.hpp"
@@ -70,8 +71,10 @@ private:
         // What the pages with figures take.
         std::vector<Section> rest;
         // First what explains a figure beside that figure, then the others wherever there is room.
+        bool waiting = false;  // steps that find no room at home hold up those after them
         for (Section& section : sections_)
-            if (section.home >= 0) place_section(section, true);
+            if (section.home >= 0 && !(section.in_order && waiting) && !place_section(section, true) && section.in_order)
+                waiting = true;
         for (Section& section : sections_)
             if (!section.rows.empty() && !place_section(section)) rest.push_back(std::move(section));
         std::vector<Late> late_rest;
@@ -175,6 +178,7 @@ private:
             for (Sheet& sheet : sheets_)
                 for (Run& run : sheet.runs) {
                     if (section.of_forces && &sheet < sheets_.data() + force_page_) break;
+                    if (section.in_order && place_of(sheet, run) < last_steps_) continue;
                     if (section.continued && (&sheet != &sheets_.back() || run.used > 0)) continue;
                     if (at_home ? run.home != section.home : !may_stand(section, run)) continue;
                     const double before = run.used > 0 ? section_gap : 0;
@@ -185,21 +189,27 @@ private:
                         run.used += row.height;
                     }
                     section.rows.clear();
+                    if (section.in_order) last_steps_ = place_of(sheet, run);
                     return true;
                 }
         }
         return false;
     }
 
+    /// Pages and their columns in the order of reading.
+    using Place = std::pair<std::ptrdiff_t, std::ptrdiff_t>;
+    Place place_of(const Sheet& sheet, const Run& run) const { return {&sheet - sheets_.data(), &run - sheet.runs.data()}; }
+
     /// A section longer than what is left anywhere: its first rows into the roomiest run, the rest goes on.
     void split_section(Section& section) {
         // From left to right, so that the rows are read in order.
         Run* best = nullptr;
         Sheet* on = &sheets_.back();
+        const auto may_take = [&](const Run& run) { return !section.in_order || place_of(*on, run) >= last_steps_; };
         for (Run& run : on->runs)
-            if (!best && run.left() >= 30 + section_gap) best = &run;
+            if (!best && may_take(run) && run.left() >= 30 + section_gap) best = &run;
         for (Run& run : on->runs)
-            if (!best || (best->left() < 30 && run.left() > best->left())) best = &run;
+            if (may_take(run) && (!best || (best->left() < 30 && run.left() > best->left()))) best = &run;
         const double first = section.rows.front().height + (section.rows.size() > 1 ? section.rows[1].height : 0);
         const double before = best && best->used > 0 ? section_gap : 0;
         // Not worth a split: a new page, unless this one is new already.
@@ -213,6 +223,7 @@ private:
             }
         }
         best->used += before;
+        if (section.in_order) last_steps_ = place_of(*on, *best);
         std::size_t count = 0;
         while (count < section.rows.size() && (count == 0 || best->left() >= section.rows[count].height)) {
             set(on->marks, section.rows[count], {best->box.min.x, best->box.min.y + best->used});
@@ -243,6 +254,7 @@ private:
     std::vector<Sheet> sheets_;
     std::size_t force_page_;  // where forces begin
     int figures_;             // numbered so far
+    Place last_steps_{0, 0};  // where the last steps stand that are read in order
 };
 
 }  // namespace
