@@ -166,7 +166,7 @@ private:
     bool body_known(BodyIndex body) const { return plan_.bodies[at(body)]; }
     bool spin_known(BodyIndex body) const { return plan_.spins[at(body)]; }
 
-    /// Makes room for nodes added since; a place of a body wholly known is known at once, by its image.
+    /// Makes room for nodes added since.
     void sync() {
         for (auto index = static_cast<NodeIndex>(plan_.nodes.size()); at(index) < structure_.nodes().size(); ++index) {
             plan_.nodes.push_back(false);
@@ -384,12 +384,15 @@ private:
         return entry->second;
     }
 
-    DirectionHandle driver_direction(int driver) {
-        const auto [entry, fresh] = driver_directions_.try_emplace(driver);
-        if (fresh) {
-            entry->second = board_.driver_direction(driver);
-        }
-        return entry->second;
+    /// The body turns about `base`, already known.
+    Locus rotation(BodyIndex body, NodeIndex base, NodeIndex node) {
+        Locus locus;
+        locus.kind = Locus::Kind::rotation;
+        locus.body = body;
+        locus.node = node;
+        locus.base = base;
+        locus.direction = perpendicular_to_join(base, node);
+        return locus;
     }
 
     /// The loci that hold a node itself (not shifted), through any body that carries it but `except`.
@@ -400,15 +403,7 @@ private:
             if (body == except) continue;
             if (!spin_known(body)) {
                 const NodeIndex base = base_of(body, node);
-                if (base >= 0 && apart(base, node)) {
-                    Locus locus;
-                    locus.kind = Locus::Kind::rotation;
-                    locus.body = body;
-                    locus.node = node;
-                    locus.base = base;
-                    locus.direction = perpendicular_to_join(base, node);
-                    loci.push_back(locus);
-                }
+                if (base >= 0 && apart(base, node)) loci.push_back(rotation(body, base, node));
             }
             const std::vector<Slide>& sleeves = structure_.sleeves_of(body);
             for (const Slide& slide : sleeves) add_sleeve(slide, node, point, body, loci);
@@ -423,7 +418,7 @@ private:
                 locus.body = body;
                 locus.node = node;
                 locus.driver = static_cast<int>(d);
-                locus.direction = perpendicular_to(driver_direction(static_cast<int>(d)));
+                locus.direction = perpendicular_to(board_.driver_direction(static_cast<int>(d)));
                 loci.push_back(locus);
             }
         }
@@ -435,17 +430,24 @@ private:
         return known_on(point, other);
     }
 
-    void add_sleeve(const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci) {
-        const NodeIndex base = base_on(point, slide.other);
-        if (base < 0 || base == node) return;
+    /// The locus of a node of `body` that moves past `base` in a slide or passage; kind and direction are left to say.
+    template <class Pair>
+    static Locus past(const Pair& pair, BodyIndex body, NodeIndex node, NodeIndex base) {
         Locus locus;
-        locus.kind = Locus::Kind::sleeve;
         locus.body = body;
         locus.node = node;
         locus.base = base;
-        locus.joint = slide.joint;
-        locus.guide = slide.inverse ? body : slide.other;
-        locus.inverse = slide.inverse;
+        locus.joint = pair.joint;
+        locus.guide = pair.inverse ? body : pair.other;
+        locus.inverse = pair.inverse;
+        return locus;
+    }
+
+    void add_sleeve(const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci) {
+        const NodeIndex base = base_on(point, slide.other);
+        if (base < 0 || base == node) return;
+        Locus locus = past(slide, body, node, base);
+        locus.kind = Locus::Kind::sleeve;
         locus.direction = board_.guide(slide.joint);
         loci.push_back(locus);
     }
@@ -453,13 +455,7 @@ private:
     void add_passage(const Passage& passage, NodeIndex node, BodyIndex body, std::vector<Locus>& loci) {
         const NodeIndex base = base_on(passage.others, passage.other);
         if (base < 0 || base == node) return;
-        Locus locus;
-        locus.body = body;
-        locus.node = node;
-        locus.base = base;
-        locus.joint = passage.joint;
-        locus.guide = passage.inverse ? body : passage.other;
-        locus.inverse = passage.inverse;
+        Locus locus = past(passage, body, node, base);
         switch (passage.kind) {
             case Passage::Kind::slot:
                 locus.kind = Locus::Kind::slot;
@@ -880,12 +876,7 @@ private:
                 continue;
             }
             if (!apart(base, node)) continue;
-            Locus locus;
-            locus.kind = Locus::Kind::rotation;
-            locus.body = body;
-            locus.node = node;
-            locus.base = base;
-            locus.direction = perpendicular_to_join(base, node);
+            Locus locus = rotation(body, base, node);
             Closing projections;
             projections.locus = locus;
             found.push_back(projections);
@@ -973,7 +964,6 @@ private:
     std::map<std::pair<NodeIndex, NodeIndex>, bool> apart_;
     std::map<std::pair<NodeIndex, NodeIndex>, DirectionHandle> joins_;
     std::map<int, DirectionHandle> quarter_turns_;
-    std::map<int, DirectionHandle> driver_directions_;
 };
 
 }  // namespace
