@@ -319,7 +319,6 @@ private:
                                                   "Rivals");
         const auto join = board_.vector(node(step.base).place, node(step.node).place);
         PointOn<plane> tip = track.tip(step.base);
-        bool parts_drawn = false;
         if constexpr (is_velocity<plane>) {
             if (!rest && board_.is_zero(track.spin(step.body))) {
                 said(statement).message = {Sentence::translating_velocity,
@@ -336,15 +335,13 @@ private:
             const PointOn<plane> middle = board_.carry(tip, normal);
             const PointOn<plane> end = board_.carry(middle, tangential);
             if (rest) {  // a crank: its normal and tangential parts are the first vectors of the figure
-                parts_drawn = board_.is_zero(tangential);
                 draw_vector(track, absolute<plane>(step.node, "n"), tip, middle, step.body, DrawnVector::Role::normal);
-                if (!parts_drawn)
+                if (!board_.is_zero(tangential))
                     draw_vector(track, absolute<plane>(step.node, "t"), middle, end, step.body, DrawnVector::Role::tangential);
-                parts_drawn = false;
             }
             tip = end;
         }
-        set_tip(track, step.node, tip, !parts_drawn);
+        set_tip(track, step.node, tip, true);
     }
 
     /// Before a contact or a mesh is first used: what it leaves to its places, and by what linkage it is replaced.
@@ -645,10 +642,15 @@ private:
             track.spins[at(step.body)] = assumed.spins[which];
             return;
         }
-        const PointOn<plane> tip = assumed.tips[which];
-        draw_chain(track, *assumed.line, tip, colour_of(step.node));
-        remember_tangential(track, step.first, *assumed.line, tip);
-        set_tip(track, step.node, tip, !assumed.line->absolute);
+        set_on_line(track, step, *assumed.line, assumed.tips[which]);
+    }
+
+    /// The tip of the assumed node at a place of its line.
+    template <Plane plane>
+    void set_on_line(Track<plane>& track, const Step& step, const Chain<plane>& line, PointOn<plane> tip) {
+        draw_chain(track, line, tip, colour_of(step.node));
+        remember_tangential(track, step.first, line, tip);
+        set_tip(track, step.node, tip, !line.absolute);
     }
 
     /// The true value: so many parts of the way from the first trial to the second.
@@ -661,9 +663,7 @@ private:
         const auto way = board_.vector(assumed.tips[0], assumed.tips[1]);
         const PointOn<plane> tip = board_.carry(assumed.tips[0], board_.scale<plane>(share, way));
         draw_line(track, assumed.line->line, assumed.line->reason, {assumed.line->end.element, tip.element});
-        draw_chain(track, *assumed.line, tip, colour_of(step.node));
-        remember_tangential(track, step.first, *assumed.line, tip);
-        set_tip(track, step.node, tip, !assumed.line->absolute);
+        set_on_line(track, step, *assumed.line, tip);
     }
 
     /// The two misses set off from one point: the line of their ends meets the line through it ∥ to the locus where nothing is
@@ -806,20 +806,19 @@ private:
                                     : relative<plane>(locus.node, locus.base, std::move(term));
         };
         if (result.absolute) result.role = DrawnVector::Role::absolute;
-        const BodyIndex turning = locus.body;
         if constexpr (!is_velocity<plane>) {
             Link<plane> normal;
             normal.vector = locus.kind == Locus::Kind::link ? centripetal_about(node(locus.base).place, locus.base, locus.node)
-                                                            : normal_of(turning, locus.base, locus.node);
+                                                            : normal_of(locus.body, locus.base, locus.node);
             normal.role = DrawnVector::Role::normal;
             normal.term = {symbol("n"),
                            true,
                            true,
                            {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label},
-                           turning};
+                           locus.body};
             if (!board_.is_zero(normal.vector)) result.known.push_back(normal);
         }
-        result.sought = {symbol(is_velocity<plane> ? "" : "t"), false, true, result.reason, turning};
+        result.sought = {symbol(is_velocity<plane> ? "" : "t"), false, true, result.reason, locus.body};
     }
 
     /// Known place of the other body, direction ∥ guide: v_X = v_X* + v_XX*; a_X = a_X* + a_XX*^cor + a_XX*^rel.
