@@ -1,11 +1,11 @@
 #include "constructions/solve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 
 #include "constructions/act_of_motion.hpp"
+#include "constructions/check_rows.hpp"
 #include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/instant_centres.hpp"
@@ -14,8 +14,6 @@
 #include "constructions/relative_motion.hpp"
 #include "constructions/structure.hpp"
 #include "engine/assert.hpp"
-#include "engine/check.hpp"
-#include "engine/check_forces.hpp"
 
 namespace kinegraph {
 namespace {
@@ -81,11 +79,16 @@ public:
         }
         collect_points();
         if (wanted_.forces) collect_forces();
-        hold_against_check();
+        if (is_checked()) solution_.checks = check_rows(solution_);
         solution_.protocol = std::move(board_).finish();
     }
 
 private:
+    /// Centres of a mechanism follow from its joints alone; without velocities there is nothing to hold them against.
+    bool is_checked() const {
+        return wanted_.velocities || wanted_.accelerations || wanted_.forces || (mechanism_.motion && wanted_.centres);
+    }
+
     void draw_mechanism() {
         InstantCentres centres(structure_, board_);
         if (wanted_.centres) centres.draw();
@@ -360,120 +363,6 @@ private:
             unsolved({Sentence::centre_of_bodies, {named(centre.first), named(centre.second)}},
                      {determined ? Sentence::one_line_unknown : Sentence::one_line_undetermined, {}});
         }
-    }
-
-    // --- the check ---------------------------------------------------------------------------------------------------------
-    void hold_against_check() {
-        const bool moves = wanted_.velocities || wanted_.accelerations || (mechanism_.motion && wanted_.centres);
-        if (!moves && !wanted_.forces) return;
-        const NumericMotion numeric = check_motion(mechanism_, solution_.pose);
-        const auto row = [&](std::string quantity, double graphical, double independent) {
-            solution_.checks.push_back({std::move(quantity), graphical, independent, graphical - independent});
-        };
-        const auto vector_row = [&](const std::string& quantity, const Vector& graphical,
-                                    const std::array<double, 2>& independent) {
-            row(quantity + " x", graphical.x.to_double(), independent[0]);
-            row(quantity + " y", graphical.y.to_double(), independent[1]);
-        };
-        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
-            const auto& state = numeric.bodies[at(body)];
-            const BodyMotion& found = solution_.bodies[at(body)];
-            if (found.omega && state.velocity_known) row("omega " + body_name(body), found.omega->to_double(), state.omega);
-            if (found.alpha && state.acceleration_known) row("alpha " + body_name(body), found.alpha->to_double(), state.alpha);
-        }
-        for (const PointMotion& point : solution_.points) {
-            const BodyIndex body = point.bodies.front();
-            if (body == frame) continue;
-            const auto& state = numeric.bodies[at(body)];
-            const std::string name =
-                mechanism_.points[at(point.point)].name + (nodes_at(point.point) > 1 ? " on " + body_name(body) : std::string());
-            const Vector& place = solution_.pose.at(point.point);
-            if (point.velocity && state.velocity_known)
-                vector_row("velocity " + name, *point.velocity, numeric.velocity(body, place));
-            if (point.acceleration && state.acceleration_known) {
-                vector_row("acceleration " + name, *point.acceleration, numeric.acceleration(body, place));
-            }
-        }
-        for (const Sliding& sliding : solution_.sliding) check_sliding(sliding, numeric, vector_row);
-        for (const InstantCentre& centre : solution_.centres) check_centre(centre, numeric, vector_row);
-        if (wanted_.forces) check_against_equilibrium(numeric, row, vector_row);
-    }
-
-    /// The same sum with the velocities of the check.
-    double numeric_power(const NumericMotion& motion) const {
-        double power = 0;
-        for (const VirtualWork::Entry& entry : solution_.virtual_work->entries) {
-            const auto velocity = motion.velocity(entry.body, entry.at);
-            power += entry.force.x.to_double() * velocity[0] + entry.force.y.to_double() * velocity[1] +
-                     entry.couple.to_double() * motion.bodies[at(entry.body)].omega;
-        }
-        return power;
-    }
-
-    template <class Row, class VectorRow>
-    void check_against_equilibrium(const NumericMotion& motion, const Row& row, const VectorRow& vector_row) const {
-        const NumericForces numeric = check_forces(mechanism_, solution_.pose, motion);
-        for (const JointForce& found : solution_.forces) {
-            if (!found.force) continue;
-            for (const NumericForces::Action& action : numeric.actions) {
-                if (!action.known || action.joint != found.joint || action.on != found.on || action.from != found.from) continue;
-                const std::string name = "force " + mechanism_.joints[at(found.joint)].name + " " +
-                                         (found.from < 0 ? "pin" : body_name(found.from)) + " on " + body_name(found.on);
-                vector_row(name, *found.force, action.force);
-                if (!found.couple->is_zero() || action.couple != 0)
-                    row(name + " couple", found.couple->to_double(), action.couple);
-            }
-        }
-        if (solution_.virtual_work) row("virtual power", solution_.virtual_work->total.to_double(), numeric_power(motion));
-        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
-            if (solution_.efforts[e].value && numeric.effort_known[e]) {
-                row("effort " + solution_.efforts[e].name, solution_.efforts[e].value->to_double(), numeric.efforts[e]);
-            }
-        }
-    }
-
-    int nodes_at(PointIndex point) const {
-        int count = 0;
-        for (const Node& node : structure_.nodes()) count += node.carried && node.point == point ? 1 : 0;
-        return count;
-    }
-
-    template <class VectorRow>
-    void check_sliding(const Sliding& sliding, const NumericMotion& numeric, const VectorRow& vector_row) const {
-        const Joint& joint = mechanism_.joints[at(sliding.joint)];
-        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
-        const auto& slider = numeric.bodies[at(i)];
-        const auto& guide = numeric.bodies[at(j)];
-        const Vector& place = solution_.pose.at(joint.point);
-        if (!slider.velocity_known || !guide.velocity_known) return;
-        const auto minus = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
-            return std::array{a[0] - b[0], a[1] - b[1]};
-        };
-        const auto velocity = minus(numeric.velocity(i, place), numeric.velocity(j, place));
-        if (sliding.velocity) vector_row("sliding " + joint.name + " velocity", *sliding.velocity, velocity);
-        if (!slider.acceleration_known || !guide.acceleration_known || !sliding.acceleration) return;
-        const std::array coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
-        const auto acceleration = minus(minus(numeric.acceleration(i, place), numeric.acceleration(j, place)), coriolis);
-        vector_row("sliding " + joint.name + " acceleration", *sliding.acceleration, acceleration);
-        vector_row("sliding " + joint.name + " coriolis", *sliding.coriolis, coriolis);
-    }
-
-    /// A finite centre against the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
-    template <class VectorRow>
-    void check_centre(const InstantCentre& centre, const NumericMotion& numeric, const VectorRow& vector_row) const {
-        if (!centre.at || centre.at->at_infinity() || centre.everywhere) return;
-        const auto& first = numeric.bodies[at(centre.first)];
-        const auto& second = numeric.bodies[at(centre.second)];
-        if (!first.velocity_known || !second.velocity_known) return;
-        const double omega = second.omega - first.omega;
-        // Below this the two bodies hardly turn against each other, and the quotient says nothing about the place.
-        constexpr double least_relative_spin = 1e-6;
-        if (std::abs(omega) <= least_relative_spin * std::max(std::abs(first.omega), std::abs(second.omega)) || omega == 0)
-            return;
-        const Vector place = centre.at->place();
-        const auto a = numeric.velocity(centre.first, place), b = numeric.velocity(centre.second, place);
-        const std::array found{place.x.to_double() - (b[1] - a[1]) / omega, place.y.to_double() + (b[0] - a[0]) / omega};
-        vector_row("centre " + body_name(centre.first) + "," + body_name(centre.second), place, found);
     }
 
     Solution& solution_;
