@@ -275,13 +275,12 @@ private:
         const Unit& length_unit = solution_.mechanism.units.length;
         const double metres = length(centre - sketch.spot(from)) * sketch.scale();
         const RichText name = label.text;
-        label.text.push_back(one_piece("  (").front());
-        for (Piece& piece :
-             typeset(Symbol{Symbol::Letter::point, solution_.mechanism.points[at_index(from)].name, ""}, context_.language))
-            label.text.push_back(std::move(piece));
-        label.text.insert(label.text.end(), name.begin(), name.end());
+        append(label.text, one_piece("  ("));
+        append(label.text,
+               typeset(Symbol{Symbol::Letter::point, solution_.mechanism.points[at_index(from)].name, ""}, context_.language));
+        append(label.text, name);
         const std::string value = number(metres / length_unit.si.to_double(), 3, context_.language);
-        for (Piece& piece : with_powers(" = " + value + " " + length_unit.symbol + ")")) label.text.push_back(std::move(piece));
+        append(label.text, with_powers(" = " + value + " " + length_unit.symbol + ")"));
         label.anchor = ends.empty() ? sketch.spot(from) : ends.front();
         label.clearance = ends.empty() ? 6 : 1.2;
         sketch.labels.push_back(std::move(label));
@@ -305,7 +304,7 @@ private:
         label.text =
             typeset(Symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""}, context_.language);
         const std::string value = number((*omega / unit_of.si).to_double(), 3, context_.language);
-        for (Piece& piece : with_powers(" = " + value + " " + unit_of.symbol)) label.text.push_back(std::move(piece));
+        append(label.text, with_powers(" = " + value + " " + unit_of.symbol));
         label.size = context_.theme.label;
         label.colour = body.letter;
         label.anchor = at + radius * away;
@@ -321,10 +320,9 @@ private:
         sketch.centres.emplace_back(ring(at, 1.0, theme.paper, {theme.outline, theme.text, {}, false}));
         LabelRequest label;
         label.text = typeset(Symbol{Symbol::Letter::point, act_.acceleration_centre_name, ""}, context_.language);
-        for (Piece& piece : one_piece(" (")) label.text.push_back(std::move(piece));
-        for (Piece& piece : typeset(Symbol{Symbol::Letter::a, act_.acceleration_centre_name, ""}, context_.language))
-            label.text.push_back(std::move(piece));
-        label.text.push_back(one_piece(" = 0)").front());
+        append(label.text, one_piece(" ("));
+        append(label.text, typeset(Symbol{Symbol::Letter::a, act_.acceleration_centre_name, ""}, context_.language));
+        append(label.text, one_piece(" = 0)"));
         label.size = theme.label;
         label.colour = theme.text;
         label.anchor = at;
@@ -362,7 +360,7 @@ private:
             if (length(foot - at) > shortest_drawn) draw_arrow(sketch.arrows, at, foot, 1.6 * theme.vector, accent.line);
             LabelRequest label;
             label.text = one_piece(number(value, 3, context_.language) + " ");
-            for (Piece& piece : with_powers(unit_.symbol)) label.text.push_back(std::move(piece));
+            append(label.text, with_powers(unit_.symbol));
             label.size = theme.label;
             label.colour = accent.letter;
             label.anchor = 0.5 * (at + foot);

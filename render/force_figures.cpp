@@ -584,9 +584,8 @@ void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string&
     for (LabelRequest& label : sketch.labels) {
         if (label.balloon > 0 || label.toward || length(label.anchor - at) > 0.3) continue;
         // The lines meet in a point that has a name already.
-        label.text.push_back(one_piece(" ≡ ").front());
-        for (Piece& piece : typeset(Symbol{Symbol::Letter::point, name, ""}, context.language))
-            label.text.push_back(std::move(piece));
+        append(label.text, one_piece(" ≡ "));
+        append(label.text, typeset(Symbol{Symbol::Letter::point, name, ""}, context.language));
         return;
     }
     sketch.centres.emplace_back(ring(at, 1.0, context.theme.paper, {context.theme.outline, context.theme.text, {}, false}));
@@ -633,8 +632,7 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     const Unit& unit = context.solution.mechanism.units.moment;
     RichText text = typeset(couple_symbol(applied), context.language);
     const double value = std::abs((applied.couple / unit.si).to_double());
-    for (Piece& piece : with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol))
-        text.push_back(std::move(piece));
+    append(text, with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol));
     return text;
 }
 

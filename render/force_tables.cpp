@@ -16,8 +16,6 @@ namespace {
 using Kind = AppliedForce::Kind;
 
 std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
-void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
-void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
 
 const std::string& body_name(const Mechanism& mechanism, BodyIndex body) { return mechanism.bodies[at_index(body)].name; }
 RichText point(const Mechanism& mechanism, PointIndex p, Language language) {

@@ -33,8 +33,6 @@ const VirtualWork& work_of(const Solution& solution) {
     return *solution.virtual_work;
 }
 
-void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
-
 BodyColour colour_of(const Theme& theme, BodyIndex body) {
     if (body <= 0) return {theme.text, theme.paper, theme.text};
     return theme.body(body);

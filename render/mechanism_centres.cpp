@@ -236,8 +236,8 @@ private:
         for (const std::size_t d : cluster) {
             // A pin has its own name; the centre there is for the reader who points at it.
             if (at_pin && is_primary(d)) continue;
-            if (!label.text.empty()) label.text.push_back(one_piece(" ≡ ").front());
-            for (Piece& piece : name_of_centre(d)) label.text.push_back(std::move(piece));
+            if (!label.text.empty()) append(label.text, one_piece(" ≡ "));
+            append(label.text, name_of_centre(d));
         }
         return label;
     }
@@ -325,11 +325,10 @@ private:
             const Unit& unit_of_length = sketch_.m_.units.length;
             const double metres = length(place_[c] - counted_from_[c]->at) * sketch_.scale_;
             const std::string value = number(metres / unit_of_length.si.to_double(), 3, sketch_.context_.language);
-            label.text.push_back(one_piece("  (").front());
-            label.text.insert(label.text.end(), counted_from_[c]->name.begin(), counted_from_[c]->name.end());
-            for (Piece& piece : name_of_centre(c)) label.text.push_back(std::move(piece));
-            for (Piece& piece : with_powers(" = " + value + " " + unit_of_length.symbol + ")"))
-                label.text.push_back(std::move(piece));
+            append(label.text, one_piece("  ("));
+            append(label.text, counted_from_[c]->name);
+            append(label.text, name_of_centre(c));
+            append(label.text, with_powers(" = " + value + " " + unit_of_length.symbol + ")"));
         }
         label.anchor = tip;
         label.clearance = 1.2;
@@ -364,8 +363,8 @@ void Sketch::draw_pole(const InstantCentre& centre) {
     for (LabelRequest& label : labels)
         if (!label.toward && length(label.anchor - at) < same_place) {
             const bool said = plain(label.text).find(plain(name)) != std::string::npos;
-            if (!said) label.text.push_back(one_piece(" ≡ ").front());
-            if (!said) label.text.insert(label.text.end(), name.begin(), name.end());
+            if (!said) append(label.text, one_piece(" ≡ "));
+            if (!said) append(label.text, name);
             return;
         }
     centres.emplace_back(disc(at, 0.8, theme_.text));

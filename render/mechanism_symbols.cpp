@@ -552,14 +552,13 @@ void Sketch::draw_points(bool names) {
         for (std::size_t q = p; q < spots_.size(); ++q) {
             if (!s_.shown[q] || named[q] || length(spots_[q] - spots_[p]) > same_place) continue;
             named[q] = true;
-            if (!request.text.empty()) request.text.push_back(one_piece(" ≡ ").front());
-            for (Piece& piece : typeset(Symbol{Symbol::Letter::point, m_.points[q].name, ""}, context_.language))
-                request.text.push_back(std::move(piece));
+            if (!request.text.empty()) append(request.text, one_piece(" ≡ "));
+            append(request.text, typeset(Symbol{Symbol::Letter::point, m_.points[q].name, ""}, context_.language));
         }
         if (there != labels.end()) {
             // An instant centre falls on the point: "B ≡ P_13".
-            request.text.push_back(one_piece(" ≡ ").front());
-            for (Piece& piece : there->text) request.text.push_back(std::move(piece));
+            append(request.text, one_piece(" ≡ "));
+            append(request.text, there->text);
             there->text = std::move(request.text);
             there->clearance = std::max(there->clearance, request.clearance);
         } else {
@@ -573,7 +572,7 @@ void Sketch::draw_drivers() {
     const auto valued = [&](const Symbol& symbol, double value, const Unit& unit_of) {
         RichText text = typeset(symbol, context_.language);
         const std::string figure = given_number(value / unit_of.si.to_double(), context_.language);
-        for (Piece& piece : with_powers(" = " + figure + " " + unit_of.symbol)) text.push_back(std::move(piece));
+        append(text, with_powers(" = " + figure + " " + unit_of.symbol));
         return text;
     };
     const auto straight = [&](Spot start, Spot along, double value, BodyIndex body, const std::string& about) {

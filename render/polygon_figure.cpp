@@ -120,13 +120,13 @@ private:
         if (polygon_.point.empty()) return text;
         text.back().text += ": ";
         const RichText point = typeset(Symbol{Symbol::Letter::point, polygon_.point, ""}, language);
-        text.insert(text.end(), point.begin(), point.end());
+        append(text, point);
         const RichText seen =
             one_piece(" " + word(polygon_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
-        text.insert(text.end(), seen.begin(), seen.end());
+        append(text, seen);
         const RichText observer = polygon_.translating ? typeset(Symbol{Symbol::Letter::point, polygon_.observer, ""}, language)
                                                        : one_piece(polygon_.observer);
-        text.insert(text.end(), observer.begin(), observer.end());
+        append(text, observer);
         return text;
     }
 
@@ -253,9 +253,9 @@ private:
 
             if (same != labelled.end()) {
                 RichText& text = figure.labels[same->label].text;
-                text.push_back(one_piece(" = ").front());
+                append(text, one_piece(" = "));
                 const RichText more = typeset(vector.symbol, context_.language);
-                text.insert(text.end(), more.begin(), more.end());
+                append(text, more);
                 continue;
             }
             labelled.push_back({tail, tip, figure.labels.size()});
@@ -303,7 +303,7 @@ private:
             if (same == clusters.end()) {
                 clusters.push_back({at, text, {name}, statement_of(image)});
             } else if (same->names.insert(name).second) {
-                same->text.push_back(one_piece(" ≡ ").front());
+                append(same->text, one_piece(" ≡ "));
                 same->text.insert(same->text.end(), text.begin(), text.end());
             }
         }

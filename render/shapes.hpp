@@ -49,6 +49,7 @@ inline RichText one_piece(std::string text, Face face = Face::regular) {
     piece.face = face;
     return {piece};
 }
+inline void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
 /// Text on a baseline starting at `origin`; one TextMark for each colour, the words on the first.
 void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls);
 

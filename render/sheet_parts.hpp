@@ -61,7 +61,6 @@ struct Sheet {
 };
 
 inline Box rectangle(double left, double top, double right, double bottom) { return {{left, top}, {right, bottom}}; }
-inline void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
 /// A block with its top left at a place.
 void set(std::vector<Mark>& marks, const Block& block, Spot at);
 

@@ -16,9 +16,6 @@ namespace {
 
 constexpr double pitch = 4.4;  // of table rows
 
-void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
-void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
-
 Path rule(double from, double to, double y, double width, Colour colour) {
     return line({from, y}, {to, y}, {width, colour, {}, false});
 }

@@ -29,6 +29,7 @@ struct Piece {
     Colour colour;
 };
 using RichText = std::vector<Piece>;
+inline void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
 
 /// What the rich text says without its setting: "v_B", "a_BA^t".
 std::string plain(const RichText& text);

@@ -661,8 +661,6 @@ RichText point_name(std::string_view name) {
     return {result};
 }
 
-void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
-
 std::string lower_case(std::string_view name) {
     std::string out;
     for (const char c : name) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
