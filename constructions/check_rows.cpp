@@ -28,7 +28,7 @@ public:
         for (const PointMotion& point : solution_.points) compare_point(point);
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
-        if (!solution_.forces.empty() || !solution_.efforts.empty()) compare_forces();
+        if (!solution_.forces.empty() || !solution_.efforts.empty() || solution_.virtual_work) compare_forces();
         return std::move(rows_);
     }
 
