@@ -5,44 +5,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
-#include "constructions/solve.hpp"
 #include "render/force_tables.hpp"
 #include "render/shapes.hpp"
 #include "render/sheet.hpp"
+#include "tests/pages.hpp"
 
 namespace {
 
 using namespace kinegraph;
 using namespace kinegraph::render;
-
-const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
-
-Solution example(const std::string& name) {
-    std::ifstream file(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json"));
-    std::stringstream text;
-    text << file.rdbuf();
-    auto mechanism = read_mechanism(text.str(), name + ".json");
-    if (!mechanism) throw std::runtime_error("not read: " + name);
-    auto solution = solve(std::move(*mechanism));
-    if (!solution) throw std::runtime_error("not solved: " + name);
-    return std::move(*solution);
-}
+using namespace kinegraph::tests;
 
 std::vector<std::string> loaded_examples() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json" && !example(entry.path().stem().string()).free_bodies.empty())
-            names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const std::string& name : example_names())
+        if (!example(name).free_bodies.empty()) names.push_back(name);
     return names;
 }
 

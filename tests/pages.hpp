@@ -4,46 +4,23 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "constructions/solve.hpp"
 #include "render/page.hpp"
 #include "render/shapes.hpp"
 #include "render/text.hpp"
+#include "tests/fonts.hpp"
+#include "tests/solved.hpp"
 
 namespace kinegraph::pages {
 
 using namespace kinegraph::render;
 
-inline const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
-
-inline Solution solved(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    auto mechanism = read_mechanism(text.str(), path.filename().string());
-    if (!mechanism) throw std::runtime_error("not read: " + path.string());
-    auto solution = solve(std::move(*mechanism));
-    if (!solution) throw std::runtime_error("not solved: " + path.string());
-    return std::move(*solution);
-}
-inline Solution example(const std::string& name) { return solved(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / name); }
-
-inline std::vector<std::string> example_names() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
+using tests::example;
+using tests::example_names;
+using tests::fonts;
 
 inline std::vector<const TextMark*> texts_of(const Page& page) {
     std::vector<const TextMark*> texts;

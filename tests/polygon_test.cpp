@@ -3,35 +3,17 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
-#include "constructions/solve.hpp"
 #include "render/figure.hpp"
+#include "tests/fonts.hpp"
+#include "tests/solved.hpp"
 
 namespace {
 
 using namespace kinegraph;
 using namespace kinegraph::render;
-
-const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
-
-Solution solved(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    auto mechanism = read_mechanism(text.str(), path.filename().string());
-    if (!mechanism) throw std::runtime_error("not read: " + path.string());
-    auto solution = solve(std::move(*mechanism));
-    if (!solution) throw std::runtime_error("not solved: " + path.string());
-    return std::move(*solution);
-}
-Solution example(const std::string& name) { return solved(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / name); }
+using namespace kinegraph::tests;
 
 std::string attribute(const GroupBegin& group, const std::string& key) {
     for (const auto& [name, value] : group.attributes)
@@ -69,10 +51,9 @@ void expect_measures(const Figure& figure) {
 }
 
 TEST(PolygonFigure, EveryAxisIsValueOverScaleOnEveryExample) {
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR)) {
-        if (entry.path().extension() != ".json") continue;
-        SCOPED_TRACE(entry.path().filename().string());
-        const Solution solution = solved(entry.path());
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
         const Theme theme;
         const DrawingContext context{solution, theme, fonts(), Language::en};
         for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
@@ -81,7 +62,7 @@ TEST(PolygonFigure, EveryAxisIsValueOverScaleOnEveryExample) {
 }
 
 TEST(PolygonFigure, OfTheFourBarShowsItsVectors) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 100);
     std::set<std::string> names;
@@ -99,7 +80,7 @@ TEST(PolygonFigure, OfTheFourBarShowsItsVectors) {
 }
 
 TEST(PolygonFigure, KeepsToItsRoom) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const Theme theme;
     for (const double room : {60.0, 90.0, 140.0, 220.0})
         for (int p = 0; p < 2; ++p) {
@@ -110,7 +91,7 @@ TEST(PolygonFigure, KeepsToItsRoom) {
 }
 
 TEST(PolygonFigure, TakesTheFilesUnitAndScale) {
-    Solution solution = example("four_bar.json");
+    Solution solution = example("four_bar");
     solution.mechanism.units.velocity = {"mm/s", Exact::ratio(1, 1000)};
     solution.mechanism.scales.push_back({"velocity", Exact::ratio(1, 100), ""});  // 0.01 m/s = 10 mm/s
     const Theme theme;
@@ -121,7 +102,7 @@ TEST(PolygonFigure, TakesTheFilesUnitAndScale) {
 }
 
 TEST(PolygonFigure, ImagesAtThePoleStandWithIt) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const Theme theme;
     const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 100);
     bool found = false;

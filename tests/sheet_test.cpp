@@ -23,7 +23,7 @@ using namespace kinegraph::pages;
 class EveryExample : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryExample, NothingIsCutAndNoTextCoversAnother) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     for (const Paper paper : {Paper::a4, Paper::a3, Paper::letter})
         for (const Language language : {Language::en, Language::it}) {
             SCOPED_TRACE("paper " + std::to_string(static_cast<int>(paper)));
@@ -32,7 +32,7 @@ TEST_P(EveryExample, NothingIsCutAndNoTextCoversAnother) {
 }
 
 TEST_P(EveryExample, StandsUprightToo) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     for (const auto& [paper, language] :
          {std::pair{Paper::a4, Language::it}, std::pair{Paper::a3, Language::en}, std::pair{Paper::letter, Language::en}}) {
         SCOPED_TRACE("paper " + std::to_string(static_cast<int>(paper)));
@@ -45,7 +45,7 @@ TEST_P(EveryExample, StandsUprightToo) {
 }
 
 TEST_P(EveryExample, GroupsNestIdsAreUniqueAndAxesMeasureTheirValue) {
-    const auto pages = lay_out(example(GetParam() + ".json"), {}, fonts());
+    const auto pages = lay_out(example(GetParam()), {}, fonts());
     for (const Page& page : pages) {
         std::set<std::string> ids;
         std::vector<double> scales;
@@ -72,14 +72,14 @@ TEST_P(EveryExample, GroupsNestIdsAreUniqueAndAxesMeasureTheirValue) {
 }
 
 TEST_P(EveryExample, IsTheSameEveryTime) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     const auto first = lay_out(solution, {}, fonts()), second = lay_out(solution, {}, fonts());
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(to_svg(first[i], fonts()), to_svg(second[i], fonts()));
 }
 
 TEST_P(EveryExample, EveryCentreBodyAndVectorIsListed) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     const auto pages = lay_out(solution, {}, fonts());
     EXPECT_TRUE(says(pages, "Bodies"));
     EXPECT_TRUE(solution.centres.empty() || says(pages, "Instant centres"));
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Sheet, EveryExample, testing::ValuesIn(example_names())
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
 TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
-    const auto pages = lay_out(example("four_bar.json"), {}, fonts());
+    const auto pages = lay_out(example("four_bar"), {}, fonts());
     EXPECT_TRUE(says(pages[0], "Fig. 1"));
     EXPECT_TRUE(says(pages[0], "Mechanism and instant centres"));
     EXPECT_TRUE(says(pages[0], "Velocity polygon"));
@@ -104,7 +104,7 @@ TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
 }
 
 TEST(Sheet, TheFourBarFitsOneA3) {
-    EXPECT_EQ(lay_out(example("four_bar.json"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u);
+    EXPECT_EQ(lay_out(example("four_bar"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u);
 }
 
 TEST(Sheet, WithoutMotionThereIsStillADrawing) {
@@ -121,7 +121,7 @@ TEST(Sheet, WithoutMotionThereIsStillADrawing) {
 }
 
 TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
-    Solution solution = example("four_bar.json");
+    Solution solution = example("four_bar");
     solution.mechanism.title.en =
         "A linkage whose title was written by somebody who liked titles that go on and on <and on> & on, and on";
     const auto pages = lay_out(solution, {}, fonts());
@@ -129,7 +129,7 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
 }
 
 TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
-    Solution solution = example("four_bar.json");
+    Solution solution = example("four_bar");
     std::string words, one_word;
     for (int i = 0; i < 20; ++i) words += "<b> & \"xy\" ", one_word += "Gelenk<&\">";
     for (const std::string& title : {words, one_word})
@@ -154,7 +154,7 @@ TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
 }
 
 TEST(Sheet, DateAndAuthorStandInTheBlockOnlyWhereGiven) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     SheetOptions options;
     EXPECT_FALSE(says(lay_out(solution, options, fonts()), "four_bar.json  ·"));
     options.date = "2026-11-21";
@@ -164,7 +164,7 @@ TEST(Sheet, DateAndAuthorStandInTheBlockOnlyWhereGiven) {
 }
 
 TEST(Sheet, TheFilesScalesAreTaken) {
-    Solution solution = example("four_bar.json");
+    Solution solution = example("four_bar");
     solution.mechanism.scales = {{"mechanism", Exact::ratio(25, 10000), ""},  // 1 : 2.5
                                  {"velocity", Exact::ratio(8, 1000), ""},
                                  {"acceleration", Exact::ratio(2, 10), ""}};
@@ -177,7 +177,7 @@ TEST(Sheet, TheFilesScalesAreTaken) {
 }
 
 TEST(Sheet, AScaleTooLargeForThePaperIsRefusedAndSaidSo) {
-    Solution solution = example("four_bar.json");
+    Solution solution = example("four_bar");
     solution.mechanism.scales = {{"mechanism", Exact::ratio(1, 10000), ""}, {"velocity", Exact::ratio(1, 10000), ""}};
     const auto pages = lay_out(solution, {}, fonts());
     EXPECT_TRUE(says(pages, "does not fit the sheet"));
@@ -238,7 +238,7 @@ TEST(Sheet, ALongChainGoesOnOverItsPages) {
 }
 
 TEST(Results, AreMeasuredOnTheDrawing) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     std::vector<Figure> figures{polygon_figure(context, 0, 150, 100), polygon_figure(context, 1, 150, 100)};
@@ -255,7 +255,7 @@ TEST(Results, AreMeasuredOnTheDrawing) {
 }
 
 TEST(Results, InTheTableAreReadToATenthOfAMillimetre) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     ResultRow row;
@@ -274,10 +274,10 @@ TEST(Results, InTheTableAreReadToATenthOfAMillimetre) {
 }
 
 TEST(Results, AsTextNameTheirUnits) {
-    const std::string text = results_table(example("four_bar.json"), Language::en);
+    const std::string text = results_table(example("four_bar"), Language::en);
     for (const char* words : {"ω [rad/s]", "vx [m/s]", "x [mm]", "1,3", "Four-bar linkage", "by Grübler"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
-    EXPECT_NE(results_table(example("four_bar.json"), Language::it).find("−12,5664"), std::string::npos);
+    EXPECT_NE(results_table(example("four_bar"), Language::it).find("−12,5664"), std::string::npos);
 }
 
 TEST(Tables, PowersAreSetAsSuperscripts) {
@@ -290,7 +290,7 @@ TEST(Tables, PowersAreSetAsSuperscripts) {
 }
 
 TEST(Tables, AnEquationKeepsToItsWidthAsFarAsItCan) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     Equation equation;

@@ -53,7 +53,7 @@ Shown shown_on(const Page& page) {
 class Steps : public testing::TestWithParam<std::string> {};
 
 TEST_P(Steps, AreCleanPages) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     for (const SheetOptions& options : {in(Language::en), in(Language::it), in(Language::it, Orientation::portrait)}) {
         const auto pages = lay_out_steps(solution, options, fonts());
         expect_clean(pages);
@@ -63,7 +63,7 @@ TEST_P(Steps, AreCleanPages) {
 
 TEST_P(Steps, MoveNothingAndTakeNothingAway) {
     std::map<std::string, Shown> before;
-    for (const Page& page : lay_out_steps(example(GetParam() + ".json"), {}, fonts())) {
+    for (const Page& page : lay_out_steps(example(GetParam()), {}, fonts())) {
         Shown now = shown_on(page);
         const Shown& then = before[now.figure];
         const auto within = [](const auto& a, const auto& b) { return std::includes(b.begin(), b.end(), a.begin(), a.end()); };
@@ -75,7 +75,7 @@ TEST_P(Steps, MoveNothingAndTakeNothingAway) {
 }
 
 TEST_P(Steps, EndWithTheFinishedFigures) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     std::map<std::string, Shown> last;
     for (const Page& page : lay_out_steps(solution, {}, fonts())) {
         Shown now = shown_on(page);
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, Steps, testing::ValuesIn(example_names()),
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
 TEST(StepsOfTheFourBar, BeginWithoutAPolygonAndDrawItLineByLine) {
-    const auto pages = lay_out_steps(example("four_bar.json"), {}, fonts());
+    const auto pages = lay_out_steps(example("four_bar"), {}, fonts());
     std::vector<std::size_t> vectors;
     for (const Page& page : pages)
         if (const Shown shown = shown_on(page); shown.figure == "velocity") vectors.push_back(shown.vectors.size());
@@ -110,7 +110,7 @@ TEST(StepsOfTheFourBar, BeginWithoutAPolygonAndDrawItLineByLine) {
 TEST(StepsOfTheFourBar, WhatIsNewIsInTheAccentAndWhatWasIsGrey) {
     const Theme theme;
     bool both = false;
-    for (const Page& page : lay_out_steps(example("four_bar.json"), {}, fonts())) {
+    for (const Page& page : lay_out_steps(example("four_bar"), {}, fonts())) {
         if (shown_on(page).figure != "velocity") continue;
         std::map<std::string, Colour> colours;
         for (const TextMark* text : texts_of(page))
@@ -127,7 +127,7 @@ TEST(StepsOfTheFourBar, WhatIsNewIsInTheAccentAndWhatWasIsGrey) {
 }
 
 TEST(StepsOfTheFourBar, AreTheSameEveryTime) {
-    const Solution solution = example("four_bar.json");
+    const Solution solution = example("four_bar");
     const auto first = lay_out_steps(solution, {}, fonts()), second = lay_out_steps(solution, {}, fonts());
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(to_svg(first[i], fonts()), to_svg(second[i], fonts()));

@@ -1,0 +1,50 @@
+// How near a solution lies to the numeric check: each row against what is large of its kind.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "engine/solution.hpp"
+
+namespace kinegraph::tests {
+
+/// "velocity B x" → "velocity": what is measured in one unit and lies in one polygon.
+inline std::string kind_of(const std::string& quantity) { return quantity.substr(0, quantity.find(' ')); }
+
+/// By kind, what a difference must be small against: the largest value met of it, and what it comes from where that is nothing.
+inline std::map<std::string, double> magnitudes(const Solution& solution) {
+    std::map<std::string, double> largest;
+    double fastest = 0;
+    for (const CheckRow& row : solution.checks) {
+        double& of_kind = largest[kind_of(row.quantity)];
+        of_kind = std::max({of_kind, std::abs(row.numeric), std::abs(row.graphical)});
+        if (kind_of(row.quantity) == "omega") fastest = std::max(fastest, std::abs(row.graphical));
+    }
+    // A centre at the origin is small against the drawing.
+    largest["centre"] = std::max(largest["centre"], solution.pose.size.to_double());
+    // Where nothing turns faster and faster, ω² is what an α is small against.
+    largest["alpha"] = std::max(largest["alpha"], fastest * fastest);
+    // Powers add up to nothing: each alone is what their sum is small against.
+    if (solution.virtual_work) {
+        for (const VirtualWork::Entry& entry : solution.virtual_work->entries)
+            largest["virtual"] = std::max(largest["virtual"], std::abs(entry.power.to_double()));
+    }
+    return largest;
+}
+
+/// Every row within 1e-9 of its kind's magnitude (1 where that is nothing), as the other checks of whole mechanisms have it: the
+/// check counts in doubles, and loses some six of their sixteen digits in its systems of equations.
+inline void expect_near_the_check(const Solution& solution, const std::map<std::string, double>& largest) {
+    for (const CheckRow& row : solution.checks) {
+        const auto of_kind = largest.find(kind_of(row.quantity));
+        const double size = of_kind != largest.end() && of_kind->second > 0 ? of_kind->second : 1;
+        EXPECT_LE(std::abs(row.difference), 1e-9 * size) << row.quantity;
+        EXPECT_NEAR(row.difference, row.graphical - row.numeric, 1e-15 * size) << row.quantity;
+    }
+}
+
+}  // namespace kinegraph::tests
