@@ -9,26 +9,16 @@
 #include <map>
 #include <string>
 
-#include "constructions/solve.hpp"
+#include "tests/near_the_check.hpp"
 #include "tests/random_mechanism.hpp"
+#include "tests/solved.hpp"
 #include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
 
-Solution solved(const std::string& text) {
-    auto mechanism = read_mechanism(text, "higher_pairs.json");
-    if (!mechanism) {
-        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message << "\n" << text;
-        return {};
-    }
-    auto solution = solve(*std::move(mechanism));
-    if (!solution) {
-        ADD_FAILURE() << solution.error().front().where << ": " << solution.error().front().message << "\n" << text;
-        return {};
-    }
-    return *std::move(solution);
-}
+using tests::solved;
+using tests::worst_difference;
 
 struct Reading {
     const Solution& solution;
@@ -47,34 +37,6 @@ struct Reading {
     Exact omega(const char* name) const { return solution.bodies.at(static_cast<std::size_t>(body(name))).omega.value(); }
     Exact alpha(const char* name) const { return solution.bodies.at(static_cast<std::size_t>(body(name))).alpha.value(); }
 };
-
-/// "velocity B x" → "velocity"
-std::string kind(const std::string& quantity) { return quantity.substr(0, quantity.find(' ')); }
-
-/// The worst difference from the check, each over the largest of its kind.
-double worst_difference(const Solution& solution) {
-    std::map<std::string, double> scale;
-    double fastest = 0;
-    for (const CheckRow& row : solution.checks) {
-        double& largest = scale[kind(row.quantity)];
-        largest = std::max({largest, std::abs(row.numeric), std::abs(row.graphical)});
-        if (kind(row.quantity) == "omega") fastest = std::max(fastest, std::abs(row.graphical));
-    }
-    scale["alpha"] = std::max(scale["alpha"], fastest * fastest);
-    // Where nothing slides, the motion of the bodies is what a sliding is small against.
-    scale["sliding"] = std::max({scale["sliding"], scale["velocity"], scale["acceleration"]});
-    scale["centre"] = std::max(scale["centre"], solution.pose.size.to_double());
-    if (solution.virtual_work) {
-        for (const VirtualWork::Entry& entry : solution.virtual_work->entries)
-            scale["virtual"] = std::max(scale["virtual"], std::abs(entry.power.to_double()));
-    }
-    double worst = 0;
-    for (const CheckRow& row : solution.checks) {
-        const double size = scale[kind(row.quantity)] > 0 ? scale[kind(row.quantity)] : 1;
-        worst = std::max(worst, std::abs(row.difference) / size);
-    }
-    return worst;
-}
 
 /// Solved wholly, and as the check has it.
 void expect_solved(const Solution& solution) {

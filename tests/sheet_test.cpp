@@ -103,9 +103,7 @@ TEST(Sheet, FiguresAreNumberedAndSayTheirScale) {
     EXPECT_TRUE(says(pages[0], "1/" + std::to_string(pages.size())));
 }
 
-TEST(Sheet, TheFourBarFitsOneA3) {
-    EXPECT_EQ(lay_out(example("four_bar"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u);
-}
+TEST(Sheet, TheFourBarFitsOneA3) { EXPECT_EQ(lay_out(example("four_bar"), {Paper::a3, Language::en, {}}, fonts()).size(), 1u); }
 
 TEST(Sheet, WithoutMotionThereIsStillADrawing) {
     auto mechanism = read_mechanism(
