@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <set>
 
 #include "engine/assert.hpp"
@@ -682,16 +681,15 @@ private:
     template <Plane plane>
     Exact reach(const Track<plane>& track, DirectionHandle direction) const {
         if (hand_ == Hand::silent) return 1;
-        double longest = 0;
-        for (const auto& tip : track.tips) {
-            if (tip) longest = std::max(longest, length(board_.value(*tip).place()));
-        }
-        const double unit = length(board_.protocol().vector(direction.element));
-        if (longest <= 0 || unit <= 0) return 1;
-        const double exponent = std::floor(std::log10(longest / unit));
+        Exact longest = 0;  // squared, as all lengths here
+        for (const auto& tip : track.tips)
+            if (tip) longest = std::max(longest, squared_length(board_.value(*tip).place()));
+        const Vector way = board_.protocol().vector(direction.element);
+        if (longest.is_zero() || squared_length(way).is_zero()) return 1;
         Exact power = 1;
-        for (int i = 0; i < std::abs(static_cast<int>(exponent)); ++i) power = power * Exact(10);
-        return exponent < 0 ? Exact(1) / power : power;
+        while (squared_length(Exact(10) * power * way) <= longest) power = power * Exact(10);
+        while (longest < squared_length(power * way)) power = power / Exact(10);
+        return power;
     }
 
     template <Plane plane>

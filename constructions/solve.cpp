@@ -13,6 +13,7 @@
 #include "constructions/plan.hpp"
 #include "constructions/relative_motion.hpp"
 #include "constructions/structure.hpp"
+#include "constructions/virtual_work.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -266,32 +267,8 @@ private:
         solution_.free_bodies = std::move(forces.bodies);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
-        if (wanted_.velocities) collect_virtual_work();
-    }
-
-    /// A second way to the efforts: the powers of what acts from outside cancel, since ideal pairs do no work.
-    void collect_virtual_work() {
-        if (solution_.free_bodies.empty() || !is_moving(mechanism_)) return;
-        VirtualWork work;
-        for (const FreeBody& free : solution_.free_bodies) {
-            if (free.body < 0) continue;
-            for (const AppliedForce& applied : free.forces) {
-                if (applied.kind == AppliedForce::Kind::reaction) continue;
-                const auto base =
-                    std::find_if(structure_.nodes_of(free.body).begin(), structure_.nodes_of(free.body).end(),
-                                 [&](NodeIndex node) { return motion_.velocity.polygon >= 0 && motion_.velocity.has(node); });
-                if (base == structure_.nodes_of(free.body).end() || !motion_.velocity.turns(free.body)) return;
-                const Exact omega = board_.value(motion_.velocity.spin(free.body));
-                const Vector from = board_.value(structure_.node(*base).place).place();
-                const Vector velocity =
-                    board_.value(motion_.velocity.tip(*base)).place() + omega * quarter_turn(applied.at - from);
-                const Exact power = dot(applied.force, velocity) + applied.couple * omega;
-                work.entries.push_back(
-                    {applied.symbol, free.body, applied.at, velocity, applied.force, applied.couple, omega, power});
-                work.total += power;
-            }
-        }
-        if (!work.entries.empty()) solution_.virtual_work = std::move(work);
+        if (wanted_.velocities && is_moving(mechanism_))
+            solution_.virtual_work = virtual_work(structure_, board_, motion_.velocity, solution_.free_bodies);
     }
 
     bool reached(BodyIndex body) const {

@@ -142,6 +142,7 @@ private:
         }
         set_caption(sheet.marks, context_, figure, number, cell.min, cell.width());
         sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());
+        if (figure.kind == "mechanism" && !sheet.scale_of_mechanism) sheet.scale_of_mechanism = figure.scale;
         result_.drawn.push_back(std::move(figure));
     }
 

@@ -30,7 +30,8 @@ public:
         if (!on_one_page()) on_several();
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets_.size(); ++i)
-            pages.push_back(framed_page(context_, format_, signature_, sheets_[i].marks, i + 1, sheets_.size()));
+            pages.push_back(framed_page(context_, format_, signature_, sheets_[i].marks, sheets_[i].scale_of_mechanism, i + 1,
+                                        sheets_.size()));
         return pages;
     }
 

@@ -2,6 +2,7 @@
 // set. Measures in mm; knows no figure and no sentence.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "render/figure.hpp"
@@ -58,6 +59,7 @@ struct Section {
 struct Sheet {
     std::vector<Mark> marks;
     std::vector<Run> runs;
+    std::optional<double> scale_of_mechanism;  ///< m per mm, of the first drawing of it here
 };
 
 inline Box rectangle(double left, double top, double right, double bottom) { return {{left, top}, {right, bottom}}; }

@@ -254,9 +254,11 @@ private:
         const auto& theme = context_.theme;
         const Placed& placed = large(step.figure);
         std::vector<Mark> marks = placed.caption;
-        for (const std::vector<Mark>& figure : {placed.figure.marks, small(step.figure).marks}) {
-            std::vector<Mark> shown = revealed(figure, page_of_, index, theme);
+        std::optional<double> scale_of_mechanism;
+        for (const Figure* figure : {&placed.figure, &small(step.figure)}) {
+            std::vector<Mark> shown = revealed(figure->marks, page_of_, index, theme);
             marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
+            if (figure->kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = figure->scale;
         }
         if (!step.rows.empty()) {
             double y = prose_.min.y;
@@ -268,7 +270,7 @@ private:
                 y += row.height;
             }
         }
-        return framed_page(context_, format_, signature_, marks, index + 1, steps_.size());
+        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, steps_.size());
     }
     std::string heading_of(const Step& step) const {
         for (const char* known : {"velocity", "acceleration", "relative motion", "centres", "forces"})

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -71,21 +70,6 @@ std::string subtitle_of(const Solution& solution, Language language) {
                 language);
 }
 
-/// The scale of the first drawing of the mechanism among the marks.
-std::optional<double> scale_of_mechanism(const std::vector<Mark>& marks) {
-    for (const Mark& mark : marks) {
-        const auto* group = std::get_if<GroupBegin>(&mark);
-        if (group == nullptr || group->cls != "figure") continue;
-        const std::map<std::string, std::string> attributes(group->attributes.begin(), group->attributes.end());
-        const auto kind = attributes.find("data-figure"), scale = attributes.find("data-scale");
-        if (kind == attributes.end() || kind->second != "mechanism" || scale == attributes.end()) continue;
-        double value = 0;
-        const std::string& text = scale->second;
-        if (std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc()) return value;
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 std::string title_of(const Solution& solution, Language language) {
@@ -94,7 +78,8 @@ std::string title_of(const Solution& solution, Language language) {
 }
 
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
-                      const std::vector<Mark>& drawn, const Signature& signature, std::size_t index, std::size_t count) {
+                      std::optional<double> scale_of_mechanism, const Signature& signature, std::size_t index,
+                      std::size_t count) {
     const Solution& solution = context.solution;
     const Theme& theme = context.theme;
     const Pen edge{theme.outline, theme.text, {}, false}, inner_pen{theme.thin, theme.text, {}, false};
@@ -112,8 +97,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     const Units& units = solution.mechanism.units;
     std::string units_text = units.length.symbol + (has_motion(solution) || !has_forces(solution) ? ", s" : "");
     if (has_forces(solution)) units_text += ", " + units.force.symbol;
-    const std::optional<double> of_mechanism = scale_of_mechanism(drawn);
-    const std::string scale = of_mechanism ? ratio_words(*of_mechanism, context.language) : "–";
+    const std::string scale = scale_of_mechanism ? ratio_words(*scale_of_mechanism, context.language) : "–";
     const std::array<std::pair<std::string, std::string>, 6> cells{
         std::pair{word("block scale", context.language), scale},
         {word("block size", context.language), format.name},
@@ -152,7 +136,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
 }
 
 Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                 const std::vector<Mark>& marks, std::size_t index, std::size_t count) {
+                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count) {
     const Theme& theme = context.theme;
     Page page;
     page.width = format.width;
@@ -164,7 +148,7 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.marks.emplace_back(polyline(
         {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},
         pen, true));
-    draw_title_block(page.marks, context, format, marks, signature, index, count);
+    draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
     page.marks.insert(page.marks.end(), marks.begin(), marks.end());
     // A point's label says its name as the file has it, however it is set.
     std::map<std::string, std::string> names;

@@ -1,6 +1,7 @@
 // The title block: title, what the sheet is, file, scale, paper, sheet, units, accuracy.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,13 @@ struct Signature {
     std::string author, date;
 };
 
-/// Drawn into the format's corner, on page `index` of `count`; the scale is that of the first drawing of the mechanism on the
-/// page, whose marks are `drawn`.
+/// Drawn into the format's corner, on page `index` of `count`; the scale (m per mm) is that of the page's first drawing of the
+/// mechanism, where it has one.
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
-                      const std::vector<Mark>& drawn, const Signature& signature, std::size_t index, std::size_t count);
+                      std::optional<double> scale_of_mechanism, const Signature& signature, std::size_t index, std::size_t count);
 
 /// A page with its frame, its title block and what is on it.
 Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                 const std::vector<Mark>& marks, std::size_t index, std::size_t count);
+                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count);
 
 }  // namespace kinegraph::render

@@ -15,11 +15,13 @@
 #include "render/picture_difference.hpp"
 #include "render/sheet.hpp"
 #include "tests/command_line.hpp"
+#include "tests/fonts.hpp"
 
 namespace {
 
 using namespace kinegraph::render;
 using kinegraph::tests::contents;
+using kinegraph::tests::fonts;
 namespace fs = std::filesystem;
 
 constexpr double dpi = 150;
@@ -51,11 +53,6 @@ Picture cut(const Picture& from, int width, int height) {
     for (int y = 0; y < part.height; ++y)
         for (int x = 0; x < part.width; ++x) part.pixels.push_back(from.at(x, y));
     return part;
-}
-
-const Fonts& fonts() {
-    static const Fonts opened = Fonts::open().value();
-    return opened;
 }
 
 std::vector<Page> sheet(const fs::path& file) {

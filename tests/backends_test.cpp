@@ -11,14 +11,12 @@
 #include <pugixml.hpp>
 #include <set>
 
+#include "tests/fonts.hpp"
+
 namespace {
 
 using namespace kinegraph::render;
-
-const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
+using kinegraph::tests::fonts;
 
 TextMark label(const std::string& words, Spot at, double angle = 0) {
     Piece piece;

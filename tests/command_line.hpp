@@ -14,16 +14,11 @@
 #include <sstream>
 #include <string>
 
+#include "tests/files.hpp"
+
 namespace kinegraph::tests {
 
 namespace fs = std::filesystem;
-
-inline std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 struct Outcome {
     int status = -1;

@@ -6,42 +6,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
-#include "constructions/solve.hpp"
 #include "render/shapes.hpp"
+#include "tests/fonts.hpp"
+#include "tests/solved.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-const Fonts& fonts() {
-    static const Fonts opened = Fonts::open().value();
-    return opened;
-}
-
-Solution solved(const std::string& text) {
-    auto mechanism = read_mechanism(text, "test");
-    EXPECT_TRUE(mechanism.has_value());
-    auto solution = solve(*mechanism);
-    EXPECT_TRUE(solution.has_value());
-    return *solution;
-}
-
-std::vector<std::filesystem::path> examples() {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-Solution example(const std::filesystem::path& file) {
-    std::stringstream text;
-    text << std::ifstream(file).rdbuf();
-    return solved(text.str());
-}
+using tests::example;
+using tests::example_names;
+using tests::fonts;
+using tests::solved;
 
 /// Opens and closes in order; ids are legal and met once.
 void expect_well_grouped(const Figure& figure) {
@@ -121,9 +98,9 @@ TEST(Move, carries_marks_labels_and_box) {
 
 TEST(MechanismFigure, of_every_example_is_well_grouped_and_within_its_room) {
     const Theme theme;
-    for (const auto& file : examples()) {
-        SCOPED_TRACE(file.filename().string());
-        const Solution solution = example(file);
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
         for (const Language language : {Language::en, Language::it}) {
             const DrawingContext context{solution, theme, fonts(), language};
             const Figure figure = mechanism_figure(context, 185, 150, true);
@@ -142,9 +119,9 @@ TEST(MechanismFigure, of_every_example_is_well_grouped_and_within_its_room) {
 
 TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
     const Theme theme;
-    for (const auto& file : examples()) {
-        SCOPED_TRACE(file.filename().string());
-        const Solution solution = example(file);
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
         const DrawingContext context{solution, theme, fonts()};
         const Figure figure = mechanism_figure(context, 185, 150, true);
         std::set<std::string> ids;
@@ -159,18 +136,18 @@ TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
         const bool all = solution.mechanism.bodies.size() <= bodies_with_all_centres_shown;
         for (const InstantCentre& centre : solution.centres)
             if (centre.at && (all || centre.first == 0 || centre.how == InstantCentre::How::primary)) {
-                std::string name = "centre-" + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name);
-                name += "." + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name);
-                EXPECT_EQ(ids.count(name), 1U);
+                std::string id = "centre-" + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name);
+                id += "." + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name);
+                EXPECT_EQ(ids.count(id), 1U);
             }
     }
 }
 
 TEST(MechanismFigure, has_only_finite_numbers_and_is_the_same_twice) {
     const Theme theme;
-    for (const auto& file : examples()) {
-        SCOPED_TRACE(file.filename().string());
-        const Solution solution = example(file);
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
         const DrawingContext context{solution, theme, fonts()};
         const Figure once = mechanism_figure(context, 120, 90, true), twice = mechanism_figure(context, 120, 90, true);
         EXPECT_EQ(once.marks.size(), twice.marks.size());
@@ -232,9 +209,9 @@ TEST(MechanismFigure, of_a_single_point_is_drawn) {
 
 TEST(VelocitiesOnMechanism, have_axes_as_long_as_their_values) {
     const Theme theme;
-    for (const auto& file : examples()) {
-        SCOPED_TRACE(file.filename().string());
-        const Solution solution = example(file);
+    for (const std::string& name : example_names()) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
         const Figure figure = velocities_on_mechanism({solution, theme, fonts()}, 120, 100);
         expect_well_grouped(figure);
         double value = -1;
@@ -256,7 +233,7 @@ TEST(VelocitiesOnMechanism, have_axes_as_long_as_their_values) {
 
 TEST(CircleDiagram, has_a_chord_for_each_centre_found) {
     const Theme theme;
-    const Solution solution = example(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "four_bar.json");
+    const Solution solution = example("four_bar");
     const Figure figure = circle_diagram({solution, theme, fonts()}, 60, 60);
     expect_well_grouped(figure);
     int chords = 0;

@@ -5,7 +5,6 @@
 // Each is named by its seed; KINEGRAPH_SEED=n runs that one alone and prints its file, KINEGRAPH_RANDOM_MECHANISMS=n so many.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -68,27 +67,8 @@ bool hold(std::uint64_t seed) {
     return true;
 }
 
-/// Under sanitizers everything takes several times as long.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int default_count = 200;
-#else
-constexpr int default_count = 1000;
-#endif
-
-/// Every fourth seed, until a quarter of the mechanisms is resolved: four entries for ctest to run side by side.
 void hold_quarter(int quarter) {
-    if (const char* one = std::getenv("KINEGRAPH_SEED")) {
-        if (quarter == 0) hold(std::strtoull(one, nullptr, 10));
-        return;
-    }
-    const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS");
-    const int count = (asked != nullptr ? std::atoi(asked) : default_count) / 4;
-    int held = 0, seed = quarter;
-    // One mechanism with all the laws it breaks reads better than many.
-    for (; held < count && !testing::Test::HasFailure(); seed += 4) {
-        held += hold(static_cast<std::uint64_t>(seed)) ? 1 : 0;
-        ASSERT_LT(seed, 16 * count + 400) << "too few draws that equilibrium determines";
-    }
+    EXPECT_TRUE(kinegraph::hold_quarter(quarter, hold, testing::Test::HasFailure)) << "too few draws counted";
 }
 
 TEST(RandomForces1, ObeyTheLaws) { hold_quarter(0); }

@@ -8,36 +8,21 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "constructions/solve.hpp"
 #include "render/figure.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
+#include "tests/fonts.hpp"
+#include "tests/solved.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-namespace fs = std::filesystem;
+using tests::contents;
+using tests::example;
+using tests::fonts;
 
-std::string contents(const fs::path& path) {
-    std::stringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
-fs::path example(const std::string& name) { return fs::path(KINEGRAPH_EXAMPLES_DIR) / (name + ".json"); }
-Solution solved(const std::string& text) {
-    auto mechanism = read_mechanism(text, "test");
-    EXPECT_TRUE(mechanism.has_value());
-    auto solution = solve(*mechanism);
-    EXPECT_TRUE(solution.has_value());
-    return *solution;
-}
-const Fonts& fonts() {
-    static const Fonts opened = Fonts::open().value();
-    return opened;
-}
+namespace fs = std::filesystem;
 
 /// The axes of the groups of a class, in order.
 std::vector<Axis> axes(const Figure& figure, const std::string& cls) {
@@ -58,7 +43,7 @@ double scale_of_forces(const Figure& figure) {
 class Lever : public testing::TestWithParam<const char*> {};
 
 TEST_P(Lever, BalancesAboutThePole) {
-    const Solution solution = solved(contents(example(GetParam())));
+    const Solution solution = example(GetParam());
     ASSERT_EQ(no_lever(solution), NoLever::none);
     const Units& units = solution.mechanism.units;
     for (const double room : {70.0, 160.0}) {
@@ -92,7 +77,7 @@ TEST_P(Lever, BalancesAboutThePole) {
 }
 
 TEST_P(Lever, FitsItsRoomAndItsTableSaysThatTheSumIsZero) {
-    const Solution solution = solved(contents(example(GetParam())));
+    const Solution solution = example(GetParam());
     for (const Language language : {Language::en, Language::it}) {
         const DrawingContext context{solution, Theme{}, fonts(), language};
         const Figure figure = joukowsky_figure(context, 110, 130);
@@ -126,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Examples, Lever,
                                          "rotating_body"));
 
 TEST(NoLever, IsTold) {
-    EXPECT_EQ(no_lever(solved(contents(example("four_bar")))), NoLever::no_forces);
-    EXPECT_EQ(no_lever(solved(contents(example("beam")))), NoLever::no_velocities);
+    EXPECT_EQ(no_lever(example("four_bar")), NoLever::no_forces);
+    EXPECT_EQ(no_lever(example("beam")), NoLever::no_velocities);
 }
 
 struct Outcome {
@@ -140,8 +125,8 @@ Outcome run(const std::string& name, const std::string& options) {
     std::string pattern = (fs::temp_directory_path() / "kinegraph-lever-XXXXXX").string();
     if (!::mkdtemp(pattern.data())) return {};
     const fs::path folder = pattern;
-    const std::string command = "cd '" + folder.string() + "' && '" + KINEGRAPH_PROGRAM + "' solve '" + example(name).string() +
-                                "' " + options + " >out 2>err";
+    const std::string command = "cd '" + folder.string() + "' && '" + KINEGRAPH_PROGRAM + "' solve '" +
+                                tests::example_file(name).string() + "' " + options + " >out 2>err";
     Outcome outcome;
     const int status = std::system(command.c_str());
     outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

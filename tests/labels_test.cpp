@@ -13,14 +13,12 @@
 #include "constructions/solve.hpp"
 #include "render/figure.hpp"
 #include "render/shapes.hpp"
+#include "tests/fonts.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-const Fonts& fonts() {
-    static const Fonts opened = Fonts::open().value();
-    return opened;
-}
+using tests::fonts;
 
 LabelRequest named(const std::string& text, Spot anchor) {
     LabelRequest request;

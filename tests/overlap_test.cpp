@@ -1,23 +1,18 @@
 // Nothing on a sheet covers anything: counted from the display lists of finished pages over all examples, languages and papers.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "constructions/solve.hpp"
 #include "render/sheet.hpp"
+#include "tests/files.hpp"
+#include "tests/fonts.hpp"
 #include "tests/page_checker.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
+using tests::fonts;
 
 using Counts = std::map<Fault::Kind, int>;
 
@@ -42,15 +37,8 @@ class OverlapOnPaper : public testing::TestWithParam<std::tuple<Language, Paper>
 TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
     Counts counts;
     std::string first;
-    std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(KINEGRAPH_EXAMPLES_DIR))
-        if (entry.path().extension() == ".json") paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end());
-    for (const auto& path : paths) {
-        std::stringstream text;
-        text << std::ifstream(path).rdbuf();
-        count(text.str(), path.filename().string(), std::get<0>(GetParam()), std::get<1>(GetParam()), counts, first);
-    }
+    for (const std::string& name : tests::example_names())
+        count(tests::contents(tests::example_file(name)), name, std::get<0>(GetParam()), std::get<1>(GetParam()), counts, first);
     EXPECT_EQ(counts, Counts{}) << first;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -32,6 +33,19 @@ struct RandomMechanism {
 
 /// The mechanism of a seed.
 RandomMechanism random_mechanism(std::uint64_t seed);
+
+/// Under sanitizers everything takes several times as long.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int default_random_count = 200;
+#else
+constexpr int default_random_count = 1000;
+#endif
+
+/// Calls `hold` with every fourth seed from `quarter` on, as often as it says that the draw counted: a quarter of
+/// KINEGRAPH_RANDOM_MECHANISMS, else of the default; four entries for ctest to run side by side. Stops when `failed` says so: one
+/// mechanism with all the laws it breaks reads better than many. KINEGRAPH_SEED=n runs that one alone. False: too few draws
+/// counted.
+bool hold_quarter(int quarter, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed);
 
 /// Frame, crank, and `dyads` RRR dyads one after the other, every point a decimal: 2 + 2·dyads bodies. For benchmarks.
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed);

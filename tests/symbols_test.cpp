@@ -11,14 +11,12 @@
 #include "constructions/solve.hpp"
 #include "render/figure.hpp"
 #include "render/shapes.hpp"
+#include "tests/fonts.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-const Fonts& fonts() {
-    static const Fonts opened = Fonts::open().value();
-    return opened;
-}
+using tests::fonts;
 
 /// A mechanism's figure without centres, and where its points are on it.
 struct Drawn {

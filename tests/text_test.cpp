@@ -7,14 +7,12 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "tests/fonts.hpp"
+
 namespace {
 
 using namespace kinegraph::render;
-
-const Fonts& fonts() {
-    static const Fonts opened = std::move(*Fonts::open());
-    return opened;
-}
+using kinegraph::tests::fonts;
 
 Piece piece(const std::string& text, Face face = Face::regular, const std::string& sub = "", const std::string& sup = "") {
     Piece made;

@@ -1,0 +1,20 @@
+// Virtual work: the second way to the efforts, which needs no reaction.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "constructions/motion.hpp"
+#include "constructions/structure.hpp"
+#include "engine/board.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+
+/// The powers (W) of all that acts from outside on the free bodies, in the motion of the velocity polygon. Ideal pairs do no
+/// work, so they cancel: d'Alembert's principle where forces of inertia are among them. Nothing where no such force acts or the
+/// motion of a body that carries one is not known.
+std::optional<VirtualWork> virtual_work(const Structure& structure, const Board& board, const Track<Plane::velocity>& velocities,
+                                        const std::vector<FreeBody>& bodies);
+
+}  // namespace kinegraph
