@@ -239,14 +239,18 @@ private:
         return board_.given(is_velocity<plane> ? velocity : acceleration);
     }
 
+    /// Where a joint is, for readers: its point stands in the drawing, its own name does not.
+    PointName place_of(const Joint& joint) const {
+        return {joint.point >= 0 ? mechanism_.points[at(joint.point)].name : joint.name};
+    }
+
     /// A sleeve or a weld lets no relative rotation: ω_i = ω_j, always, so α_i = α_j too.
     template <Plane plane>
     void spin_by_joint(Track<plane>& track, const Step& step) {
         if (!track.turns(step.other)) return;
-        begin<plane>(
-            either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
-            {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other), PointName{mechanism_.joints[at(step.joint)].name}},
-            "");
+        begin<plane>(either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
+                     {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other), place_of(mechanism_.joints[at(step.joint)])},
+                     "");
         track.spins[at(step.body)] = track.spin(step.other);
     }
 

@@ -48,8 +48,11 @@ public:
     }
 
 private:
-    Block heading(const std::string& text, const RichText& note = {}) const {
-        return heading_block(context_, format_.measure, text, note);
+    std::string continued(const std::string& title) const { return title + ", " + word("continued", context_.language); }
+    /// Above the rows that there are, and again above those that go on elsewhere.
+    void set_heading(Section& section, const std::string& title, const RichText& note = {}) const {
+        section.rows.insert(section.rows.begin(), heading_block(context_, format_.measure, title, note));
+        section.heading_again = heading_block(context_, format_.measure, continued(title), note);
     }
     Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
         return paragraph_block(context_, format_.measure, text, indent, number_text);
@@ -75,6 +78,7 @@ private:
         if (!rows.empty()) {
             const double longest = format_.content.height() - format_.block.height() - 8;
             const auto fit = static_cast<std::size_t>(std::max(8.0, (longest - 14) / 4.5));
+            const std::string title = word("results", context_.language);
             for (std::size_t from = 0; from < rows.size();) {
                 std::size_t to = std::min(rows.size(), from + fit);
                 // A table is divided between groups where it can.
@@ -87,7 +91,7 @@ private:
                 const std::vector<ResultRow> part(rows.begin() + static_cast<std::ptrdiff_t>(from),
                                                   rows.begin() + static_cast<std::ptrdiff_t>(to));
                 Section table;
-                table.rows.push_back(results_block(context_, part, format_.measure, true));
+                table.rows.push_back(results_block(context_, part, format_.measure, from == 0 ? title : continued(title)));
                 add(std::move(table));
                 from = to;
             }
@@ -95,7 +99,7 @@ private:
 
         if (!s.unsolved.empty()) {
             Section section;
-            section.rows.push_back(heading(word("unsolved", context_.language)));
+            set_heading(section, word("unsolved", context_.language));
             for (const Unsolved& each : s.unsolved) {
                 RichText text = say(each.what, context_.language);
                 append(text, one_piece(": "));
@@ -134,11 +138,11 @@ private:
                 const Statement& statement = s.protocol.statements[i];
                 if (section_of(statement) != name || told_by_list(statement)) continue;
                 if (section.rows.empty())
-                    section.rows.push_back(heading(word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ||
-                                                                (name == "forces" && is_mixed(solution_))
-                                                            ? "steps " + name
-                                                            : "steps",
-                                                        context_.language)));
+                    set_heading(section, word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ||
+                                                      (name == "forces" && is_mixed(solution_))
+                                                  ? "steps " + name
+                                                  : "steps",
+                                              context_.language));
                 section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
                 if (name == "forces") add_force_equation(section, statement.message, told);
                 const auto placed = wanted_.equation_polygon.find(i);
@@ -157,35 +161,35 @@ private:
             Section section;
             section.home = 0;
             section.rows = body_lines(context_, format_.measure);
-            if (!section.rows.empty()) section.rows.insert(section.rows.begin(), heading(word("bodies", context_.language)));
+            if (!section.rows.empty()) set_heading(section, word("bodies", context_.language));
             add(std::move(section));
         }
         if (has_forces(solution_)) {
             Section section;
             section.of_forces = true;
             section.rows = reaction_lines(context_, format_.measure);
-            section.rows.insert(section.rows.begin(), heading(word("forces", context_.language)));
+            set_heading(section, word("forces", context_.language));
             add(std::move(section));
         }
         if (wanted_.lever && !lever_has_table()) {
             Section section;
             section.home = static_cast<int>(*wanted_.lever);
             section.of_forces = true;
-            section.rows = {heading(word("lever", context_.language)), wanted_.lever_table};
+            section.rows = {wanted_.lever_table};
+            set_heading(section, word("lever", context_.language));
             add(std::move(section));
         }
         if (!s.centres.empty()) {
             Section section;
             section.home = 0;
             section.rows = centre_lines(context_, format_.measure);
-            section.rows.insert(section.rows.begin(),
-                                heading(word("instant centres", context_.language), one_piece(s.mechanism.units.length.symbol)));
+            set_heading(section, word("instant centres", context_.language), one_piece(s.mechanism.units.length.symbol));
             add(std::move(section));
         }
         {
             Section section;
             // Of a body alone there is nothing to count.
-            section.rows.push_back(heading(word(s.act_of_motion ? "conventions" : "mobility", context_.language)));
+            set_heading(section, word(s.act_of_motion ? "conventions" : "mobility", context_.language));
             if (!s.act_of_motion) section.rows.push_back(paragraph(mobility_words()));
             section.rows.push_back(paragraph(axes_words()));
             if (s.protocol.polygons.empty() && s.mechanism.drivers.empty() && !s.mechanism.motion)
@@ -201,7 +205,7 @@ private:
             }
         if (!s.remarks.empty() || !refused.empty()) {
             Section section;
-            section.rows.push_back(heading(word("remarks", context_.language)));
+            set_heading(section, word("remarks", context_.language));
             for (const RichText& each : refused) section.rows.push_back(paragraph(each));
             for (const Message& each : s.remarks) section.rows.push_back(paragraph(say(each, context_.language)));
             add(std::move(section));

@@ -353,7 +353,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
     return rows;
 }
 
-Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, bool heading) {
+Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, const std::string& heading) {
     const Language language = context.language;
     const Theme& theme = context.theme;
     const Fonts& fonts = context.fonts;
@@ -421,9 +421,8 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
     Block block;
     block.width = left[5] + widths[5];
     double y = 0;
-    if (heading) {
-        set_text(block.marks, fonts.shape(one_piece(word("results", language), Face::bold), theme.label), {0, 3.6}, theme.text,
-                 "text");
+    if (!heading.empty()) {
+        set_text(block.marks, fonts.shape(one_piece(heading, Face::bold), theme.label), {0, 3.6}, theme.text, "text");
         y = 5.6;
     }
     const auto set_line = [&](const Line& each, double baseline, Colour colour) {

@@ -50,9 +50,10 @@ private:
         return true;
     }
 
-    Block figure_block(const Late& late, double width, double height) {
+    static Figure drawn(const Late& late, double width, double height) { return late.draw(width, height - 7); }
+    Block figure_block(const Late& late, double width, double height) { return figure_block(drawn(late, width, height), width); }
+    Block figure_block(Figure figure, double width) {
         Block block;
-        Figure figure = late.draw(width, height - 7);
         const double caption = set_caption(block.marks, context_, figure, ++figures_, {0, 0}, width);
         figure.move(-figure.box.min.x + std::max(0.0, 0.5 * (width - figure.box.width())), caption - figure.box.min.y);
         block.marks.insert(block.marks.end(), figure.marks.begin(), figure.marks.end());
@@ -222,6 +223,8 @@ private:
                 return;
             }
         }
+        // Rows that go on at the head of a column follow by themselves; below something else they need their heading.
+        if (section.continued && before > 0) section.rows.insert(section.rows.begin(), section.heading_again);
         best->used += before;
         if (section.in_order) last_steps_ = place_of(*on, *best);
         std::size_t count = 0;
@@ -240,7 +243,11 @@ private:
                 const double before = run.used > 0 ? section_gap : 0;
                 const double room = std::min(run.left() - before, 0.95 * format_.measure);
                 if (room < 58 || run.under_caption) continue;
-                const Block block = figure_block(late, format_.measure, room);
+                // A scale takes steps: a drawing of a few centimetres that misses the larger one says nothing.
+                constexpr double least = 45;
+                Figure figure = drawn(late, format_.measure, room);
+                if (std::max(figure.box.width(), figure.box.height()) < least) continue;
+                const Block block = figure_block(std::move(figure), format_.measure);
                 set(sheet.marks, block, {run.box.min.x, run.box.min.y + run.used + before});
                 run.used += before + block.height;
                 return true;

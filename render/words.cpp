@@ -391,6 +391,7 @@ constexpr std::array fixed_words{
     FixedWords{"instant centres", "Instant centres", "Centri di istantanea rotazione"},
     FixedWords{"absolute centre", "absolute", "CIR"},
     FixedWords{"results", "Results", "Risultati"},
+    FixedWords{"continued", "continued", "seguito"},
     FixedWords{"velocities", "Velocities", "Velocità"},
     FixedWords{"accelerations", "Accelerations", "Accelerazioni"},
     FixedWords{"relative motion", "Relative motion", "Moto relativo"},
@@ -648,16 +649,17 @@ RichText point_name(std::string_view name) {
     tail = name.substr(digits);
     std::size_t letters = digits;
     while (letters > 0 && name[letters - 1] >= '0' && name[letters - 1] <= '9') --letters;
-    std::string primes;
-    for (const char c : tail) primes += c == '*' ? "" : "′";
-    const bool starred = tail.find('*') != std::string_view::npos;
+    std::string primes, raised_stars;
+    for (const char c : tail) (c == '*' ? raised_stars : primes) += c == '*' ? "∗" : "′";
     const bool lowers = letters > 0 && letters < digits && name[letters - 1] != '.' && name[letters - 1] != '-';
     Piece result = piece(name.substr(0, lowers ? letters : digits), digits_only(name) ? Face::regular : Face::italic);
     result.text += primes;
     if (lowers) result.sub = name.substr(letters, digits - letters);
     result.sub_face = Face::regular;
-    if (starred && lowers) result.sup = "∗";
-    if (starred && !lowers) result.text += "*";
+    if (lowers)
+        result.sup = raised_stars;
+    else
+        result.text += std::string(static_cast<std::size_t>(std::count(tail.begin(), tail.end(), '*')), '*');
     return {result};
 }
 
