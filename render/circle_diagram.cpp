@@ -1,5 +1,5 @@
 // The circle diagram: the bookkeeping of the instant centres. Bodies stand on a circle, a full chord is a centre given by a pair,
-// a dashed one a centre found by Kennedy's theorem and numbered in the order found. Computes nothing.
+// a dashed one a centre found by Kennedy's theorem, numbered in the order found where there is room. Computes nothing.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -75,7 +75,10 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const InstantCentre* a, const InstantCentre* b) { return a->order < b->order; });
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    // In a circle too small for its bodies the numbers would only crowd what they count.
+    constexpr double numbers_need = 3.6;  // mm of radius for each body
+    const bool numbered = radius >= numbers_need * static_cast<double>(count) - 1e-9;
+    for (std::size_t i = 0; numbered && i < found.size(); ++i) {
         const Spot from = place(found[i]->first), to = place(found[i]->second);
         LabelRequest request;
         request.text = one_piece(std::to_string(i + 1));

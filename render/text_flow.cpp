@@ -244,7 +244,7 @@ private:
                 const double room = std::min(run.left() - before, 0.95 * format_.measure);
                 if (room < 58 || run.under_caption) continue;
                 // A scale takes steps: a drawing of a few centimetres that misses the larger one says nothing.
-                constexpr double least = 45;
+                constexpr double least = 35;
                 Figure figure = drawn(late, format_.measure, room);
                 if (std::max(figure.box.width(), figure.box.height()) < least) continue;
                 const Block block = figure_block(std::move(figure), format_.measure);
