@@ -32,12 +32,14 @@ public:
     /// The inside of a polygon, by the even-odd rule.
     void fill(const std::vector<Spot>& corners);
 
-    /// Inked area within the box, mm². 0: all clear (to half a bit).
-    double inked(const InkBox& box) const;
+    static constexpr int all = 1 << 30;
+
+    /// Inked area within the box, mm². 0: all clear (to half a bit). Of more than `most` it is only said that it is more.
+    double inked(const InkBox& box, double most = 1e300) const;
     /// inked(box) > 0, found sooner.
     bool touches(const InkBox& box) const;
-    /// How often a thin line from a spot to another meets ink; the ink that it starts in is not counted.
-    int crossings(Spot from, Spot to) const;
+    /// How often a thin line from a spot to another meets ink, counted up to `most`; the ink that it starts in is not counted.
+    int crossings(Spot from, Spot to, int most = all) const;
 
 private:
     template <class Look>
@@ -46,7 +48,6 @@ private:
     template <class Look>
     void words_of(int row, double from, double to, Look look) const;
     void ink_row(int row, double from, double to);
-    bool at(Spot spot) const;
 
     Spot origin_;
     double pitch_ = pitch;

@@ -111,11 +111,11 @@ public:
         double price = 0;
         for (const Area& area : areas_)
             if (inside(area, box.centre)) price += 2.0;
-        if (free) return price + std::min(most_crowding, crowding * map_.inked(box.grown(breathing)));
+        if (free) return price + std::min(most_crowding, crowding * map_.inked(box.grown(breathing), most_crowding / crowding));
         return price + covers_stroke + covers_area * map_.inked(box.grown(ink_margin));
     }
-    /// Strokes that a leader would cross.
-    int crossed(Spot from, Spot to) const { return map_.crossings(from, to); }
+    /// Strokes that a leader would cross, counted no further than `most` of them.
+    int crossed(Spot from, Spot to, int most = InkMap::all) const { return map_.crossings(from, to, most); }
 
 private:
     void add(const Path& path) {
@@ -200,11 +200,28 @@ private:
 struct Candidate {
     InkBox box;
     double price = 0;      // what does not depend on other labels
-    bool covered = false;  // … or out of the room
+    bool free = false;     // covers no ink
+    bool covered = false;  // … or is out of the room
     bool leader = false;
     Spot leader_from, leader_to;
     Box extent = nowhere;  // of box and leader and what another label must keep off it
     InkBox thread;         // the leader's
+};
+
+/// All places that one label may take.
+struct Places {
+    std::vector<Candidate> all;
+    /// A place by its price; until it is priced, by the least that it can cost.
+    struct Ranked {
+        double price;
+        std::size_t place;
+        bool priced;
+        bool operator<(const Ranked& other) const { return price < other.price || (price == other.price && place < other.place); }
+    };
+    std::vector<Ranked> ranked;      // the cheapest of each kind first
+    std::vector<std::size_t> kinds;  // where each kind ends
+    int stage = 0;                   // how many kinds have been proposed
+    Box span = nowhere;              // what all of them take
 };
 
 /// The first `count` characters of UTF-8 text.
@@ -264,11 +281,8 @@ public:
             shaped_.push_back(fonts.shape(request.text, request.size));
             if (room && request.balloon <= 0) shorten(request, fonts, std::max(0.5 * room->x, least_measure), shaped_.back());
         }
-        candidates_.resize(requests_.size());
-        stage_.assign(requests_.size(), 0);
-        kinds_.resize(requests_.size());
+        places_.resize(requests_.size());
         chosen_.resize(requests_.size());
-        span_.assign(requests_.size(), nowhere);
         for (std::size_t i = 0; i < requests_.size(); ++i) propose(i);
     }
 
@@ -277,7 +291,7 @@ public:
         std::vector<std::pair<int, std::size_t>> order;
         for (std::size_t i = 0; i < requests_.size(); ++i) {
             int free = 0;
-            for (const Candidate& candidate : candidates_[i]) free += !candidate.covered;
+            for (const Candidate& candidate : places_[i].all) free += !candidate.covered;
             order.emplace_back(free, i);
         }
         std::sort(order.begin(), order.end());
@@ -325,7 +339,7 @@ private:
             propose_beside_line(i, *requests_[i].toward);
         else
             propose_around(i, 0, 0, false);
-        sort_from(i, 0);
+        rank_new(places_[i]);
     }
 
     /// Less wanted places, thought of only where nothing so far costs less than they would.
@@ -334,31 +348,50 @@ private:
         const bool beside = beside_line(i);
         // A vector shorter than its name has room beyond its ends; a direction mark stays on its line if it can.
         const double price = request.along ? upright_price : beside_price;
-        const std::size_t so_far = candidates_[i].size();
-        if (stage_[i] == 0) {
+        int& stage = places_[i].stage;
+        if (stage == 0) {
             if (beside && least < price) return false;
-            stage_[i] = 1;
+            stage = 1;
             if (beside) {
                 propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
-                sort_from(i, so_far);
+                rank_new(places_[i]);
                 return true;
             }
         }
-        if (stage_[i] == 1) {
+        if (stage == 1) {
             if (least < least_of_far) return false;
-            stage_[i] = 2;
+            stage = 2;
             propose_around(i, beside ? price : 0.0, 0, true);
-            sort_from(i, so_far);
+            rank_new(places_[i]);
             return true;
         }
         return false;
     }
 
     /// The most wanted first: where one of them is free, the others need no look.
-    void sort_from(std::size_t i, std::size_t first) {
-        std::stable_sort(candidates_[i].begin() + static_cast<std::ptrdiff_t>(first), candidates_[i].end(),
-                         [](const Candidate& a, const Candidate& b) { return a.price < b.price; });
-        kinds_[i].push_back(candidates_[i].size());
+    static void rank_new(Places& places) {
+        const std::size_t first = places.ranked.size();
+        for (std::size_t place = first; place < places.all.size(); ++place) {
+            const Candidate& candidate = places.all[place];
+            places.ranked.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
+        }
+        std::sort(places.ranked.begin() + static_cast<std::ptrdiff_t>(first), places.ranked.end());
+        places.kinds.push_back(places.ranked.size());
+    }
+
+    /// The next place of a kind in the order of price, of which `rank` − 1 have been met. What stands about a place is looked at
+    /// only when it is its turn; it then makes room for those that now cost less.
+    const Places::Ranked& next_of(std::size_t i, std::size_t rank, std::size_t end) {
+        std::vector<Places::Ranked>& ranked = places_[i].ranked;
+        while (!ranked[rank].priced) {
+            const std::size_t place = ranked[rank].place;
+            look_about(i, places_[i].all[place]);
+            const Places::Ranked now{places_[i].all[place].price, place, true};
+            std::size_t to = rank;
+            for (; to + 1 < end && ranked[to + 1] < now; ++to) ranked[to] = ranked[to + 1];
+            ranked[to] = now;
+        }
+        return ranked[rank];
     }
 
     void propose_beside_line(std::size_t i, Spot toward) {
@@ -475,7 +508,7 @@ private:
         candidate.extent.max = candidate.extent.max + Spot{1.2, 1.2};
     }
 
-    /// Prices a place as far as other labels do not matter, and keeps it.
+    /// Prices a place as far as its own position goes, and keeps it.
     void finish(std::size_t i, Candidate& candidate) {
         const Spot out = outside(extent_of(candidate.box));
         candidate.price += 0.06 * (out.x + out.y);
@@ -484,15 +517,18 @@ private:
             candidate.price += strict_ ? covers_label : leaves_room;
             candidate.covered = strict_;
         }
-        const bool free = ground_.is_free(candidate.box);
-        candidate.covered = candidate.covered || !free;
-        candidate.price += ground_.price(candidate.box, free);
-        if (free) candidate.price += near_others(i, candidate);
-        if (candidate.leader && free)
-            candidate.price += crossing_price * ground_.crossed(candidate.leader_from, candidate.leader_to);
+        candidate.free = ground_.is_free(candidate.box);
+        candidate.covered = candidate.covered || !candidate.free;
         close_extent(candidate);
-        enlarge(span_[i], candidate.extent);
-        candidates_[i].push_back(candidate);
+        enlarge(places_[i].span, candidate.extent);
+        places_[i].all.push_back(candidate);
+    }
+    /// Adds what the marks about a place cost, and the objects that it might seem to name.
+    void look_about(std::size_t i, Candidate& candidate) const {
+        candidate.price += ground_.price(candidate.box, candidate.free);
+        if (!candidate.free) return;
+        candidate.price += near_others(i, candidate);
+        if (candidate.leader) candidate.price += crossing_price * ground_.crossed(candidate.leader_from, candidate.leader_to);
     }
 
     /// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from getting
@@ -546,10 +582,17 @@ private:
             candidate.box = box;
             candidate.price = least;
             draw_leader(i, candidate);
-            candidate.price += crossing_price * ground_.crossed(candidate.leader_from, candidate.leader_to) +
-                               unruly_price * (labels.crossings(candidate.leader_from, candidate.leader_to) +
-                                               leaders.crossings(candidate.leader_from, candidate.leader_to) +
-                                               labels.touches({candidate.leader_from, {0.1, 0.1}}));
+            // Counted until it is no better than what was found.
+            double met = unruly_price * labels.touches({candidate.leader_from, {0.1, 0.1}});
+            const auto count = [&](double price, const auto& crossings) {
+                const double left = found ? (found->price - least - met) / price : 1e6;
+                if (left > 0) met += price * crossings(static_cast<int>(std::min(left, 1e6)) + 1);
+            };
+            const Spot from = candidate.leader_from, to = candidate.leader_to;
+            count(unruly_price, [&](int most) { return labels.crossings(from, to, most); });
+            count(unruly_price, [&](int most) { return leaders.crossings(from, to, most); });
+            count(crossing_price, [&](int most) { return ground_.crossed(from, to, most); });
+            candidate.price += met;
             if (!found || candidate.price < found->price) found = candidate;
         };
         // Square rings about the anchor, as far as a better place may be.
@@ -615,7 +658,7 @@ private:
     void look_around(std::size_t i) {
         around_.clear();
         for (std::size_t j = 0; j < requests_.size(); ++j)
-            if (j != i && !apart(chosen_[j].extent, span_[i])) around_.push_back(j);
+            if (j != i && !apart(chosen_[j].extent, places_[i].span)) around_.push_back(j);
     }
 
     double price_now(std::size_t i) const {
@@ -650,14 +693,15 @@ private:
         std::size_t k = 0;
         for (;;) {
             // Of each kind the cheapest come first.
-            for (const std::size_t end : kinds_[i]) {
-                for (; k < end && candidates_[i][k].price < least; ++k) {
-                    const Candidate& candidate = candidates_[i][k];
+            for (const std::size_t end : places_[i].kinds) {
+                for (; k < end && places_[i].ranked[k].price < least; ++k) {
+                    const std::size_t place = next_of(i, k, end).place;
+                    const Candidate& candidate = places_[i].all[place];
                     double price = candidate.price;
                     for (std::size_t n = 0; n < around_.size() && price < least; ++n)
                         if (const Candidate& other = chosen_[around_[n]]; !apart(other.extent, candidate.extent))
                             price += price_between(candidate, other);
-                    if (price < least) least = price, found = k;
+                    if (price < least) least = price, found = place;
                 }
                 k = std::max(k, end);
             }
@@ -665,7 +709,7 @@ private:
             look_around(i);
         }
         if (!found) return std::nullopt;
-        return candidates_[i][*found];
+        return places_[i].all[*found];
     }
 
     /// A place that would cost less if one other label were not there.
@@ -679,8 +723,8 @@ private:
         wishes_.clear();
         look_around(i);
         std::size_t k = 0;
-        for (const std::size_t end : kinds_[i]) {
-            for (; k < end && candidates_[i][k].price < now; ++k) wish_for(i, k, now);
+        for (const std::size_t end : places_[i].kinds) {
+            for (; k < end && places_[i].ranked[k].price < now; ++k) wish_for(i, next_of(i, k, end).place, now);
             k = end;
         }
         constexpr std::size_t most = 6;
@@ -688,8 +732,9 @@ private:
                   [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });
         if (wishes_.size() > most) wishes_.resize(most);
     }
-    void wish_for(std::size_t i, std::size_t k, double now) {
-        const Candidate& candidate = candidates_[i][k];
+    void wish_for(std::size_t i, std::size_t place, double now) {
+        const Candidate& candidate = places_[i].all[place];
+        if (candidate.price >= now) return;
         met_.clear();
         double sum = candidate.price, most = 0;
         for (const std::size_t j : around_) {
@@ -707,9 +752,9 @@ private:
             if (without >= now) continue;
             const auto there = std::find_if(wishes_.begin(), wishes_.end(), [&](const Wish& w) { return w.other == j; });
             if (there == wishes_.end())
-                wishes_.push_back({j, k, without});
+                wishes_.push_back({j, place, without});
             else if (without < there->price)
-                *there = {j, k, without};
+                *there = {j, place, without};
         }
     }
 
@@ -724,7 +769,7 @@ private:
             const Candidate before = chosen_[i];
             double both = now + price_now(j);
             if (!apart(before.extent, chosen_[j].extent)) both -= price_between(before, chosen_[j]);
-            chosen_[i] = candidates_[i][wish.place];
+            chosen_[i] = places_[i].all[wish.place];
             if (const auto place = best(j, both - wish.price - least_gain)) {
                 chosen_[j] = *place;
                 return true;
@@ -740,11 +785,8 @@ private:
     bool strict_;
     Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
-    std::vector<std::vector<Candidate>> candidates_;
-    std::vector<std::vector<std::size_t>> kinds_;  // where each kind of place ends, by label
-    std::vector<int> stage_;                       // how many kinds of place have been proposed
+    std::vector<Places> places_;
     std::vector<Candidate> chosen_;
-    std::vector<Box> span_;  // what all the places of a label take
     // Of one look at one label, kept for their memory.
     std::vector<std::size_t> around_;
     std::vector<std::pair<std::size_t, double>> met_;
