@@ -92,10 +92,15 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
             continue;
         }
         const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
-        for (std::size_t page = 0; page < count; ++page)
-            outputs.push_back({target.path_of_page(page), target.format == Format::svg
-                                                              ? render::to_svg(pages[page], *fonts)
-                                                              : render::to_png(pages[page], *fonts, request.dpi)});
+        if (target.format == Format::svg) {
+            std::vector<std::string> texts =
+                count == 1 ? std::vector{render::to_svg(pages.front(), *fonts)} : render::to_svg(pages, *fonts);
+            for (std::size_t page = 0; page < count; ++page)
+                outputs.push_back({target.path_of_page(page), std::move(texts[page])});
+        } else {
+            for (std::size_t page = 0; page < count; ++page)
+                outputs.push_back({target.path_of_page(page), render::to_png(pages[page], *fonts, request.dpi)});
+        }
         if (count < pages.size())
             remarks.push_back("the sheet has " + std::to_string(pages.size()) +
                               " pages and standard output carries the first only; a PDF has them all, and so has -o with a name");

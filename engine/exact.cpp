@@ -154,12 +154,13 @@ Exact tangent_in_first_octant(const Exact& half_turns, int bits) {
 }
 
 double length(const Vector& a) {
-    // The root of the exact square, so that tiny components beside large ones are not lost to overflow or underflow.
-    constexpr int bits_of_double = 53;
-    const Exact squared = squared_length(a);
-    Real root(2 * bits_of_double);
-    mpfr_set_q(root(), squared.rational().get_mpq_t(), MPFR_RNDN);
-    mpfr_sqrt(root(), root(), MPFR_RNDN);
+    // With so many bits that nothing is lost to overflow or underflow and only the last rounding counts; the exact square would
+    // be reduced at great cost.
+    constexpr int bits = 160;
+    Real x(bits), root(bits);
+    mpfr_set_q(x(), a.x.rational().get_mpq_t(), MPFR_RNDN);
+    mpfr_set_q(root(), a.y.rational().get_mpq_t(), MPFR_RNDN);
+    mpfr_hypot(root(), x(), root(), MPFR_RNDN);
     return mpfr_get_d(root(), MPFR_RNDN);
 }
 

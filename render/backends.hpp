@@ -12,6 +12,8 @@ namespace kinegraph::render {
 
 /// SVG 1.1, one user unit = 1 mm; groups, ids, titles and data attributes as docs/format.md says; text as outlines.
 std::string to_svg(const Page& page, const Fonts& fonts);
+/// The same of several pages: an outline that they share is written out once.
+std::vector<std::string> to_svg(const std::vector<Page>& pages, const Fonts& fonts);
 
 /// PNG (RGB, or grey where the page has no colour) at `dpi` dots per inch.
 std::string to_png(const Page& page, const Fonts& fonts, double dpi);

@@ -66,11 +66,18 @@ double choose_scale(double extent_x, double extent_y, double room_x, double room
 /// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
 std::string legal_id(std::string_view name);
 
+enum class Labelling {
+    free,        ///< labels leave the room where nothing in it is free
+    strict,      ///< rather than leave the room, a label covers a stroke
+    if_it_fits,  ///< none is set where figure and labels do not fit into the room
+};
+
 /// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
 /// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
 /// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
-/// (its aria-label says it all). `strict`: rather than leave the room, a label covers a stroke.
-void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt, bool strict = false);
+/// (its aria-label says it all). False: none was set.
+bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
+                  Labelling labelling = Labelling::free);
 
 /// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
 /// Appended to `marks`; a vector shorter than its head gets a smaller head.

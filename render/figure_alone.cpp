@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "render/sections.hpp"
 #include "render/shapes.hpp"
 #include "render/title_block.hpp"
 #include "render/wanted_figures.hpp"
@@ -21,7 +20,6 @@ struct Choice {
 };
 
 std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
-    const Solution& solution = context.solution;
     std::vector<Choice> all;
     all.push_back({"mechanism", [&context](double x, double y) {
                        return context.solution.act_of_motion ? act_of_motion_figure(context, x, y)
@@ -29,10 +27,7 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
                    }});
     for (Wanted& each : wanted.list)
         if (each.name != "mechanism") all.push_back({each.name, each.draw});
-    if (has_velocities(solution))
-        all.push_back({"velocities", [&context](double x, double y) { return velocities_on_mechanism(context, x, y); }});
-    if (has_circle(solution))
-        all.push_back({"circle-diagram", [&context](double x, double y) { return circle_diagram(context, x, y); }});
+    for (Wanted& each : wanted.late) all.push_back({each.name, each.draw});
     return all;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "render/caption.hpp"
 #include "render/free_room.hpp"
@@ -61,7 +62,7 @@ private:
                 Outcome outcome = best_page(first, fewer, {format_.content});
                 if (!outcome.missed) chosen = std::move(outcome);
             }
-            result_.drawn = std::move(chosen.drawn);
+            for (Figure& figure : chosen.drawn) result_.drawn.push_back(std::move(figure));
             result_.unplaced = std::move(chosen.unplaced);
             find_runs(chosen.sheet, chosen.cells, first);
             result_.sheets.push_back(std::move(chosen.sheet));
@@ -69,12 +70,12 @@ private:
         }
     }
 
-    /// A page with `count` figures from `first` on, and all that was drawn up to it.
+    /// A page with `count` figures from `first` on.
     struct Outcome {
         double value = -1e300;
         bool missed = false;  // a figure is not at the scale that the file asks for
         Sheet sheet;
-        std::vector<Figure> drawn;
+        std::vector<Figure> drawn;  // of this page
         std::set<std::size_t> unplaced;
         std::vector<Box> cells;
     };
@@ -84,7 +85,7 @@ private:
     Outcome best_page(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
         Outcome chosen;
         const std::set<std::size_t> unplaced_before = result_.unplaced;
-        const std::vector<Figure> drawn_before = result_.drawn;
+        const auto drawn_before = static_cast<std::ptrdiff_t>(result_.drawn.size());
         for (int round = 0; round < 4; ++round) {
             Split best;
             for (const Box& each : areas)
@@ -112,10 +113,11 @@ private:
                     wanted.rim_y += 8;
                 }
             }
-            outcome.drawn = std::move(result_.drawn);
+            outcome.drawn.assign(std::make_move_iterator(result_.drawn.begin() + drawn_before),
+                                 std::make_move_iterator(result_.drawn.end()));
+            result_.drawn.erase(result_.drawn.begin() + drawn_before, result_.drawn.end());
             outcome.unplaced = std::move(result_.unplaced);
             outcome.cells = best.cells;
-            result_.drawn = drawn_before;
             result_.unplaced = unplaced_before;
             if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
             if (!smaller) break;

@@ -344,7 +344,7 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
         };
         scale = next;
         if (!last && !fits(label_reach)) continue;
-        place_labels(figure, context.fonts, Spot{room_x, room_y});
+        if (!place_labels(figure, context.fonts, Spot{room_x, room_y}, last ? Labelling::free : Labelling::if_it_fits)) continue;
         if (!last && !fits(0)) continue;
         figure.marks.emplace_back(GroupEnd{});
         return figure;

@@ -36,6 +36,7 @@ constexpr double crossing_price = 2.5;  // of a leader, for each stroke it cross
 constexpr double far_price = 0.9;       // for each mm from the nearest place
 constexpr double least_measure = 45;    // of a label, before it is shortened
 constexpr double least_of_far = 11;     // leader and distance: no far place costs less
+constexpr int most_looks = 30000;       // for better far places, in a figure; then the first that is free will do
 
 /// A tinted area: a label may stand in it, but rather not.
 struct Area {
@@ -286,7 +287,8 @@ public:
         for (std::size_t i = 0; i < requests_.size(); ++i) propose(i);
     }
 
-    void place() {
+    /// False where `only_within` (the width and height of a room) is given and they do not fit into it.
+    bool place(const std::optional<Spot>& only_within) {
         // The least free first; ties in the figure's order.
         std::vector<std::pair<int, std::size_t>> order;
         for (std::size_t i = 0; i < requests_.size(); ++i) {
@@ -308,7 +310,9 @@ public:
             }
             if (!changed) break;
         }
+        if (only_within && !fits(*only_within)) return false;
         repair(order);
+        return true;
     }
 
     const ShapedLine& shaped(std::size_t i) const { return shaped_[i]; }
@@ -531,6 +535,12 @@ private:
         if (candidate.leader) candidate.price += crossing_price * ground_.crossed(candidate.leader_from, candidate.leader_to);
     }
 
+    bool fits(Spot room) const {
+        Box all = box_;
+        for (const Candidate& candidate : chosen_) enlarge(all, extent_of(candidate.box));
+        return all.width() <= room.x && all.height() <= room.y;
+    }
+
     /// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from getting
     /// there are moved next.
     void repair(const std::vector<std::pair<int, std::size_t>>& order) {
@@ -550,7 +560,7 @@ private:
         }
     }
 
-    std::optional<Candidate> nearest_free(std::size_t i) const {
+    std::optional<Candidate> nearest_free(std::size_t i) {
         const Spot half = box_at(i, {}, {1, 0}).half;
         const Box room{box_.min - spare_ + half, box_.max + spare_ - half};
         if (const auto found = nearest_free(i, room)) return found;
@@ -561,8 +571,9 @@ private:
     }
     /// The nearest place with its middle in a box that covers no stroke and no label; of those about as near the one whose leader
     /// crosses least.
-    std::optional<Candidate> nearest_free(std::size_t i, const Box& middles) const {
-        constexpr double step = 1, unruly_price = 12;
+    std::optional<Candidate> nearest_free(std::size_t i, const Box& middles) {
+        constexpr double unruly_price = 12;
+        const double step = looks_left_ > 0 ? 1 : 2;
         const LabelRequest& request = requests_[i];
         InkBox box = box_at(i, {}, {1, 0});
         InkMap labels({middles.min - box.half, middles.max + box.half}), leaders = labels;
@@ -577,6 +588,7 @@ private:
             const double extra = distance_to_box(request.anchor, box) - request.clearance;
             const double least = leader_price + far_price * extra;
             if (extra < step || (found && least >= found->price)) return;
+            --looks_left_;
             if (labels.touches(box) || leaders.touches(box) || !ground_.is_free(box)) return;
             Candidate candidate;
             candidate.box = box;
@@ -601,6 +613,7 @@ private:
             std::max({at.x - middles.min.x, middles.max.x - at.x, at.y - middles.min.y, middles.max.y - at.y}) / step);
         for (int ring = 1; ring <= last; ++ring) {
             const double away = ring * step;
+            if (found && looks_left_ <= 0) break;
             if (found && leader_price + far_price * (away - std::max(box.half.x, box.half.y) - request.clearance) >= found->price)
                 break;
             const auto row = [&](double y) {
@@ -787,6 +800,7 @@ private:
     std::vector<ShapedLine> shaped_;
     std::vector<Places> places_;
     std::vector<Candidate> chosen_;
+    int looks_left_ = most_looks;
     // Of one look at one label, kept for their memory.
     std::vector<std::size_t> around_;
     std::vector<std::pair<std::size_t, double>> met_;
@@ -795,11 +809,11 @@ private:
 
 }  // namespace
 
-void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, bool strict) {
-    if (figure.labels.empty()) return;
+bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling) {
+    if (figure.labels.empty()) return true;
     const Ground ground(figure.marks, fonts);
-    Placing placing(figure, fonts, ground, room, strict);
-    placing.place();
+    Placing placing(figure, fonts, ground, room, labelling == Labelling::strict);
+    if (!placing.place(labelling == Labelling::if_it_fits ? room : std::nullopt)) return false;
 
     const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&
                          std::holds_alternative<GroupEnd>(figure.marks.back());
@@ -832,6 +846,7 @@ void place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     }
     if (grouped) figure.marks.emplace_back(GroupEnd{});
     figure.labels.clear();
+    return true;
 }
 
 }  // namespace kinegraph::render

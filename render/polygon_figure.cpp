@@ -404,18 +404,22 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
     const auto fits = [&](const Figure& figure, double reach) {
         return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
     };
-    const auto finish = [&](Figure figure) {
-        place_labels(figure, context.fonts, Spot{room_x, room_y});
+    /// Whether the figure is done.
+    const auto finish = [&](Figure& figure, bool whatever_it_takes) {
+        if (!place_labels(figure, context.fonts, Spot{room_x, room_y},
+                          whatever_it_takes ? Labelling::free : Labelling::if_it_fits))
+            return false;
         figure.marks.emplace_back(GroupEnd{});
-        return figure;
+        return whatever_it_takes || fits(figure, 0);
     };
-    if (drawing.empty()) return finish(drawing.at(1));
+    if (drawing.empty()) {
+        Figure figure = drawing.at(1);
+        finish(figure, true);
+        return figure;
+    }
     if (const auto asked = drawing.asked()) {
         Figure figure = drawing.at(*asked);
-        if (fits(figure, 0)) {
-            figure = finish(std::move(figure));
-            if (fits(figure, 0)) return figure;
-        }
+        if (fits(figure, 0) && finish(figure, false)) return figure;
     }
     double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
     // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
@@ -424,8 +428,7 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
         const bool last = std::max(drawing.width(), drawing.height()) / next_scale(scale) < least_shown;
         Figure figure = drawing.at(scale);
         if (!last && !fits(figure, 0.4 * label_reach)) continue;
-        figure = finish(std::move(figure));
-        if (last || fits(figure, 0)) return figure;
+        if (finish(figure, last)) return figure;
     }
 }
 

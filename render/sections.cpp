@@ -300,14 +300,6 @@ private:
 
 }  // namespace
 
-bool has_circle(const Solution& solution) { return solution.mechanism.bodies.size() >= 3 && !solution.centres.empty(); }
-bool has_velocities(const Solution& solution) {
-    // An act of motion has them in its own figure.
-    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
-        return m.point >= 0 && m.velocity && !m.velocity->is_zero();
-    });
-}
-
 double estimated_text(const Solution& s, const SheetFormat& format) {
     double rows = 8;
     for (const Polygon& polygon : s.protocol.polygons) rows += static_cast<double>(polygon.vectors.size());

@@ -10,10 +10,6 @@
 
 namespace kinegraph::render {
 
-/// Whether the text pages show the circle of the centres, and the velocities on the mechanism.
-bool has_circle(const Solution& solution);
-bool has_velocities(const Solution& solution);
-
 /// mm² that the text will take, roughly: enough to choose whether it shares a page with the figures.
 double estimated_text(const Solution& solution, const SheetFormat& format);
 

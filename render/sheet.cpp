@@ -72,7 +72,8 @@ private:
 
     /// The figures where they are, and the text. `force_equations`: with the steps, where the figure has no room for them.
     void set_text(bool force_equations) {
-        sheets_ = flow_text(context_, format_, figures_, write_sections(context_, format_, wanted_, figures_, force_equations));
+        sheets_ = flow_text(context_, format_, wanted_, figures_,
+                            write_sections(context_, format_, wanted_, figures_, force_equations));
     }
 
     DrawingContext context_;

@@ -21,7 +21,7 @@ void append_number(std::string& out, double value, int digits) {
     static constexpr double scales[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
     const double scaled = value * scales[digits];
     KG_ASSERT(std::abs(scaled) < 9e15, "a coordinate of a page is finite and of a size that paper has");
-    std::int64_t rest = std::llround(scaled);
+    auto rest = static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
     if (rest == 0) {
         out += '0';
         return;
@@ -29,6 +29,10 @@ void append_number(std::string& out, double value, int digits) {
     if (rest < 0) {
         out += '-';
         rest = -rest;
+    }
+    if (digits >= 4 && rest % 10000 == 0) {
+        rest /= 10000;
+        digits -= 4;
     }
     while (digits > 0 && rest % 10 == 0) {
         rest /= 10;
@@ -54,9 +58,12 @@ constexpr int drawn_digits = 8;    // of what is measured
 constexpr int outline_digits = 4;  // of type: 0.1 µm
 constexpr double outline_units = 1e4;
 
+/// Path data of glyphs, by face, index and size, for all pages.
+using Outlines = std::unordered_map<std::uint64_t, std::string>;
+
 class Writer {
 public:
-    Writer(const Page& page, const Fonts& fonts) : page_(page), fonts_(fonts) {}
+    Writer(const Page& page, const Fonts& fonts, Outlines& outlines) : page_(page), fonts_(fonts), outlines_(outlines) {}
 
     std::string write() {
         pugi::xml_node declaration = document_.append_child(pugi::node_declaration);
@@ -272,6 +279,13 @@ private:
         entry->second = text_;
         pugi::xml_node node = defs_.append_child("path");
         set(node, "id", text_.c_str() + 1);
+        const auto [outline, is_unknown] = outlines_.try_emplace(key);
+        if (is_unknown) outline->second = path_data(glyph);
+        set(node, "d", outline->second.c_str());
+        return entry->second;
+    }
+
+    const std::string& path_data(const Glyph& glyph) {
         text_.clear();
         // Relative commands, a third shorter. The pen stands on snapped places, so nothing adds up.
         const auto snapped = [&glyph](double em) { return std::round(em * glyph.size * outline_units) / outline_units; };
@@ -309,12 +323,12 @@ private:
                 text_ += 'Z';
             }
         }
-        set(node, "d", text_.c_str());
-        return entry->second;
+        return text_;
     }
 
     const Page& page_;
     const Fonts& fonts_;
+    Outlines& outlines_;
     pugi::xml_document document_;
     pugi::xml_node at_, defs_;
     int depth_ = 0;
@@ -324,6 +338,16 @@ private:
 
 }  // namespace
 
-std::string to_svg(const Page& page, const Fonts& fonts) { return Writer(page, fonts).write(); }
+std::string to_svg(const Page& page, const Fonts& fonts) {
+    Outlines outlines;
+    return Writer(page, fonts, outlines).write();
+}
+
+std::vector<std::string> to_svg(const std::vector<Page>& pages, const Fonts& fonts) {
+    Outlines outlines;
+    std::vector<std::string> texts;
+    for (const Page& page : pages) texts.push_back(Writer(page, fonts, outlines).write());
+    return texts;
+}
 
 }  // namespace kinegraph::render

@@ -2,7 +2,6 @@
 #include "render/text_flow.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "engine/assert.hpp"
@@ -14,9 +13,11 @@ namespace {
 
 class TextFlow {
 public:
-    TextFlow(const DrawingContext& context, const SheetFormat& format, const FigurePages& pages, std::vector<Section> sections)
+    TextFlow(const DrawingContext& context, const SheetFormat& format, WantedFigures& wanted, const FigurePages& pages,
+             std::vector<Section> sections)
         : context_(context),
           format_(format),
+          wanted_(wanted),
           sections_(std::move(sections)),
           sheets_(pages.sheets),
           force_page_(pages.force_page),
@@ -28,12 +29,6 @@ public:
     }
 
 private:
-    /// A figure of the text pages: its room is kept in the flow and drawn at the end.
-    struct Late {
-        std::function<Figure(double, double)> draw;
-        double width = 0, height = 0;
-    };
-
     static bool pack(const std::vector<double>& heights, std::vector<Run>& runs,
                      std::vector<std::pair<std::size_t, double>>* where) {
         for (const double height : heights) {
@@ -50,8 +45,8 @@ private:
         return true;
     }
 
-    static Figure drawn(const Late& late, double width, double height) { return late.draw(width, height - 7); }
-    Block figure_block(const Late& late, double width, double height) { return figure_block(drawn(late, width, height), width); }
+    static Figure drawn(Wanted& late, double width, double height) { return late.drawn_into(width, height - 7); }
+    Block figure_block(Wanted& late, double width, double height) { return figure_block(drawn(late, width, height), width); }
     Block figure_block(Figure figure, double width) {
         Block block;
         const double caption = set_caption(block.marks, context_, figure, ++figures_, {0, 0}, width);
@@ -63,12 +58,6 @@ private:
     }
 
     void flow() {
-        std::vector<Late> late;
-        if (has_velocities(context_.solution))
-            late.push_back({[this](double x, double y) { return velocities_on_mechanism(context_, x, y); }, 0, 0});
-        if (has_circle(context_.solution))
-            late.push_back({[this](double x, double y) { return circle_diagram(context_, x, y); }, 0, 0});
-
         // What the pages with figures take.
         std::vector<Section> rest;
         // First what explains a figure beside that figure, then the others wherever there is room.
@@ -78,9 +67,10 @@ private:
                 waiting = true;
         for (Section& section : sections_)
             if (!section.rows.empty() && !place_section(section)) rest.push_back(std::move(section));
-        std::vector<Late> late_rest;
-        for (Late& each : late)
-            if (!rest.empty() || !place_late(each)) late_rest.push_back(std::move(each));
+        // Their room is kept in the flow; they are drawn at the end.
+        std::vector<Wanted*> late_rest;
+        for (Wanted& each : wanted_.late)
+            if (!rest.empty() || !place_late(each)) late_rest.push_back(&each);
         if (rest.empty() && late_rest.empty()) return;
 
         // A page of columns: the late figures as large as the text lets them.
@@ -105,14 +95,14 @@ private:
             double wide_drawn = 0, small_drawn = 0;
             std::size_t next = 0;
             if (wide > 0) {
-                const Block block = figure_block(late_rest[next++], 2 * format_.measure + gap, wide);
+                const Block block = figure_block(*late_rest[next++], 2 * format_.measure + gap, wide);
                 set(sheets_.back().marks, block, format_.column(0).min);
                 wide_drawn = block.height;
             }
             for (; next < late_rest.size(); ++next) {
                 Box place = format_.column(format_.columns - 1 - (late_rest.size() > 1 && wide == 0 && next == 0 ? 1 : 0));
                 if (wide > 0 && format_.columns < 3) place.min.y += wide_drawn + section_gap;  // no column beside the wide one
-                const Block block = figure_block(late_rest[next], format_.measure, small);
+                const Block block = figure_block(*late_rest[next], format_.measure, small);
                 set(sheets_.back().marks, block, place.min);
                 small_drawn = std::max(small_drawn, block.height);
             }
@@ -127,15 +117,15 @@ private:
     }
 
     /// Figures after the text, as large as the last page has columns to spare for them.
-    void place_last(const std::vector<Late>& figures) {
+    void place_last(const std::vector<Wanted*>& figures) {
         if (figures.empty()) return;
         int free = 0;
         std::vector<Run>& runs = sheets_.back().runs;
         while (free < static_cast<int>(runs.size()) && runs[runs.size() - 1 - static_cast<std::size_t>(free)].used == 0) ++free;
         if (free < 2) {
-            std::vector<Late> left;
-            for (const Late& each : figures)
-                if (!place_late(each)) left.push_back(each);
+            std::vector<Wanted*> left;
+            for (Wanted* each : figures)
+                if (!place_late(*each)) left.push_back(each);
             if (left.empty()) return;
             sheets_.emplace_back();
             sheets_.back().runs = text_runs(0, 0, 0);
@@ -148,11 +138,11 @@ private:
         const bool third = free > 2 && figures.size() > 1;
         const double bottom = std::min(format_.column(first + 1).max.y, place.max.y);
         const double height = bottom - place.min.y - (figures.size() > 1 && !third ? 68 : 0);
-        const Block block = figure_block(figures.front(), 2 * format_.measure + gap, std::min(height, 150.0));
+        const Block block = figure_block(*figures.front(), 2 * format_.measure + gap, std::min(height, 150.0));
         set(sheets_.back().marks, block, place.min);
         if (figures.size() < 2) return;
         place = third ? format_.column(first + 2) : rectangle(place.min.x, place.min.y + block.height + gap, place.max.x, bottom);
-        set(sheets_.back().marks, figure_block(figures.back(), format_.measure, std::min(place.height(), 85.0)), place.min);
+        set(sheets_.back().marks, figure_block(*figures.back(), format_.measure, std::min(place.height(), 85.0)), place.min);
     }
 
     /// Columns of a text page below its figures.
@@ -237,7 +227,7 @@ private:
         section.continued = true;
     }
 
-    bool place_late(const Late& late) {
+    bool place_late(Wanted& late) {
         for (Sheet& sheet : sheets_)
             for (Run& run : sheet.runs) {
                 const double before = run.used > 0 ? section_gap : 0;
@@ -257,6 +247,7 @@ private:
 
     const DrawingContext& context_;
     const SheetFormat& format_;
+    WantedFigures& wanted_;
     std::vector<Section> sections_;
     std::vector<Sheet> sheets_;
     std::size_t force_page_;  // where forces begin
@@ -266,9 +257,9 @@ private:
 
 }  // namespace
 
-std::vector<Sheet> flow_text(const DrawingContext& context, const SheetFormat& format, const FigurePages& pages,
-                             std::vector<Section> sections) {
-    return TextFlow(context, format, pages, std::move(sections)).sheets();
+std::vector<Sheet> flow_text(const DrawingContext& context, const SheetFormat& format, WantedFigures& wanted,
+                             const FigurePages& pages, std::vector<Section> sections) {
+    return TextFlow(context, format, wanted, pages, std::move(sections)).sheets();
 }
 
 }  // namespace kinegraph::render

@@ -10,7 +10,7 @@
 namespace kinegraph::render {
 
 /// The pages of figures with all sections on them, and as many further ones as they take.
-std::vector<Sheet> flow_text(const DrawingContext& context, const SheetFormat& format, const FigurePages& pages,
-                             std::vector<Section> sections);
+std::vector<Sheet> flow_text(const DrawingContext& context, const SheetFormat& format, WantedFigures& wanted,
+                             const FigurePages& pages, std::vector<Section> sections);
 
 }  // namespace kinegraph::render

@@ -17,10 +17,25 @@ bool has_motion(const Solution& solution) {
 }
 bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
 
+bool has_circle(const Solution& solution) { return solution.mechanism.bodies.size() >= 3 && !solution.centres.empty(); }
+bool has_velocities(const Solution& solution) {
+    // An act of motion has them in its own figure.
+    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
+        return m.point >= 0 && m.velocity && !m.velocity->is_zero();
+    });
+}
+
 WantedFigures::WantedFigures(const DrawingContext& context, double measure, bool joukowsky)
     : context_(context), measure_(measure) {
     if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
     if (has_forces(context.solution)) collect_forces(joukowsky);
+    const auto add_late = [&](const char* name, auto draw) {
+        late.emplace_back();
+        late.back().name = name;
+        late.back().draw = [this, draw](double x, double y) { return draw(context_, x, y); };
+    };
+    if (has_velocities(context.solution)) add_late("velocities", velocities_on_mechanism);
+    if (has_circle(context.solution)) add_late("circle-diagram", circle_diagram);
 }
 
 void WantedFigures::collect_forces(bool joukowsky) {

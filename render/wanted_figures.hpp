@@ -2,6 +2,7 @@
 // place; computes no mechanics.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,6 +18,9 @@ bool has_forces(const Solution& solution);
 bool has_motion(const Solution& solution);
 /// Motion and forces: each on pages of its own.
 bool is_mixed(const Solution& solution);
+/// Whether the text pages show the circle of the centres, and the velocities on the mechanism.
+bool has_circle(const Solution& solution);
+bool has_velocities(const Solution& solution);
 
 /// A drawing that wants a cell: what it measures and who draws it.
 struct Wanted {
@@ -37,10 +41,10 @@ struct Wanted {
         double room_x, room_y;
         Figure figure;
     };
-    std::vector<Drawn> drawn;
+    std::deque<Drawn> drawn;  ///< they stay where they are
 
     /// Drawn once for all rooms between the one it was drawn for and what it takes: the scale is the largest that fits.
-    Figure drawn_into(double room_x, double room_y) {
+    const Figure& drawn_into(double room_x, double room_y) {
         for (const Drawn& each : drawn)
             if ((each.room_x == room_x && each.room_y == room_y) ||
                 (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
@@ -60,6 +64,7 @@ public:
     WantedFigures& operator=(const WantedFigures&) = delete;
 
     std::vector<Wanted> list;
+    std::vector<Wanted> late;          ///< on the pages of text
     std::size_t first_of_forces = 0;   ///< index into list
     std::optional<std::size_t> lever;  ///< index into list
     Block lever_table;
