@@ -76,10 +76,7 @@ public:
         draw_centre(sketch, velocity_scale);
         draw_projections(sketch, velocity_scale);
         // What is constructed crosses the body and must be seen there.
-        sketch.bodies.emplace_back(GroupBegin{"construction", {}, {}, {}});
-        for (Mark& mark : sketch.construction) sketch.bodies.push_back(std::move(mark));
-        sketch.bodies.emplace_back(GroupEnd{});
-        sketch.construction.clear();
+        std::swap(sketch.construction, sketch.over_bodies);
         draw_velocities(sketch, velocity_scale);
         draw_acceleration_centre(sketch);
         sketch.draw_points(true);

@@ -891,7 +891,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                 }
             }
         }
-        for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
+        for (const ActionLine& action : lines) draw_action_line(sketch.over_bodies, theme, action, view);
         for (const auto& [letter, place] : meets)
             if (const Spot meet = sketch.spot(place); contains(view, meet)) draw_meet(sketch, context, letter, meet);
 

@@ -35,9 +35,9 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
         const char* role;
         std::vector<Mark>& marks;
     };
-    for (const auto& [role, marks] :
-         {Layer{"tint", tints}, Layer{"construction", construction}, Layer{"ground", ground}, Layer{"links", bodies},
-          Layer{"joints", pins}, Layer{"arrows", arrows}, Layer{"centres", centres}, Layer{"dimensions", dimensions}}) {
+    for (const auto& [role, marks] : {Layer{"tint", tints}, Layer{"construction", construction}, Layer{"ground", ground},
+                                      Layer{"links", bodies}, Layer{"construction", over_bodies}, Layer{"joints", pins},
+                                      Layer{"arrows", arrows}, Layer{"centres", centres}, Layer{"dimensions", dimensions}}) {
         if (marks.empty()) continue;
         figure.marks.emplace_back(GroupBegin{role, {}, {}, {}});
         for (Mark& mark : marks) figure.marks.push_back(std::move(mark));

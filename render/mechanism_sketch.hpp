@@ -123,6 +123,7 @@ public:
     Sketch(const Subject& subject, const DrawingContext& context, double scale, std::string prefix);
 
     std::vector<Mark> tints, construction, ground, bodies, pins, arrows, centres, dimensions;
+    std::vector<Mark> over_bodies;  ///< construction that a filled body would hide
     std::vector<LabelRequest> labels;
 
     Spot spot(PointIndex point) const { return spots_[at_index(point)]; }

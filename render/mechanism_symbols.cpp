@@ -652,9 +652,17 @@ void Sketch::draw_drivers() {
             straight(spot(joint.point) + (slider_side_ + 5.0) * side, along, slide->speed.to_double(), joint.bodies[0], about);
         } else if (const auto* point = std::get_if<PointDriver>(&driver)) {
             const Vector direction = direction_of(point->along, s_.solution.pose);
-            const Spot along = paper_direction(direction);
-            straight(spot(point->at) + 11.0 * along, along, point->speed.to_double(), point->body,
-                     m_.points[at_index(point->at)].name);
+            const Spot along = paper_direction(direction), at = spot(point->at);
+            // Ahead of the point, or beside it where a body or a line runs that way.
+            Spot best = at + 11.0 * along;
+            double least = 1e300;
+            for (const Spot aside :
+                 {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)}) {
+                double price = 0.1 * length(aside - 11.0 * along);
+                for (int i = -3; i <= 3; ++i) price += crowding(at + aside + 7.0 / 3 * i * along, at);
+                if (price < least - 1e-9) least = price, best = at + aside;
+            }
+            straight(best, along, point->speed.to_double(), point->body, m_.points[at_index(point->at)].name);
         }
     }
 }
