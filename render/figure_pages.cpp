@@ -253,7 +253,10 @@ FigurePages place_figures(const DrawingContext& context, const SheetFormat& form
         if (most <= least * (1 + 1e-9) || round == 5) return pages;
         figures.force_scale = most;
         for (Wanted& wanted : figures.list)
-            if (wanted.to_force_scale) wanted.drawn.clear();
+            if (wanted.to_force_scale)
+                wanted.drawn.erase(std::remove_if(wanted.drawn.begin(), wanted.drawn.end(),
+                                                  [&](const Wanted::Drawn& each) { return each.figure.scale < most; }),
+                                   wanted.drawn.end());
     }
 }
 

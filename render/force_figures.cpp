@@ -535,8 +535,14 @@ public:
         int met = 0;
         for (int i = 0; i <= pieces; ++i) {
             const Spot at = from + (static_cast<double>(i) / pieces) * (to - from);
-            if (std::any_of(strokes_.begin(), strokes_.end(),
-                            [&](const Stroke& stroke) { return distance(at, stroke.bar) < stroke.half + 1.2; }))
+            if (std::any_of(strokes_.begin(), strokes_.end(), [&](const Stroke& stroke) {
+                    const double near = stroke.half + 1.2;
+                    const auto [tail, tip] = stroke.bar;
+                    // Most are far away: the box round a stroke tells.
+                    return at.x > std::min(tail.x, tip.x) - near && at.x < std::max(tail.x, tip.x) + near &&
+                           at.y > std::min(tail.y, tip.y) - near && at.y < std::max(tail.y, tip.y) + near &&
+                           distance(at, stroke.bar) < near;
+                }))
                 ++met;
         }
         return static_cast<double>(met) / (pieces + 1);

@@ -2,7 +2,6 @@
 #include "render/ink_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "render/shapes.hpp"
@@ -12,24 +11,33 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double most_bits = 3000;  // on a side
+constexpr std::size_t band = 4;     // rows asked together
 
-/// Calls look(row, from, to) with the run of a convex polygon in each row; rows are those whose middle it meets.
+// What std::ceil and std::floor do, without a call, for what is neither negative nor beyond an int.
+int up(double value) {
+    const int whole = static_cast<int>(value);
+    return whole + (whole < value ? 1 : 0);
+}
+int down(double value) { return static_cast<int>(value); }
+
+/// Calls look(row, from, to) with the run of a box in each row, until it says no; rows are those whose middle it meets.
 template <class Look>
-void runs_of(const std::array<Spot, 4>& corners, double top, double pitch, int rows, Look look) {
-    double low = corners[0].y, high = corners[0].y;
-    for (const Spot& corner : corners) low = std::min(low, corner.y), high = std::max(high, corner.y);
-    const int first = std::max(0, static_cast<int>(std::ceil(std::max(0.0, (low - top) / pitch - 0.5))));
-    const int last = static_cast<int>(std::floor(std::min(rows - 1.0, (high - top) / pitch - 0.5)));
-    for (int row = first; row <= last; ++row) {
-        const double y = top + (row + 0.5) * pitch;
-        double from = 1e300, to = -1e300;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Spot a = corners[k], b = corners[(k + 1) % 4];
-            if ((a.y < y) == (b.y < y)) continue;
-            const double x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
-            from = std::min(from, x), to = std::max(to, x);
-        }
-        if (from <= to) look(row, from, to);
+void runs_of(const InkBox& box, double top, double pitch, int rows, Look look) {
+    const double reach = box.reach().y;
+    const double low = (box.centre.y - reach - top) / pitch - 0.5, high = (box.centre.y + reach - top) / pitch - 0.5;
+    if (!(high >= 0 && low <= rows - 1)) return;
+    // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
+    constexpr double endless = 1e300, least = 1e-9;
+    const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x, sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
+    const double along = cosine != 0 ? box.half.x / std::abs(cosine) : endless;
+    const double across = sine != 0 ? box.half.y / std::abs(sine) : endless;
+    const double lean_along = cosine != 0 ? -sine / cosine : 0, lean_across = sine != 0 ? cosine / sine : 0;
+    const int last = down(std::min(rows - 1.0, high));
+    for (int row = up(std::max(0.0, low)); row <= last; ++row) {
+        const double y = top + (row + 0.5) * pitch - box.centre.y;
+        const double from = std::max(lean_along * y - along, lean_across * y - across);
+        const double to = std::min(lean_along * y + along, lean_across * y + across);
+        if (from <= to && !look(row, box.centre.x + from, box.centre.x + to)) return;
     }
 }
 
@@ -39,11 +47,6 @@ int count(std::uint64_t word) {
     word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
     word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0FU;
     return static_cast<int>((word * 0x0101010101010101U) >> 56);
-}
-
-std::array<Spot, 4> corners_of(const InkBox& box) {
-    const Spot along = box.half.x * box.axis, across = box.half.y * turned(box.axis);
-    return {box.centre - along - across, box.centre + along - across, box.centre + along + across, box.centre - along + across};
 }
 
 }  // namespace
@@ -62,26 +65,30 @@ InkMap::InkMap(const Box& area) : origin_(area.min) {
     rows_ = std::max(1, static_cast<int>(std::ceil(area.height() / pitch_)) + 1);
     words_ = (static_cast<std::size_t>(columns_) + 63) / 64;
     bits_.assign(words_ * static_cast<std::size_t>(rows_), 0);
+    bands_.assign(words_ * (static_cast<std::size_t>(rows_) / band + 1), 0);
 }
 
 template <class Look>
-void InkMap::words_of(int row, double from, double to, Look look) const {
-    const double first_bit = std::max(0.0, std::ceil((from - origin_.x) / pitch_ - 0.5));
-    const double last_bit = std::min(columns_ - 1.0, std::floor((to - origin_.x) / pitch_ - 0.5));
-    if (!(first_bit <= last_bit)) return;
-    const auto first = static_cast<std::size_t>(first_bit), last = static_cast<std::size_t>(last_bit);
+bool InkMap::words_of(int row, double from, double to, Look look) const {
+    const double first_bit = (from - origin_.x) / pitch_ - 0.5, last_bit = (to - origin_.x) / pitch_ - 0.5;
+    if (!(last_bit >= 0 && first_bit <= columns_ - 1)) return true;
+    const auto first = static_cast<std::size_t>(up(std::max(0.0, first_bit)));
+    const auto last = static_cast<std::size_t>(down(std::min(columns_ - 1.0, last_bit)));
     const std::size_t base = static_cast<std::size_t>(row) * words_;
-    for (std::size_t word = first / 64; word <= last / 64; ++word) {
+    for (std::size_t word = first / 64; word <= last / 64 && first <= last; ++word) {
         std::uint64_t mask = ~std::uint64_t{0};
         if (word == first / 64) mask &= ~std::uint64_t{0} << (first % 64);
         if (word == last / 64) mask &= ~std::uint64_t{0} >> (63 - last % 64);
-        if (!look(base + word, mask)) return;
+        if (!look(base + word, mask)) return false;
     }
+    return true;
 }
 
 void InkMap::ink_row(int row, double from, double to) {
+    const std::size_t of_row = static_cast<std::size_t>(row) * words_, of_band = static_cast<std::size_t>(row) / band * words_;
     words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) {
         bits_[word] |= mask;
+        bands_[word - of_row + of_band] |= mask;
         return true;
     });
 }
@@ -103,7 +110,10 @@ void InkMap::stroke(Spot from, Spot to, double half) {
 }
 
 void InkMap::fill(const InkBox& box) {
-    runs_of(corners_of(box), origin_.y, pitch_, rows_, [&](int row, double from, double to) { ink_row(row, from, to); });
+    runs_of(box, origin_.y, pitch_, rows_, [&](int row, double from, double to) {
+        ink_row(row, from, to);
+        return true;
+    });
 }
 
 void InkMap::fill(const std::vector<Spot>& corners) {
@@ -128,31 +138,37 @@ void InkMap::fill(const std::vector<Spot>& corners) {
 template <class Look>
 void InkMap::rows_of(const InkBox& box, Look look) const {
     if (box.axis.y != 0) {
-        bool go_on = true;
-        runs_of(corners_of(box), origin_.y, pitch_, rows_, [&](int row, double from, double to) {
-            if (go_on)
-                words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) { return go_on = look(bits_[word] & mask); });
+        runs_of(box, origin_.y, pitch_, rows_, [&](int row, double from, double to) {
+            return words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); });
         });
         return;
     }
-    const double first = std::max(0.0, std::ceil((box.centre.y - box.half.y - origin_.y) / pitch_ - 0.5));
-    const double last = std::min(rows_ - 1.0, std::floor((box.centre.y + box.half.y - origin_.y) / pitch_ - 0.5));
-    const double left = std::max(0.0, std::ceil((box.centre.x - box.half.x - origin_.x) / pitch_ - 0.5));
-    const double right = std::min(columns_ - 1.0, std::floor((box.centre.x + box.half.x - origin_.x) / pitch_ - 0.5));
-    if (!(first <= last && left <= right)) return;
+    const double first = (box.centre.y - box.half.y - origin_.y) / pitch_ - 0.5;
+    const double last = (box.centre.y + box.half.y - origin_.y) / pitch_ - 0.5;
+    const double left = (box.centre.x - box.half.x - origin_.x) / pitch_ - 0.5;
+    const double right = (box.centre.x + box.half.x - origin_.x) / pitch_ - 0.5;
+    if (!(last >= 0 && first <= rows_ - 1 && right >= 0 && left <= columns_ - 1)) return;
     // Upright: the same words in every row.
-    const auto from = static_cast<std::size_t>(left), to = static_cast<std::size_t>(right);
+    const auto from = static_cast<std::size_t>(up(std::max(0.0, left)));
+    const auto to = static_cast<std::size_t>(down(std::min(columns_ - 1.0, right)));
+    if (from > to) return;
     const std::uint64_t head = ~std::uint64_t{0} << (from % 64), tail = ~std::uint64_t{0} >> (63 - to % 64);
-    for (auto row = static_cast<std::size_t>(first); row <= static_cast<std::size_t>(last); ++row) {
-        const std::uint64_t* words = bits_.data() + row * words_;
-        if (from / 64 == to / 64) {
-            if (!look(words[from / 64] & head & tail)) return;
-            continue;
-        }
-        if (!look(words[from / 64] & head)) return;
+    const auto each_word = [&](const std::uint64_t* words, auto see) {
+        if (from / 64 == to / 64) return see(words[from / 64] & head & tail);
+        if (!see(words[from / 64] & head)) return false;
         for (std::size_t word = from / 64 + 1; word < to / 64; ++word)
-            if (!look(words[word])) return;
-        if (!look(words[to / 64] & tail)) return;
+            if (!see(words[word])) return false;
+        return see(words[to / 64] & tail);
+    };
+    const auto is_blank = [](std::uint64_t word) { return word == 0; };
+    const auto end = static_cast<std::size_t>(down(std::min(rows_ - 1.0, last))) + 1;
+    for (auto row = static_cast<std::size_t>(up(std::max(0.0, first))); row < end;) {
+        const std::size_t next = (row / band + 1) * band;
+        if (each_word(bands_.data() + row / band * words_, is_blank))
+            row = next;
+        else
+            for (; row < std::min(next, end); ++row)
+                if (!each_word(bits_.data() + row * words_, look)) return;
     }
 }
 

@@ -32,7 +32,7 @@ public:
     /// The inside of a polygon, by the even-odd rule.
     void fill(const std::vector<Spot>& corners);
 
-    static constexpr int all = 1 << 30;
+    static constexpr int all = 1 << 30;  ///< more than is ever counted
 
     /// Inked area within the box, mm². 0: all clear (to half a bit). Of more than `most` it is only said that it is more.
     double inked(const InkBox& box, double most = 1e300) const;
@@ -42,11 +42,12 @@ public:
     int crossings(Spot from, Spot to, int most = all) const;
 
 private:
+    /// Shows look() the words of a box row by row, until it says no; blank ones may be left out.
     template <class Look>
     void rows_of(const InkBox& box, Look look) const;
-    /// Looks at the words that hold the bits of a row from x to x.
+    /// The words that hold the bits of a row from x to x, until look() says no; whether it never did.
     template <class Look>
-    void words_of(int row, double from, double to, Look look) const;
+    bool words_of(int row, double from, double to, Look look) const;
     void ink_row(int row, double from, double to);
 
     Spot origin_;
@@ -54,6 +55,7 @@ private:
     int columns_ = 0, rows_ = 0;
     std::size_t words_ = 0;  // of a row
     std::vector<std::uint64_t> bits_;
+    std::vector<std::uint64_t> bands_;  // of `band` rows each: whether one of them is inked
 };
 
 }  // namespace kinegraph::render

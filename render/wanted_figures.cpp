@@ -17,6 +17,20 @@ bool has_motion(const Solution& solution) {
 }
 bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
 
+const Figure& Wanted::drawn_into(double room_x, double room_y) {
+    // Not even without lettering; what fills its room, or stands in rows, has no such bound.
+    const double largest =
+        fills || empty || asked || items > 1 ? 0 : choose_scale(extent_x, extent_y, room_x, room_y, std::nullopt) * (1 + 1e-9);
+    for (const Drawn& each : drawn) {
+        const bool fits = each.figure.box.width() <= room_x && each.figure.box.height() <= room_y;
+        if ((each.room_x == room_x && each.room_y == room_y) ||
+            (fits && ((each.room_x >= room_x && each.room_y >= room_y) || each.figure.scale <= largest)))
+            return each.figure;
+    }
+    drawn.push_back({room_x, room_y, draw(room_x, room_y)});
+    return drawn.back().figure;
+}
+
 bool has_circle(const Solution& solution) { return solution.mechanism.bodies.size() >= 3 && !solution.centres.empty(); }
 bool has_velocities(const Solution& solution) {
     // An act of motion has them in its own figure.

@@ -43,16 +43,9 @@ struct Wanted {
     };
     std::deque<Drawn> drawn;  ///< they stay where they are
 
-    /// Drawn once for all rooms between the one it was drawn for and what it takes: the scale is the largest that fits.
-    const Figure& drawn_into(double room_x, double room_y) {
-        for (const Drawn& each : drawn)
-            if ((each.room_x == room_x && each.room_y == room_y) ||
-                (each.room_x >= room_x && each.room_y >= room_y && each.figure.box.width() <= room_x &&
-                 each.figure.box.height() <= room_y))
-                return each.figure;
-        drawn.push_back({room_x, room_y, draw(room_x, room_y)});
-        return drawn.back().figure;
-    }
+    /// Drawn once for all rooms between the one it was drawn for and what it takes, for the scale is the largest that fits; and
+    /// for all that it fits into where no larger scale could.
+    const Figure& drawn_into(double room_x, double room_y);
 };
 
 /// Their list. Not to be moved: those who draw refer to it.
