@@ -19,8 +19,8 @@ bool is_mixed(const Solution& solution) { return has_forces(solution) && has_mot
 
 const Figure& Wanted::drawn_into(double room_x, double room_y) {
     // Not even without lettering; what fills its room, or stands in rows, has no such bound.
-    const double largest =
-        fills || empty || asked || items > 1 ? 0 : choose_scale(extent_x, extent_y, room_x, room_y, std::nullopt) * (1 + 1e-9);
+    const bool bounded = !fills && !empty && !asked && items == 1 && std::max(extent_x, extent_y) > 0;
+    const double largest = bounded ? choose_scale(extent_x, extent_y, room_x, room_y, std::nullopt) * (1 + 1e-9) : 0;
     for (const Drawn& each : drawn) {
         const bool fits = each.figure.box.width() <= room_x && each.figure.box.height() <= room_y;
         if ((each.room_x == room_x && each.room_y == room_y) ||

@@ -25,7 +25,7 @@ bool has_velocities(const Solution& solution);
 /// A drawing that wants a cell: what it measures and who draws it.
 struct Wanted {
     std::string name;                   ///< by which it may be asked for alone
-    double extent_x = 1, extent_y = 1;  ///< in the units of its scale
+    double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
     double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
     std::optional<double> asked;
     std::function<Figure(double, double)> draw;
