@@ -70,6 +70,7 @@ enum class Labelling {
     free,        ///< labels leave the room where nothing in it is free
     strict,      ///< rather than leave the room, a label covers a stroke
     if_it_fits,  ///< none is set where figure and labels do not fit into the room
+    if_all_free  ///< none is set where one of them finds no free place
 };
 
 /// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.

@@ -7,6 +7,7 @@
 #include "engine/assert.hpp"
 #include "render/force_tables.hpp"
 #include "render/mechanism_sketch.hpp"
+#include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
 
@@ -81,7 +82,6 @@ namespace {
 using namespace drawing;
 
 constexpr double line_overshoot = 10;  // of a line of action past what it joins, mm
-constexpr double coincident = 0.02;    // mm: drawn as one
 constexpr double label_reach = 7;      // what labels may add beyond the strokes on each side
 
 BodyColour colour_of(const Theme& theme, BodyIndex body) {
@@ -195,7 +195,7 @@ public:
     bool flat() const { return flat_; }
     BodyIndex body() const { return polygon_.faces.empty() ? -1 : polygon_.faces.front().body; }
 
-    Figure at(double scale) const {
+    Figure empty_at(double scale) const {
         Figure figure;
         figure.kind = polygon_.id.starts_with("closure") ? "closure" : "forces";
         figure.id = legal_id(polygon_.id);
@@ -207,6 +207,45 @@ public:
                        figure.id,
                        plain(figure.caption),
                        {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", unit_.symbol}}});
+        return figure;
+    }
+    PolygonParts parts_of(const Figure& figure) const {
+        PolygonParts parts;
+        parts.opposites_share_label = true;
+        const double largest = std::max(width_, height_);
+        std::vector<std::vector<Interval>> columns;
+        std::set<std::string> names;
+        for (const int index : polygon_.vectors) {
+            const DrawnVector& vector = protocol_.vectors[at_index(index)];
+            const Vector exact = protocol_.value_of(vector);
+            PolygonVector side;
+            side.value = kinegraph::length({exact.x / unit_.si, exact.y / unit_.si});
+            if (!(side.value > largest * 1e-12)) continue;
+            const std::string base = name_of(vector.symbol);
+            side.name = base;
+            for (int n = 2; !names.insert(side.name).second; ++n) side.name = base + "-" + std::to_string(n);
+            side.tail = spot(figure, vector.tail);
+            side.tip = spot(figure, vector.tip);
+            const Spot aside = displaced(columns, side.tail, side.tip);
+            if (length(aside) > 0) {
+                for (const Spot end : {side.tail, side.tip}) {
+                    PolygonLine thin;
+                    thin.from = end;
+                    thin.to = end + aside;
+                    thin.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
+                    parts.lines.push_back(std::move(thin));
+                }
+                side.tail = side.tail + aside, side.tip = side.tip + aside;
+            }
+            side.text = typeset(vector.symbol, context_.language);
+            side.colour = colour_of(context_.theme, vector.body);
+            // An inner side met again (a two-force body lies between): one stroke, both names.
+            side.internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
+            parts.vectors.push_back(std::move(side));
+        }
+        return parts;
+    }
+    Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {
         if (!flat_)
             for (const kinegraph::Face& face : polygon_.faces) {
                 std::vector<Spot> corners;
@@ -214,18 +253,12 @@ public:
                 if (face.body > 0 && corners.size() > 2)
                     figure.marks.emplace_back(filled(corners, context_.theme.body(face.body).tint));
             }
-        draw_sides(figure);
+        draw_parts(figure, context_, parts, details);
         figure.box = box_of(figure.marks);
         return figure;
     }
 
 private:
-    struct Side {
-        Spot tail, tip;
-        std::size_t label;
-        bool arrow = false;  ///< else a broken line
-    };
-
     Spot spot(const Figure& figure, int element) const {
         const Vector at = protocol_.point(element).place();
         return {(at.x / unit_.si).to_double() / figure.scale, -(at.y / unit_.si).to_double() / figure.scale};
@@ -246,73 +279,6 @@ private:
         if (column == columns.size()) columns.emplace_back();
         columns[column].push_back(taken);
         return (pitch * static_cast<double>(column)) * turned(along);
-    }
-
-    void draw_sides(Figure& figure) const {
-        const Theme& theme = context_.theme;
-        const double largest = std::max(width_, height_);
-        std::vector<std::vector<Interval>> columns;
-        std::vector<Side> drawn;
-        std::set<std::string> names;
-        std::vector<Mark> dashed, solid;
-        for (const int index : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[at_index(index)];
-            const Vector exact = protocol_.value_of(vector);
-            const double value = kinegraph::length({exact.x / unit_.si, exact.y / unit_.si});
-            if (!(value > largest * 1e-12)) continue;
-            const std::string base = name_of(vector.symbol);
-            std::string name = base;
-            for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
-            Spot tail = spot(figure, vector.tail), tip = spot(figure, vector.tip);
-            const Spot aside = displaced(columns, tail, tip);
-            if (length(aside) > 0) {
-                const Pen thin{theme.thin, theme.secondary, {}, false};
-                for (const Spot end : {tail, tip}) figure.marks.emplace_back(line(end, end + aside, thin));
-                tail = tail + aside, tip = tip + aside;
-            }
-            const bool internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
-            const BodyColour colour = colour_of(theme, vector.body);
-            // A side met again (a two-force body lies between): one stroke, both names. An outer force is the arrow.
-            const auto same = std::find_if(drawn.begin(), drawn.end(), [&](const Side& side) {
-                return (length(side.tail - tail) < coincident && length(side.tip - tip) < coincident) ||
-                       (length(side.tail - tip) < coincident && length(side.tip - tail) < coincident);
-            });
-            std::vector<Mark>& marks = internal ? dashed : solid;
-            marks.emplace_back(GroupBegin{"vector",
-                                          figure.id + "-" + legal_id(name),
-                                          name + " = " + shortest(value) + " " + unit_.symbol,
-                                          {{"data-name", name}, {"data-value", shortest(value)}}});
-            marks.emplace_back(Axis{tail, tip});
-            const bool alike = same != drawn.end() && length(same->tail - tail) < coincident;
-            if (!internal && !(alike && same->arrow))
-                draw_arrow(marks, tail, tip, theme.vector, colour.line, colour.dashes);
-            else if (internal && same == drawn.end())
-                marks.emplace_back(line(tail, tip, {theme.outline, colour.line, dashes(), false}));
-            marks.emplace_back(GroupEnd{});
-            const RichText symbol = typeset(vector.symbol, context_.language);
-            if (same != drawn.end()) {
-                LabelRequest& label = figure.labels[same->label];
-                label.text.push_back(one_piece(alike ? " = " : " = −").front());
-                label.text.insert(label.text.end(), symbol.begin(), symbol.end());
-                if (!internal && !same->arrow) {
-                    label.size = theme.equation;
-                    label.colour = colour.letter;
-                    same->arrow = true;
-                }
-                continue;
-            }
-            drawn.push_back({tail, tip, figure.labels.size(), !internal});
-            LabelRequest label;
-            label.text = symbol;
-            label.size = internal ? theme.label : theme.equation;
-            label.colour = colour.letter;
-            label.anchor = 0.5 * (tail + tip);
-            label.toward = tip;
-            label.clearance = 1.5;
-            figure.labels.push_back(std::move(label));
-        }
-        append(figure.marks, dashed);
-        append(figure.marks, solid);
     }
 
     const DrawingContext& context_;
@@ -372,23 +338,40 @@ public:
         return most > 0 ? choose_scale(most, 0, 1, 1, std::nullopt) : 1;
     }
 
-    /// At this scale, or nothing where it does not fit; `force`: whatever it takes.
+    /// At this scale, with details as long as these fit; nothing where it does not fit; `force`: whatever it takes.
     std::optional<Figure> at(double scale, double room_x, double room_y, bool force) const {
+        if (const auto detailed = at(scale, room_x, room_y, false, true)) return detailed;
+        return at(scale, room_x, room_y, force, false);
+    }
+
+private:
+    std::optional<Figure> at(double scale, double room_x, double room_y, bool force, bool with_details) const {
         constexpr double between = 6, head = 6, bar = 9;
         const Block names = has_tables() ? force_row_names(context_) : Block{};
         const double indent = names.width > 0 ? names.width + 2 : 0;
         room_x -= indent;
         std::vector<Figure> figures;
+        std::vector<PolygonParts> parts;
+        std::vector<std::vector<Detail>> details;
+        std::size_t letters = 0;
         std::vector<Spot> sizes;
         for (const Item& item : items_) {
-            figures.push_back(ForcePolygon(context_, item.polygon).at(scale));
+            const ForcePolygon polygon(context_, item.polygon);
+            const Figure empty = polygon.empty_at(scale);
+            parts.push_back(polygon.parts_of(empty));
+            details.push_back(with_details ? details_of(parts.back(), scale, 1, letters) : std::vector<Detail>{});
+            figures.push_back(polygon.with_parts(empty, parts.back(), details.back()));
             sizes.push_back(size_of(item, figures.back(), 0.4 * label_reach, head));
         }
+        if (with_details && letters == 0) return std::nullopt;
         if (!force && height_of(arranged(sizes, room_x, between), sizes, between) + bar > room_y) return std::nullopt;
         if (!force && std::any_of(sizes.begin(), sizes.end(), [&](Spot s) { return s.x > room_x; })) return std::nullopt;
         for (std::size_t i = 0; i < figures.size(); ++i) {
-            place_labels(figures[i], context_.fonts);
+            if (!place_labels(figures[i], context_.fonts, std::nullopt, with_details ? Labelling::if_all_free : Labelling::free))
+                return std::nullopt;
             figures[i].marks.emplace_back(GroupEnd{});
+            if (!set_details(figures[i], context_, parts[i], details[i], {room_x, room_y - head - bar}, letters))
+                return std::nullopt;
             sizes[i] = size_of(items_[i], figures[i], 0, head);
         }
         const auto rows = arranged(sizes, room_x, between);
@@ -453,7 +436,6 @@ public:
         return all;
     }
 
-private:
     struct Item {
         int polygon = -1;
         Block table;
@@ -728,17 +710,32 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              std::optional<double> least, bool fixed) {
     const ForcePolygon drawing(context, polygon);
+    const auto fits = [&](const Figure& figure) { return figure.box.width() <= room_x && figure.box.height() <= room_y; };
     const auto finish = [&](double scale) {
-        Figure figure = drawing.at(scale);
-        place_labels(figure, context.fonts, Spot{room_x, room_y - 8});
-        set_scale_bar(context, figure, 24, {figure.box.min.x, figure.box.max.y + 3});
-        figure.marks.emplace_back(GroupEnd{});
-        figure.caption = one_piece(word("closed force polygon", context.language));
+        const Figure empty = drawing.empty_at(scale);
+        const PolygonParts parts = drawing.parts_of(empty);
+        const auto close = [&](Figure& figure) {
+            set_scale_bar(context, figure, 24, {figure.box.min.x, figure.box.max.y + 3});
+            figure.marks.emplace_back(GroupEnd{});
+            figure.caption = one_piece(word("closed force polygon", context.language));
+        };
+        const Spot room{room_x, room_y - 8};
+        std::size_t letters = 0;
+        if (const std::vector<Detail> details = details_of(parts, scale, 1, letters); !details.empty()) {
+            Figure figure = drawing.with_parts(empty, parts, details);
+            if (place_labels(figure, context.fonts, room, Labelling::if_all_free)) {
+                close(figure);
+                if (set_details(figure, context, parts, details, {room_x, room_y}, letters) && fits(figure)) return figure;
+            }
+        }
+        Figure figure = drawing.with_parts(empty, parts, {});
+        place_labels(figure, context.fonts, room);
+        close(figure);
         return figure;
     };
     if (fixed && least) {
         Figure figure = finish(*least);
-        if (figure.box.width() <= room_x && figure.box.height() <= room_y) return figure;
+        if (fits(figure)) return figure;
     }
     double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
     if (!fixed && least) scale = std::max(scale, *least);
@@ -747,7 +744,7 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         const double reach = 0.5 * label_reach;
         if (tries < most_tries && (drawing.width() / scale + reach > room_x || drawing.height() / scale + 8 > room_y)) continue;
         Figure figure = finish(scale);
-        if (tries == most_tries || (figure.box.width() <= room_x && figure.box.height() <= room_y)) return figure;
+        if (tries == most_tries || fits(figure)) return figure;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 
 namespace kinegraph::render {
@@ -95,17 +96,14 @@ struct Checks {
     std::map<std::string, double> rows;
 };
 
-std::optional<double> measured(const std::vector<Figure>& figures, const std::string& name) {
+std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
+    std::optional<Measured> longest;  // the first one, or where it has a detail
     for (const Figure& figure : figures) {
         if (figure.kind != "forces" && figure.kind != "closure") continue;
-        for (std::size_t i = 0; i + 1 < figure.marks.size(); ++i) {
-            const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
-            if (!group || group->cls != "vector" || group->attributes.empty() || group->attributes.front().second != name)
-                continue;
-            if (const auto* axis = std::get_if<Axis>(&figure.marks[i + 1])) return length(axis->tip - axis->tail);
-        }
+        auto found = measured_on(figure, name);
+        if (found && (!longest || found->millimetres > longest->millimetres)) longest = std::move(found);
     }
-    return std::nullopt;
+    return longest;
 }
 
 }  // namespace
@@ -294,7 +292,10 @@ std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vect
                 row.symbol = symbol;
                 row.name = name_of(symbol);
                 row.drawing = kinegraph::length(Vector{applied.force.x / force.si, applied.force.y / force.si});
-                row.millimetres = measured(figures, row.name);
+                if (const auto found = measured(figures, row.name)) {
+                    row.millimetres = found->millimetres;
+                    row.detail = found->detail;
+                }
                 std::optional<double> numeric;
                 if (applied.kind == Kind::reaction) {
                     numeric = checks.modulus(check);

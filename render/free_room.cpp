@@ -27,6 +27,17 @@ void Occupancy::block(const std::vector<Spot>& spots) {
         if (x >= 0 && y >= 0 && x < columns_ && y < rows_) cells_[index(x, y)] = 1;
     }
 }
+bool Occupancy::is_free(const Box& box) const {
+    const int left = std::clamp(static_cast<int>(std::floor(box.min.x)), 0, columns_);
+    const int right = std::clamp(static_cast<int>(std::ceil(box.max.x)), 0, columns_);
+    const int top = std::clamp(static_cast<int>(std::floor(box.min.y)), 0, rows_);
+    const int bottom = std::clamp(static_cast<int>(std::ceil(box.max.y)), 0, rows_);
+    for (int y = top; y < bottom; ++y) {
+        const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(index(0, y));
+        if (std::find(row + left, row + right, 1) != row + right) return false;
+    }
+    return true;
+}
 std::pair<double, double> Occupancy::longest_run(double left, double right, double top, double bottom) const {
     const int from = std::clamp(static_cast<int>(std::floor(left)), 0, columns_);
     const int to = std::clamp(static_cast<int>(std::ceil(right)), 0, columns_);

@@ -16,6 +16,7 @@ public:
     Occupancy(double width, double height);
     void block(const Box& box);
     void block(const std::vector<Spot>& spots);
+    bool is_free(const Box& box) const;
     /// The longest free run of rows over [left, right], `clear` kept on all sides, within [top, bottom].
     std::pair<double, double> longest_run(double left, double right, double top, double bottom) const;
 

@@ -814,9 +814,17 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     const Ground ground(figure.marks, fonts);
     Placing placing(figure, fonts, ground, room, labelling == Labelling::strict);
     if (!placing.place(labelling == Labelling::if_it_fits ? room : std::nullopt)) return false;
+    if (labelling == Labelling::if_all_free)
+        for (std::size_t i = 0; i < figure.labels.size(); ++i)
+            if (placing.in_the_way(i)) return false;
 
+    // Into the figure's group, where that is closed already.
+    const auto groups = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                      [](const Mark& mark) { return std::holds_alternative<GroupBegin>(mark); });
+    const auto closed = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                      [](const Mark& mark) { return std::holds_alternative<GroupEnd>(mark); });
     const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&
-                         std::holds_alternative<GroupEnd>(figure.marks.back());
+                         std::holds_alternative<GroupEnd>(figure.marks.back()) && groups == closed;
     if (grouped) figure.marks.pop_back();
     const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
     if (!boxed) figure.box = box_of(figure.marks);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
 
@@ -16,7 +17,9 @@ namespace {
 
 constexpr double overshoot = 12;     // of a construction line past the meet: it was found, not given
 constexpr double short_of_pole = 3;  // … and before its support
-constexpr double pole_radius = 0.9;
+constexpr double seen_apart = 1.5;   // where it ends, from the other line of the meet, …
+constexpr double most_overshoot = 25;
+constexpr double trial_overshoot = 4;
 constexpr double label_reach = 7;    // what labels may add beyond the strokes on each side
 constexpr double coincident = 0.02;  // mm: drawn as one
 
@@ -48,7 +51,12 @@ public:
         return result;
     }
 
+    /// Strokes and label requests at a scale, the group still open.
     Figure at(double scale) const {
+        const Figure empty = empty_at(scale);
+        return with_parts(empty, parts_of(empty), {});
+    }
+    Figure empty_at(double scale) const {
         Figure figure;
         figure.kind = polygon_.plane == Plane::acceleration ? "acceleration" : "velocity";
         figure.id = legal_id(polygon_.id);
@@ -60,11 +68,18 @@ public:
                        figure.id,
                        plain(figure.caption),
                        {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", unit_}}});
-        draw_trials(figure);
-        draw_lines(figure);
-        draw_vectors(figure);
-        draw_pole(figure);
-        label_images(figure);
+        return figure;
+    }
+    PolygonParts parts_of(const Figure& figure) const {
+        PolygonParts parts;
+        add_vectors(parts, figure);
+        add_trials(parts, figure);
+        add_lines(parts, figure);
+        add_images(parts, figure);
+        return parts;
+    }
+    Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {
+        draw_parts(figure, context_, parts, details);
         figure.box = box_of(figure.marks);
         draw_bar(figure);
         figure.box = box_of(figure.marks);
@@ -82,6 +97,16 @@ private:
         if (fresh) {
             const ProjectivePoint& at = protocol_.point(element);
             found->second = {in_unit(at.x), in_unit(at.y)};
+        }
+        return found->second;
+    }
+    /// A finite line's direction on paper, whatever the size of its coordinates.
+    Spot direction_of(int line) const {
+        const auto [found, fresh] = directions_.try_emplace(line);
+        if (fresh) {
+            const Vector direction = protocol_.line(line).direction();
+            const Exact largest = std::max(abs(direction.x), abs(direction.y));
+            found->second = unit({(direction.x / largest).to_double(), -(direction.y / largest).to_double()});
         }
         return found->second;
     }
@@ -120,13 +145,13 @@ private:
         if (polygon_.point.empty()) return text;
         text.back().text += ": ";
         const RichText point = typeset(Symbol{Symbol::Letter::point, polygon_.point, ""}, language);
-        append(text, point);
+        text.insert(text.end(), point.begin(), point.end());
         const RichText seen =
             one_piece(" " + word(polygon_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
-        append(text, seen);
+        text.insert(text.end(), seen.begin(), seen.end());
         const RichText observer = polygon_.translating ? typeset(Symbol{Symbol::Letter::point, polygon_.observer, ""}, language)
                                                        : one_piece(polygon_.observer);
-        append(text, observer);
+        text.insert(text.end(), observer.begin(), observer.end());
         return text;
     }
 
@@ -135,21 +160,15 @@ private:
         return context_.theme.body(body);
     }
 
-    void draw_lines(Figure& figure) const {
+    void add_lines(PolygonParts& parts, const Figure& figure) const {
         const Pen pen{context_.theme.thin, context_.theme.secondary, {}, false};
-        struct Drawn {
-            Spot from, to;
-            std::string words;
-        };
-        std::vector<Drawn> drawn;
+        const std::size_t first = parts.lines.size();
+        std::vector<std::string> words;
+        std::vector<Ray> rays;
         for (const DrawnLine& each : protocol_.lines) {
             if (each.polygon != index_ || each.line < 0) continue;
-            const ProjectiveLine& geometry = protocol_.line(each.line);
-            if (geometry.at_infinity()) continue;
-            const Vector direction = geometry.direction();
-            // A direction as a double, whatever the size of its coordinates.
-            const Exact largest = std::max(abs(direction.x), abs(direction.y));
-            Spot along = unit({(direction.x / largest).to_double(), -(direction.y / largest).to_double()});
+            if (protocol_.line(each.line).at_infinity()) continue;
+            Spot along = direction_of(each.line);
             std::vector<Spot> spots;
             for (const int element : each.points)
                 if (!protocol_.point(element).at_infinity()) spots.push_back(spot(figure, element));
@@ -157,33 +176,54 @@ private:
             const Spot support = spots.front(), meet = spots.back();
             const double reach = dot(meet - support, along);
             if (reach < 0) along = -1.0 * along;
-            Drawn line_drawn{support - short_of_pole * along, meet + overshoot * along,
-                             plain(typeset(each.reason, context_.language))};
-            if (std::abs(reach) < coincident) line_drawn.from = support - overshoot * along;
-            const bool twice = std::any_of(drawn.begin(), drawn.end(), [&](const Drawn& other) {
-                return other.words == line_drawn.words && length(other.to - line_drawn.to) < coincident;
-            });
+            PolygonLine drawn;
+            drawn.from = support - short_of_pole * along;
+            drawn.to = meet + overshoot * along;
+            if (std::abs(reach) < coincident) drawn.from = support - overshoot * along;
+            const RichText reason = typeset(each.reason, context_.language);
+            const std::string said = plain(reason);
+            bool twice = false;
+            for (std::size_t i = 0; i < words.size(); ++i)
+                twice = twice || (words[i] == said && length(parts.lines[first + i].to - drawn.to) < coincident);
             if (twice) continue;
-            drawn.push_back(line_drawn);
-            figure.marks.emplace_back(line(line_drawn.from, line_drawn.to, pen));
-            belong(figure.marks, figure.marks.size() - 1, each.statement);
-            if (each.reason.kind == LineReason::Kind::known) continue;
-            LabelRequest mark;
-            mark.text = typeset(each.reason, context_.language);
-            mark.size = context_.theme.small;
-            mark.colour = context_.theme.secondary;
-            mark.anchor = meet + (0.58 * overshoot) * along;
-            mark.toward = meet + overshoot * along;
-            mark.clearance = 1.2;
-            mark.along = true;
-            mark.statement = each.statement;
-            figure.labels.push_back(std::move(mark));
+            words.push_back(said);
+            drawn.pen = pen;
+            drawn.statement = each.statement;
+            if (each.reason.kind != LineReason::Kind::known) {
+                drawn.mark = reason;
+                drawn.mark_at = meet + (0.58 * overshoot) * along;
+                drawn.mark_toward = meet + overshoot * along;
+            }
+            add_corner(parts, each, support, along, std::abs(reach));
+            parts.lines.push_back(std::move(drawn));
+            rays.push_back({meet, along});
+        }
+        // Lines that meet at a small angle run on until they are seen to part.
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            for (std::size_t j = 0; j < rays.size(); ++j) {
+                const double sine = std::abs(cross(rays[i].along, rays[j].along));
+                if (length(rays[i].meet - rays[j].meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9) continue;
+                parts.lines[first + i].to = rays[i].meet + std::min(seen_apart / sine, most_overshoot) * rays[i].along;
+            }
+    }
+    struct Ray {
+        Spot meet, along;
+    };
+
+    /// A line that is drawn ⟂ to a known vector through its tip: a^t to a^n, a^rel to the Coriolis term.
+    void add_corner(PolygonParts& parts, const DrawnLine& drawn, Spot support, Spot along, double reach) const {
+        for (const PolygonVector& vector : parts.vectors) {
+            if (!vector.right_angle_at_tip || length(vector.tip - support) > coincident) continue;
+            const Spot back = unit(vector.tail - vector.tip);
+            if (std::abs(dot(back, along)) > 1e-9) continue;
+            parts.corners.push_back({support, back, along, std::min(length(vector.tip - vector.tail), reach), drawn.statement});
+            return;
         }
     }
 
     /// What was assumed and drawn on the way: thin, broken and grey, as far as it lies near the solution; its vertices carry the
     /// number of the trial.
-    void draw_trials(Figure& figure) const {
+    void add_trials(PolygonParts& parts, const Figure& figure) const {
         const Trials& trials = protocol_.trials;
         const double near = 0.5 * extent_;
         const auto is_near = [&](int element) {
@@ -192,134 +232,76 @@ private:
             return p.x > min_.x - near && p.x < max_.x + near && p.y > min_.y - near && p.y < max_.y + near;
         };
         const Pen pen{context_.theme.thin, context_.theme.secondary, dashes(), false};
-        const auto draw = [&](int from, int to, int statement) {
+        const auto add = [&](int from, int to, double beyond, int statement) {
             if (!is_near(from) || !is_near(to)) return;
-            figure.marks.emplace_back(line(spot(figure, from), spot(figure, to), pen));
-            belong(figure.marks, figure.marks.size() - 1, statement);
+            const Spot start = spot(figure, from), end = spot(figure, to);
+            PolygonLine drawn;
+            drawn.from = start;
+            drawn.to = length(end - start) > coincident ? end + beyond * unit(end - start) : end;
+            drawn.pen = pen;
+            drawn.statement = statement;
+            parts.lines.push_back(std::move(drawn));
         };
         for (const DrawnVector& vector : trials.vectors)
-            if (vector.polygon == index_) draw(vector.tail, vector.tip, vector.statement);
+            if (vector.polygon == index_) add(vector.tail, vector.tip, 0, vector.statement);
         for (const DrawnLine& each : trials.lines)
-            if (each.polygon == index_ && each.points.size() > 1) draw(each.points.front(), each.points.back(), each.statement);
+            if (each.polygon == index_ && each.points.size() > 1)
+                add(each.points.front(), each.points.back(), trial_overshoot, each.statement);
         for (const Image& image : trials.images) {
             if (image.polygon != index_ || !is_near(image.point)) continue;
-            figure.marks.emplace_back(disc(spot(figure, image.point), 0.4, context_.theme.secondary));
-            const int statement = protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
-            belong(figure.marks, figure.marks.size() - 1, statement);
-            LabelRequest label;
-            label.statement = statement;
-            label.text = typeset(image.symbol, context_.language);
-            if (!label.text.empty()) label.text.back().sup += image.trial == 1 ? "I" : "II";
-            label.size = context_.theme.small;
-            label.colour = context_.theme.secondary;
-            label.anchor = spot(figure, image.point);
-            label.clearance = 1.4;
-            figure.labels.push_back(std::move(label));
+            PolygonImage trial;
+            trial.kind = PolygonImage::Kind::trial;
+            trial.at = spot(figure, image.point);
+            trial.text = typeset(image.symbol, context_.language);
+            if (!trial.text.empty()) trial.text.back().sup += image.trial == 1 ? "I" : "II";
+            trial.statement = protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
+            parts.images.push_back(std::move(trial));
         }
     }
 
-    void draw_vectors(Figure& figure) const {
+    void add_vectors(PolygonParts& parts, const Figure& figure) const {
         std::set<std::string> names;
         std::set<std::tuple<int, int, std::string>> seen;
-        struct Labelled {
-            Spot tail, tip;
-            std::size_t label;
-        };
-        std::vector<Labelled> labelled;
         for (const int index : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
             const double value = value_of(index);
             if (!(value > extent_ * 1e-12)) continue;  // nothing to draw: the tables say that it is zero
             const std::string base = name_of(vector.symbol);
             if (!seen.emplace(vector.tail, vector.tip, base).second) continue;
-            std::string name = base;
-            for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
-
-            const BodyColour colour = colour_of(vector.body);
-            const Spot tail = spot(figure, vector.tail), tip = spot(figure, vector.tip);
-            const std::size_t first = figure.marks.size();
-            figure.marks.emplace_back(GroupBegin{"vector",
-                                                 figure.id + "-" + legal_id(name),
-                                                 name + " = " + shortest(value) + " " + unit_,
-                                                 {{"data-name", name}, {"data-value", shortest(value)}}});
-            figure.marks.emplace_back(Axis{tail, tip});
-            // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n.
-            const auto same = std::find_if(labelled.begin(), labelled.end(), [&](const Labelled& other) {
-                return (length(other.tail - tail) < coincident && length(other.tip - tip) < coincident);
-            });
-            if (same == labelled.end()) draw_arrow(figure.marks, tail, tip, context_.theme.vector, colour.line, colour.dashes);
-            figure.marks.emplace_back(GroupEnd{});
-            belong(figure.marks, first, vector.statement);
-
-            if (same != labelled.end()) {
-                RichText& text = figure.labels[same->label].text;
-                append(text, one_piece(" = "));
-                const RichText more = typeset(vector.symbol, context_.language);
-                append(text, more);
-                continue;
-            }
-            labelled.push_back({tail, tip, figure.labels.size()});
-
-            LabelRequest label;
-            label.text = typeset(vector.symbol, context_.language);
-            label.size = context_.theme.equation;
-            label.colour = colour.letter;
-            label.anchor = 0.5 * (tail + tip);
-            label.toward = tip;
-            label.clearance = 1.5;
-            label.statement = vector.statement;
-            figure.labels.push_back(std::move(label));
+            PolygonVector drawn;
+            drawn.name = base;
+            for (int n = 2; !names.insert(drawn.name).second; ++n) drawn.name = base + "-" + std::to_string(n);
+            drawn.tail = spot(figure, vector.tail);
+            drawn.tip = spot(figure, vector.tip);
+            drawn.value = value;
+            drawn.text = typeset(vector.symbol, context_.language);
+            drawn.colour = colour_of(vector.body);
+            drawn.right_angle_at_tip = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
+            drawn.statement = vector.statement;
+            parts.vectors.push_back(std::move(drawn));
         }
     }
 
-    void draw_pole(Figure& figure) const {
-        figure.marks.emplace_back(
-            ring({0, 0}, pole_radius, context_.theme.paper, {context_.theme.outline, context_.theme.text, {}, false}));
-    }
-
-    /// Images that fall together share a label: b ≡ c; those at the pole stand with it.
-    void label_images(Figure& figure) const {
-        struct Cluster {
-            Spot at;
-            RichText text;
-            std::set<std::string> names;
-            int statement = -1;
-        };
-        std::vector<Cluster> clusters;
-        Symbol pole{Symbol::Letter::pole, polygon_.plane == Plane::acceleration ? "a" : "v", ""};
+    void add_images(PolygonParts& parts, const Figure& figure) const {
+        PolygonImage pole;
+        pole.kind = PolygonImage::Kind::pole;
+        Symbol symbol{Symbol::Letter::pole, polygon_.plane == Plane::acceleration ? "a" : "v", ""};
         for (const int index : polygon_.images) {
             const Image& image = protocol_.images[static_cast<std::size_t>(index)];
-            if (image.symbol.letter == Symbol::Letter::pole && !image.symbol.about.empty()) pole = image.symbol;
+            if (image.symbol.letter == Symbol::Letter::pole && !image.symbol.about.empty()) symbol = image.symbol;
         }
-        clusters.push_back({{0, 0}, typeset(pole, context_.language), {name_of(pole)}, -1});
+        pole.text = typeset(symbol, context_.language);
+        pole.name = name_of(symbol);
+        parts.images.push_back(std::move(pole));
         for (const int index : polygon_.images) {
             const Image& image = protocol_.images[static_cast<std::size_t>(index)];
             if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
-            const Spot at = spot(figure, image.point);
-            const std::string name = name_of(image.symbol);
-            const RichText text = typeset(image.symbol, context_.language);
-            auto same =
-                std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
-            if (same == clusters.end()) {
-                clusters.push_back({at, text, {name}, statement_of(image)});
-            } else if (same->names.insert(name).second) {
-                append(same->text, one_piece(" ≡ "));
-                same->text.insert(same->text.end(), text.begin(), text.end());
-            }
-        }
-        for (const Cluster& cluster : clusters) {
-            if (&cluster != &clusters.front() && !touched_by_vector(figure, cluster.at)) {
-                figure.marks.emplace_back(disc(cluster.at, 0.5, context_.theme.text));
-                belong(figure.marks, figure.marks.size() - 1, cluster.statement);
-            }
-            LabelRequest label;
-            label.statement = cluster.statement;
-            label.text = cluster.text;
-            label.size = context_.theme.label;
-            label.colour = context_.theme.text;
-            label.anchor = cluster.at;
-            label.clearance = 2.0;
-            figure.labels.push_back(std::move(label));
+            PolygonImage drawn;
+            drawn.at = spot(figure, image.point);
+            drawn.name = name_of(image.symbol);
+            drawn.text = typeset(image.symbol, context_.language);
+            drawn.statement = statement_of(image);
+            parts.images.push_back(std::move(drawn));
         }
     }
     /// An image stands once a vector ends in it; where none does, once its point is found.
@@ -329,12 +311,6 @@ private:
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
         }
         return protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
-    }
-    bool touched_by_vector(const Figure& figure, Spot at) const {
-        return std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {
-            const auto* axis = std::get_if<Axis>(&mark);
-            return axis && (length(axis->tail - at) < coincident || length(axis->tip - at) < coincident);
-        });
     }
 
     /// The bar stands in a corner that nothing crosses, else under the figure.
@@ -389,6 +365,7 @@ private:
     bool si_is_one_ = true;
     mutable std::map<int, Place> places_;
     mutable std::map<int, double> values_;
+    mutable std::map<int, Spot> directions_;
     Place min_, max_;  // the pole, at the origin, belongs to it
     double extent_ = 0;
 };
@@ -401,16 +378,38 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
     KG_ASSERT(polygon >= 0 && static_cast<std::size_t>(polygon) < context.solution.protocol.polygons.size(),
               "a polygon of the protocol");
     const Drawing drawing(context, polygon);
+    const Spot room{room_x, room_y};
     const auto fits = [&](const Figure& figure, double reach) {
         return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
     };
     /// Whether the figure is done.
     const auto finish = [&](Figure& figure, bool whatever_it_takes) {
-        if (!place_labels(figure, context.fonts, Spot{room_x, room_y},
-                          whatever_it_takes ? Labelling::free : Labelling::if_it_fits))
-            return false;
+        if (!place_labels(figure, context.fonts, room, whatever_it_takes ? Labelling::free : Labelling::if_it_fits)) return false;
         figure.marks.emplace_back(GroupEnd{});
         return whatever_it_takes || fits(figure, 0);
+    };
+    struct Attempt {
+        Figure empty;
+        PolygonParts parts;
+        std::size_t letters = 0;
+        std::vector<Detail> details;
+    };
+    const auto attempt = [&](double scale) {
+        Attempt made;
+        made.empty = drawing.empty_at(scale);
+        made.parts = drawing.parts_of(made.empty);
+        made.details = details_of(made.parts, scale, 1, made.letters);
+        return made;
+    };
+    // With its details; nothing where it wants none, or they have no room or leave the letters none.
+    const auto detailed = [&](const Attempt& made) -> std::optional<Figure> {
+        if (made.details.empty()) return std::nullopt;
+        Figure figure = drawing.with_parts(made.empty, made.parts, made.details);
+        if (!place_labels(figure, context.fonts, room, Labelling::if_all_free) || !fits(figure, 0)) return std::nullopt;
+        figure.marks.emplace_back(GroupEnd{});
+        std::size_t letters = made.letters;
+        if (!set_details(figure, context, made.parts, made.details, room, letters) || !fits(figure, 0)) return std::nullopt;
+        return figure;
     };
     if (drawing.empty()) {
         Figure figure = drawing.at(1);
@@ -418,17 +417,28 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
         return figure;
     }
     if (const auto asked = drawing.asked()) {
-        Figure figure = drawing.at(*asked);
+        const Attempt made = attempt(*asked);
+        if (auto figure = detailed(made)) return *std::move(figure);
+        Figure figure = drawing.with_parts(made.empty, made.parts, {});
         if (fits(figure, 0) && finish(figure, false)) return figure;
     }
     double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
     // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
     constexpr double least_shown = 12;
+    // … and a polygon smaller than this is worth more than details beside it.
+    constexpr double least_with_details = 60;
     for (;; scale = next_scale(scale)) {
-        const bool last = std::max(drawing.width(), drawing.height()) / next_scale(scale) < least_shown;
-        Figure figure = drawing.at(scale);
+        const double extent = std::max(drawing.width(), drawing.height());
+        const bool last = extent / next_scale(scale) < least_shown;
+        const Attempt made = attempt(scale);
+        Figure figure = drawing.with_parts(made.empty, made.parts, {});
         if (!last && !fits(figure, 0.4 * label_reach)) continue;
-        if (finish(figure, last)) return figure;
+        if (auto with_details = detailed(made)) return *std::move(with_details);
+        if (!finish(figure, last)) continue;
+        // One step smaller with its details is better than without.
+        if (!made.details.empty() && extent / next_scale(scale) > least_with_details)
+            if (auto smaller = detailed(attempt(next_scale(scale)))) return *std::move(smaller);
+        return figure;
     }
 }
 

@@ -230,7 +230,8 @@ private:
                             static_cast<int>(i);
         for (Mark& mark : figure.marks)
             if (auto* group = std::get_if<GroupBegin>(&mark))
-                if (const auto found = last.find(group->id); found != last.end()) group->statement = found->second;
+                for (const std::string& id : {group->id, group->id.substr(0, group->id.rfind("-detail-"))})
+                    if (const auto found = last.find(id); found != last.end()) group->statement = found->second;
     }
 
     /// What stands small beside a figure: the mechanism; beside itself the circle of the centres, or nothing.

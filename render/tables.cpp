@@ -9,6 +9,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 
 namespace kinegraph::render {
@@ -292,16 +293,6 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
     const Checks checks(solution);
     std::vector<ResultRow> rows;
 
-    const auto measured = [&](const Figure* figure, const std::string& name) -> std::optional<double> {
-        if (!figure) return std::nullopt;
-        for (std::size_t i = 0; i + 1 < figure->marks.size(); ++i) {
-            const auto* group = std::get_if<GroupBegin>(&figure->marks[i]);
-            if (!group || group->cls != "vector" || group->attributes.empty() || group->attributes.front().second != name)
-                continue;
-            if (const auto* axis = std::get_if<Axis>(&figure->marks[i + 1])) return length(axis->tip - axis->tail);
-        }
-        return std::nullopt;
-    };
     const auto add_bodies = [&](Symbol::Letter letter, const std::string& quantity, const Unit& unit, const std::string& group) {
         const double si = unit.si.to_double();
         for (std::size_t b = 1; b < solution.bodies.size(); ++b) {
@@ -335,8 +326,12 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
                 if (!names.insert(row.name).second) continue;
                 const Vector value = solution.protocol.value_of(vector);
                 row.drawing = kinegraph::length(value) / unit.si.to_double();
-                row.millimetres = value.is_zero() ? std::optional<double>(0) : measured(figure, row.name);
-                if (!row.millimetres && figure) row.millimetres = 0;
+                if (const auto found = figure ? measured_on(*figure, row.name) : std::nullopt; found && !value.is_zero()) {
+                    row.millimetres = found->millimetres;
+                    row.detail = found->detail;
+                } else if (figure || value.is_zero()) {
+                    row.millimetres = 0;
+                }
                 if (const auto numeric = checks.modulus(vector)) row.numeric = *numeric / unit.si.to_double();
                 row.unit = unit.symbol;
                 row.group = polygon.id;
@@ -388,6 +383,7 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
         RichText quantity = typeset(row.symbol, language);
         for (Piece& piece : quantity)
             if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector, a scalar
+        if (!row.detail.empty()) quantity.push_back(one_piece(" (" + row.detail + ")").front());
         Line each;
         each.cells[0] = fonts.shape(quantity, theme.body_text + 0.5);
         each.cells[1] = shape(row.millimetres ? fixed(*row.millimetres, 1, language) : "–", theme.body_text);

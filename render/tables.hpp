@@ -34,7 +34,8 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
 struct ResultRow {
     Symbol symbol;
     std::string name;                   ///< plain, for the tests and the terminal
-    std::optional<double> millimetres;  ///< measured on the drawing, to 0.1 mm
+    std::optional<double> millimetres;  ///< measured on the drawing
+    std::string detail;                 ///< letter of the detail that it was measured in; empty: the figure itself
     double drawing = 0;                 ///< by the construction, in `unit`
     std::optional<double> numeric;      ///< by the check, in `unit`
     std::string unit;

@@ -235,6 +235,14 @@ TEST(Sheet, ALongChainGoesOnOverItsPages) {
         }
 }
 
+double scale_of_group(const Figure& figure, const std::string& id) {
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->id == id)
+            for (const auto& [key, value] : group->attributes)
+                if (key == "data-scale") return std::strtod(value.c_str(), nullptr);
+    return 0;
+}
+
 TEST(Results, AreMeasuredOnTheDrawing) {
     const Solution solution = example("four_bar");
     const Theme theme;
@@ -246,7 +254,8 @@ TEST(Results, AreMeasuredOnTheDrawing) {
         EXPECT_NEAR(row.drawing, *row.numeric, 1e-9) << row.name;
         if (!row.millimetres) continue;
         ++vectors;
-        const double scale = row.symbol.letter == Symbol::Letter::v ? figures[0].scale : figures[1].scale;
+        const Figure& figure = row.symbol.letter == Symbol::Letter::v ? figures[0] : figures[1];
+        const double scale = row.detail.empty() ? figure.scale : scale_of_group(figure, figure.id + "-detail-" + row.detail);
         EXPECT_NEAR(*row.millimetres * scale, row.drawing, 1e-6 * scale) << row.name;
     }
     EXPECT_GE(vectors, 10);
