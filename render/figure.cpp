@@ -305,6 +305,7 @@ void Figure::move(double dx, double dy) {
     }
     shift(box.min);
     shift(box.max);
+    shift(origin);
 }
 
 double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked) {

@@ -32,6 +32,7 @@ struct LabelRequest {
     std::string id;              ///< empty, or the SVG id of the label's group
     double balloon = 0;          ///< radius of a circle round the text (body numbers), mm; 0: none
     int statement = -1;          ///< of the solution, that what it names is drawn by; −1: it is there from the beginning
+    std::vector<std::string> names;  ///< as TextMark's
 };
 
 struct Figure {
@@ -42,6 +43,7 @@ struct Figure {
     std::string unit;                  ///< SI unit of the data-value's: "m", "m/s", "m/s²"
     std::string further_scale;         ///< of what is drawn to another one, said beside the first: "1 mm ≙ 5 N"
     Box box;                           ///< of everything, labels included
+    Spot origin;                       ///< where the origin of its coordinates lies
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
 
@@ -88,6 +90,8 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
 
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres);
+/// The mechanism with what turns: ω of the bodies (or α), each marked with the statement that finds it.
+Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres.
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
 /// One body's act of motion: its points, velocities given (dark) and found (in the body's colour), the lines that meet in the
@@ -112,9 +116,12 @@ Box extent_of_forces(const Solution& solution, int polygon);
 Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y);
-/// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>".
+/// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>". `tables`: with what is
+/// known of each force below, where there is room.
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
-                             std::optional<double> least = std::nullopt, bool fixed = false);
+                             std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true);
+/// Of a free body, whether the figure has its polygon: two equal and opposite forces make none, the steps say so.
+bool has_force_polygon(const Solution& solution, const FreeBody& body);
 /// The polygons joined: external forces full, internal sides dashed.
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              std::optional<double> least = std::nullopt, bool fixed = false);

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/clutter.hpp"
+#include "render/force_statements.hpp"
 #include "render/force_tables.hpp"
 #include "render/mechanism_sketch.hpp"
 #include "render/polygon_parts.hpp"
@@ -392,6 +394,7 @@ private:
         const std::string key = items_.size() == 1 ? (triangles ? "force triangle" : "force polygon")
                                                    : (triangles ? "force triangles" : "force polygons");
         all.caption = one_piece(word(key, context_.language));
+        const ForceStatements statements(context_.solution);
         double y = 0;
         for (const std::vector<std::size_t>& row : rows) {
             double tallest = 0, used = 0;
@@ -409,11 +412,13 @@ private:
                 const std::string& name = body_name(*items_[i].body);
                 const std::string words = items_[i].body->body >= 0 ? word("body", context_.language) + " " + name
                                                                     : word("pin", context_.language) + " " + name;
+                const std::size_t first = all.marks.size();
                 set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
                          {x, y + 3.2}, colour_of(context_.theme, items_[i].body->body).letter, "text");
                 figure.move(x - figure.box.min.x + 0.5 * (sizes[i].x - figure.box.width()),
                             y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
                 append(all.marks, figure.marks);
+                belong(all.marks, first, statements.polygon(*items_[i].body));
                 std::vector<Mark> table = items_[i].table.marks;
                 const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);
                 render::move(table, left, y + head + tallest + 2.5);
@@ -483,74 +488,23 @@ private:
     std::vector<Item> items_;
 };
 
-// --- arrows on a body
-// ------------------------------------------------------------------------------------------------------------
-
-/// Strokes of a drawing, to see where an arrow would stand in the way.
-class Clutter {
-public:
-    void add(const std::vector<Mark>& marks) {
-        for (const Mark& mark : marks) {
-            const auto* path = std::get_if<Path>(&mark);
-            if (!path) continue;
-            Spot pen, start;
-            const double half = path->stroked ? path->pen.width / 2 : 0;
-            for (const render::Segment& segment : path->segments) {
-                if (const auto* m = std::get_if<MoveTo>(&segment)) {
-                    pen = start = m->to;
-                } else if (const auto* l = std::get_if<LineTo>(&segment)) {
-                    strokes_.push_back({{pen, l->to}, half});
-                    pen = l->to;
-                } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
-                    pen = a->centre + a->radius * polar_spot(a->to);
-                    strokes_.push_back({{a->centre, a->centre}, a->radius});
-                } else if (std::holds_alternative<Close>(segment)) {
-                    strokes_.push_back({{pen, start}, half});
-                }
-            }
-        }
-    }
-    void add(Spot from, Spot to) { strokes_.push_back({{from, to}, 1.0}); }
-    /// The share of the stretch that lies near strokes.
-    double along(Spot from, Spot to) const {
-        constexpr int pieces = 16;
-        int met = 0;
-        for (int i = 0; i <= pieces; ++i) {
-            const Spot at = from + (static_cast<double>(i) / pieces) * (to - from);
-            if (std::any_of(strokes_.begin(), strokes_.end(), [&](const Stroke& stroke) {
-                    const double near = stroke.half + 1.2;
-                    const auto [tail, tip] = stroke.bar;
-                    // Most are far away: the box round a stroke tells.
-                    return at.x > std::min(tail.x, tip.x) - near && at.x < std::max(tail.x, tip.x) + near &&
-                           at.y > std::min(tail.y, tip.y) - near && at.y < std::max(tail.y, tip.y) + near &&
-                           distance(at, stroke.bar) < near;
-                }))
-                ++met;
-        }
-        return static_cast<double>(met) / (pieces + 1);
-    }
-
-private:
-    struct Stroke {
-        Bar bar;
-        double half;
-    };
-    std::vector<Stroke> strokes_;
-};
+// --- arrows on a body --------------------------------------------------------------------------------------------------------
 
 /// A line of action: a direction and the places that it joins, mm.
 struct ActionLine {
     Spot at, along;
     std::vector<Spot> marks;
+    int statement = -1;  // that knows it first
 };
 
-void add_line(std::vector<ActionLine>& lines, Spot at, Spot along, const std::vector<Spot>& marks) {
+void add_line(std::vector<ActionLine>& lines, Spot at, Spot along, const std::vector<Spot>& marks, int statement = -1) {
     for (ActionLine& known : lines)
         if (std::abs(cross(known.along, along)) < 1e-6 && std::abs(cross(known.along, at - known.at)) < 0.05) {
             known.marks.insert(known.marks.end(), marks.begin(), marks.end());
+            known.statement = std::min(known.statement, statement);
             return;
         }
-    lines.push_back({at, along, marks});
+    lines.push_back({at, along, marks, statement});
 }
 
 void draw_action_line(std::vector<Mark>& marks, const Theme& theme, const ActionLine& action, const Box& view) {
@@ -566,9 +520,10 @@ void draw_action_line(std::vector<Mark>& marks, const Theme& theme, const Action
     if (to - from < 1) return;
     marks.emplace_back(
         line(action.at + from * action.along, action.at + to * action.along, {theme.thin, theme.secondary, dash_dot(), false}));
+    belong(marks, marks.size() - 1, action.statement);
 }
 
-void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string& name, Spot at) {
+void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string& name, Spot at, int statement = -1) {
     for (LabelRequest& label : sketch.labels) {
         if (label.balloon > 0 || label.toward || length(label.anchor - at) > 0.3) continue;
         // The lines meet in a point that has a name already.
@@ -578,7 +533,10 @@ void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string&
     }
     sketch.centres.emplace_back(ring(at, 1.0, context.theme.paper, {context.theme.outline, context.theme.text, {}, false}));
     sketch.centres.emplace_back(disc(at, 0.45, context.theme.text));
+    belong(sketch.centres, sketch.centres.size() - 2, statement);
     LabelRequest label;
+    label.statement = statement;
+    label.names = {name};
     label.text = typeset(Symbol{Symbol::Letter::point, name, ""}, context.language);
     label.size = context.theme.label;
     label.colour = context.theme.text;
@@ -588,7 +546,7 @@ void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string&
 }
 
 void draw_couple(Sketch& sketch, const DrawingContext& context, Clutter& clutter, const RichText& text, Spot at, bool positive,
-                 const BodyColour& colour) {
+                 const BodyColour& colour, int statement = -1) {
     // On paper y runs down: counter-clockwise is the negative turn.
     const double turn = positive ? -1 : 1;
     constexpr double sweep = 2.4;
@@ -597,16 +555,17 @@ void draw_couple(Sketch& sketch, const DrawingContext& context, Clutter& clutter
         for (int step = 0; step < 12; ++step) {
             const double from = step * pi_number / 6;
             double price = 0.15 * (tried - 7) / 3.5;
-            for (int i = 0; i < 4; ++i)
-                price += clutter.along(at + tried * polar_spot(from + turn * sweep * i / 4),
-                                       at + tried * polar_spot(from + turn * sweep * (i + 1) / 4));
+            price += 4 * clutter.along_arc(at, tried, from, turn * sweep);
             if (price < least - 1e-9) least = price, radius = tried, start = from;
         }
+    const std::size_t first = sketch.arrows.size();
     draw_arc_arrow(sketch.arrows, at, radius, start, start + turn * sweep, 0.5, colour.line);
+    belong(sketch.arrows, first, statement);
     for (int i = 0; i < 6; ++i)
         clutter.add(at + radius * polar_spot(start + turn * sweep * i / 6),
                     at + radius * polar_spot(start + turn * sweep * (i + 1) / 6));
     LabelRequest label;
+    label.statement = statement;
     label.text = text;
     label.size = context.theme.label;
     label.colour = colour.letter;
@@ -640,6 +599,10 @@ Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw)
 }  // namespace
 
 bool has_force_polygons(const Solution& solution) { return !shown_polygons(solution).empty(); }
+bool has_force_polygon(const Solution& solution, const FreeBody& body) {
+    const std::vector<int> shown = shown_polygons(solution);
+    return body.polygon >= 0 && std::find(shown.begin(), shown.end(), body.polygon) != shown.end();
+}
 int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
 
 std::vector<int> closed_polygons(const Solution& solution) {
@@ -682,9 +645,9 @@ Box extent_of_forces(const Solution& solution, int polygon) {
     return all;
 }
 
-Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least,
-                             bool fixed) {
-    const Rows with_tables(context, true), plain_rows(context, false);
+Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed,
+                             bool tables) {
+    const Rows with_tables(context, tables), plain_rows(context, false);
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
     if (fixed && least) {
         if (auto figure = with_tables.at(*least, room_x, room_y, false)) return std::move(*figure);
@@ -914,6 +877,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const Mechanism& mechanism = solution.mechanism;
     const Theme& theme = context.theme;
     const Subject subject(solution);
+    const ForceStatements statements(solution);
     const auto asked = asked_scale(mechanism, "mechanism");
     const Box near = grown(subject.box, 0.45 * subject.size());
     Box extent = subject.box;
@@ -954,12 +918,14 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                 std::vector<Spot> marks{at};
                 for (const auto& [letter, place] : shown_meets(solution, body))
                     if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
-                if (marks.size() > 1 || applied.line_by_construction) add_line(lines, at, along, marks);
+                if (marks.size() > 1 || applied.line_by_construction)
+                    add_line(lines, at, along, marks, statements.line(body, applied));
             }
         }
         for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
         for (const auto& [letter, place] : shown)
-            if (const Spot at = sketch.spot(place); contains(view, at)) draw_meet(sketch, context, letter, at);
+            if (const Spot at = sketch.spot(place); contains(view, at))
+                draw_meet(sketch, context, letter, at, statements.meet(letter));
 
         // Loads, efforts and what the frame gives: their sense only.
         for (const FreeBody& body : solution.free_bodies) {
@@ -969,9 +935,10 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                 // An actuator between two bodies shows once.
                 if (applied.kind == AppliedForce::Kind::effort && applied.from > 0 && applied.from < body.body) continue;
                 const Spot at = sketch.spot(applied.at);
+                const int statement = statements.force(body, applied);
                 if (!applied.couple.is_zero()) {
                     draw_couple(sketch, context, clutter, typeset(couple_symbol(applied), context.language), at,
-                                applied.couple.sign() > 0, colour);
+                                applied.couple.sign() > 0, colour, statement);
                 }
                 if (applied.force.is_zero()) continue;
                 const Spot along = paper_direction(applied.force);
@@ -989,9 +956,13 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                         if (applied.kind == AppliedForce::Kind::reaction && pulls) price += 0.15;
                         if (price < least_price - 1e-9) least_price = price, tail = a, tip = b;
                     }
+                const std::size_t arrow = sketch.arrows.size();
                 draw_arrow(sketch.arrows, tail, tip, theme.vector, colour.line, colour.dashes);
+                belong(sketch.arrows, arrow, statement);
                 clutter.add(tail, tip);
                 LabelRequest label;
+                label.statement = statement;
+                label.names = {name_of(applied.symbol)};
                 label.text = typeset(applied.symbol, context.language);
                 label.size = theme.equation;
                 label.colour = colour.letter;

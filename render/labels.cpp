@@ -844,6 +844,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
             auto& text = std::get<TextMark>(figure.marks[k]);
             text.pivot = centre;
             text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
+            text.names = request.names;
             if (k > first) text.cls = "text";  // one label, one aria-label
         }
         if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});

@@ -238,6 +238,7 @@ private:
             if (at_pin && is_primary(d)) continue;
             if (!label.text.empty()) append(label.text, one_piece(" ≡ "));
             append(label.text, name_of_centre(d));
+            label.names.push_back(name_of(sketch_.symbol_of(all_[d])));
         }
         return label;
     }

@@ -79,7 +79,16 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
 
 using namespace drawing;
 
-Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres) {
+namespace {
+
+/// What a mechanism's figure shows besides the mechanism.
+struct Shows {
+    bool centres = false;
+    std::optional<Symbol::Letter> turnings{};
+};
+
+Figure figure_of_mechanism(const DrawingContext& context, double room_x, double room_y, const Shows& shows) {
+    const bool with_centres = shows.centres;
     const Subject subject(context.solution);
     const std::optional<double> asked = asked_scale(context.solution.mechanism, "mechanism");
     // Symbols and names need a rim; the first guess leaves the least that they take.
@@ -104,6 +113,7 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
             sketch.draw_in_colour();
             if (with_centres) sketch.draw_centres();
             sketch.draw_equivalent_linkages();
+            if (shows.turnings) sketch.draw_turnings(*shows.turnings);
             if (dimensions != Dimensions::off) sketch.draw_dimensions({room_x, room_y}, dimensions == Dimensions::on);
             const bool dimensioned = !sketch.dimensions.empty();
             sketch.draw_points(true);
@@ -121,6 +131,16 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
             return with_dimensions(Dimensions::off).first;
         return std::move(figure);
     });
+}
+
+}  // namespace
+
+Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres) {
+    return figure_of_mechanism(context, room_x, room_y, {with_centres});
+}
+
+Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
+    return figure_of_mechanism(context, room_x, room_y, {false, letter});
 }
 
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y) {

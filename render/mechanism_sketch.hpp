@@ -117,6 +117,11 @@ private:
     }
 };
 
+/// The ω or α that a sentence ends with; none: it finds no turning.
+const Symbol* turning_found(const Message& message);
+
+class Clutter;
+
 /// One try at a scale.
 class Sketch {
 public:
@@ -141,6 +146,8 @@ public:
     void draw_alone(BodyIndex body);
     void draw_points(bool names);
     void draw_drivers();
+    /// What turns, as the solution finds it: ω or α of the bodies as arcs, each with the statement that ends with it.
+    void draw_turnings(Symbol::Letter letter);
     void draw_compass();
     void draw_centres();
     void draw_equivalent_linkages();
@@ -162,6 +169,18 @@ private:
         double radius = 0, from = 0, to = 0;
     };
     CurvedSlot curved_slot(const Joint& joint) const;
+    /// ω or α of a body as an arc about a place, with its name.
+    struct Turning {
+        BodyIndex body = -1;
+        Spot pivot, arm{1, 0};
+        double reach = 12;  // along the arm, mm
+        bool counter_clockwise = true;
+        RichText text;
+        int statement = -1;
+    };
+    std::optional<PointIndex> pivot_of_driver(const SpinDriver& spin) const;
+    void aim(Turning& turning) const;
+    void draw_turning(const Turning& turning, Clutter* clutter);
     Shape shape_of(BodyIndex body) const;
     void cut_knife_edges(Shape& shape, BodyIndex body) const;
     bool covered_by_block(const Joint& hinge) const;

@@ -89,8 +89,9 @@ struct TextMark {
     std::string cls;    ///< "label" for labels of a drawing; "text" for prose and tables
     double angle = 0;
     Spot pivot;
-    std::vector<Path> extras;  ///< dots over letters, fraction bars
-    int statement = -1;        ///< as a Path's
+    std::vector<Path> extras;          ///< dots over letters, fraction bars
+    int statement = -1;                ///< as a Path's
+    std::vector<std::string> names{};  ///< of the quantities that a label names, as `data-name` has them
 };
 
 /// Opens a group (`<g>`): class, id (already legal), title and data attributes in order.

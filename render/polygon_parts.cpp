@@ -202,6 +202,7 @@ private:
             LabelRequest& label = figure_.labels[*with->label];
             append(label.text, one_piece(alike ? " = " : " = −"));
             append(label.text, vector.text);
+            label.names.push_back(vector.name);
             if (!vector.internal && !with->arrow) {
                 label.size = theme_.equation;
                 label.colour = vector.colour.letter;
@@ -220,6 +221,7 @@ private:
         label.toward = vector.tip;
         label.clearance = 1.5;
         label.statement = vector.statement;
+        label.names = {vector.name};
         figure_.labels.push_back(std::move(label));
     }
 
@@ -261,6 +263,7 @@ private:
             if (is_named_in_detail_only(clusters, cluster) || cluster.text.empty()) continue;
             LabelRequest label;
             label.statement = cluster.statement;
+            label.names.assign(cluster.names.begin(), cluster.names.end());
             label.text = cluster.text;
             label.size = theme_.label;
             label.colour = theme_.text;

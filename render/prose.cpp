@@ -26,9 +26,10 @@ Block paragraph_block(const DrawingContext& context, double measure, const RichT
     if (!number.empty())
         set_text(block.marks, context.fonts.shape(one_piece(number), context.theme.body_text), {0, baseline},
                  context.theme.secondary, "text");
+    const double lead = 4.1 / 9 * context.theme.body_text;
     for (const ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
         set_text(block.marks, each, {indent, baseline}, context.theme.text, "text");
-        baseline += 4.1;
+        baseline += lead;
     }
     block.width = measure;
     block.height = baseline - 3.2 + 0.7;

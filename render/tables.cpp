@@ -202,89 +202,148 @@ RichText with_powers(const std::string& text) {
     return rich;
 }
 
-Block equation_block(const DrawingContext& context, const Equation& equation, double most) {
-    const Language language = context.language;
-    const Theme& theme = context.theme;
-    struct Column {
-        const Term* term = nullptr;
-        std::string operation;  // what stands before it
-        ShapedLine symbol, line;
-        double width = 0, middle = 0;
-    };
-    const ShapedLine tick = context.fonts.shape(one_piece("✓"), 10),
-                     question = context.fonts.shape(one_piece("?", Face::bold), 10);
+namespace {
 
-    // Set as in the book; where that is too wide, closer and then smaller.
+/// An equation in the making: its terms as columns, what stands before each, and how it is set.
+class EquationTable {
+public:
     struct Setting {
         double size, line_size, least_column, gap, operation;
     };
-    constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6}, Setting{11, 7.5, 7, 1.3, 3.2},
-                                  Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
-    Block block;
-    for (const Setting& setting : settings) {
-        std::vector<Column> columns;
+
+    EquationTable(const DrawingContext& context, const Equation& equation, const Setting& setting)
+        : context_(context), setting_(setting) {
         for (std::size_t side = 0; side < equation.sides.size(); ++side)
             for (std::size_t i = 0; i < equation.sides[side].size(); ++i) {
                 const Term& term = equation.sides[side][i];
                 Column column;
                 column.term = &term;
                 column.operation = i > 0 ? "+" : side > 0 ? "=" : "";
-                column.symbol = context.fonts.shape(typeset(term.symbol, language), setting.size);
+                column.symbol = context.fonts.shape(typeset(term.symbol, context.language), setting.size);
                 if (term.line.kind != LineReason::Kind::known)
-                    column.line = context.fonts.shape(typeset(term.line, language), setting.line_size);
+                    column.line = context.fonts.shape(typeset(term.line, context.language), setting.line_size);
                 column.width =
                     std::max({setting.least_column, column.symbol.width + setting.gap, column.line.width + setting.gap});
-                columns.push_back(std::move(column));
+                columns_.push_back(std::move(column));
             }
-        const bool has_lines = std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.line.width > 0; });
-        std::vector<std::string> names{word("magnitude", language), word("direction", language)};
-        if (has_lines) names.push_back(word("line", language));
-        double names_width = 0;
-        std::vector<ShapedLine> shaped_names;
+        std::vector<std::string> names{word("magnitude", context.language), word("direction", context.language)};
+        if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return c.line.width > 0; }))
+            names.push_back(word("line", context.language));
         for (const std::string& name : names) {
-            shaped_names.push_back(context.fonts.shape(one_piece(name), setting.line_size));
-            names_width = std::max(names_width, shaped_names.back().width);
+            names_.push_back(context.fonts.shape(one_piece(name), setting.line_size));
+            names_width_ = std::max(names_width_, names_.back().width);
         }
-        double x = names_width + 2.0;
-        for (Column& column : columns) {
-            if (!column.operation.empty()) x += setting.operation * (column.operation == "=" ? 1.1 : 1.0) - setting.gap / 2;
-            column.middle = x + column.width / 2;
-            x += column.width;
-        }
-        block = {};
-        block.width = x;
-        if (block.width > most && &setting != &settings.back()) continue;
+    }
 
+    /// Of all terms in one row.
+    double width() const { return width(0, columns_.size()); }
+    /// In rows none of which is wider than `most` mm, as far as one term a row allows.
+    Block set(double most) const {
+        Block block;
+        for (std::size_t from = 0; from < columns_.size();) {
+            const std::size_t to = end_of_row(from, most);
+            Block row = set_row(from, to);
+            render::move(row.marks, 0, block.height);
+            block.marks.insert(block.marks.end(), std::make_move_iterator(row.marks.begin()),
+                               std::make_move_iterator(row.marks.end()));
+            block.width = std::max(block.width, row.width);
+            block.height += row.height + (to < columns_.size() ? between_rows : 0);
+            from = to;
+        }
+        return block;
+    }
+
+private:
+    struct Column {
+        const Term* term = nullptr;
+        std::string operation;  // what stands before it
+        ShapedLine symbol, line;
+        double width = 0;
+    };
+
+    static constexpr double between_rows = 1.5;
+
+    double before(std::size_t column) const {
+        const std::string& operation = columns_[column].operation;
+        return operation.empty() ? 0 : setting_.operation * (operation == "=" ? 1.1 : 1.0) - setting_.gap / 2;
+    }
+    double width(std::size_t from, std::size_t to) const {
+        double x = names_width_ + 2.0;
+        for (std::size_t c = from; c < to; ++c) x += before(c) + columns_[c].width;
+        return x;
+    }
+    /// As many terms as there is room for; rather before an equals sign than before a plus.
+    std::size_t end_of_row(std::size_t from, double most) const {
+        std::size_t to = from + 1;
+        while (to < columns_.size() && width(from, to + 1) <= most) ++to;
+        if (to < columns_.size())
+            for (std::size_t c = to; c > from + 1; --c)
+                if (columns_[c].operation == "=") return c;
+        return to;
+    }
+    Block set_row(std::size_t from, std::size_t to) const {
+        const Theme& theme = context_.theme;
+        const ShapedLine tick = context_.fonts.shape(one_piece("✓"), 10),
+                         question = context_.fonts.shape(one_piece("?", Face::bold), 10);
+        Block block;
+        block.width = width(from, to);
+        std::vector<double> middles;
+        double x = names_width_ + 2.0;
+        for (std::size_t c = from; c < to; ++c) {
+            x += before(c);
+            middles.push_back(x + columns_[c].width / 2);
+            x += columns_[c].width;
+        }
         double baseline = 4.6;
-        double before = names_width + 2.0;
-        for (const Column& column : columns) {
+        double end = names_width_ + 2.0;
+        for (std::size_t c = from; c < to; ++c) {
+            const Column& column = columns_[c];
+            const double middle = middles[c - from];
             const Colour colour = column.term->body > 0 ? theme.body(column.term->body).letter : theme.text;
             if (!column.operation.empty()) {
-                const ShapedLine sign = context.fonts.shape(one_piece(column.operation), setting.size);
-                set_centred(block.marks, sign, 0.5 * (before + column.middle - column.symbol.width / 2), baseline, theme.text);
+                const ShapedLine sign = context_.fonts.shape(one_piece(column.operation), setting_.size);
+                set_centred(block.marks, sign, 0.5 * (end + middle - column.symbol.width / 2), baseline, theme.text);
             }
-            set_centred(block.marks, column.symbol, column.middle, baseline, colour);
-            before = column.middle + column.symbol.width / 2;
+            set_centred(block.marks, column.symbol, middle, baseline, colour);
+            end = middle + column.symbol.width / 2;
         }
         const double top = 6.6;
         block.marks.emplace_back(rule(0, block.width, top, theme.thin, theme.text));
-        for (std::size_t row = 0; row < names.size(); ++row) {
+        for (std::size_t row = 0; row < names_.size(); ++row) {
             baseline = top + 3.4 + 4.1 * static_cast<double>(row);
-            set_text(block.marks, shaped_names[row], {0, baseline}, theme.secondary, "text");
-            for (const Column& column : columns) {
+            set_text(block.marks, names_[row], {0, baseline}, theme.secondary, "text");
+            for (std::size_t c = from; c < to; ++c) {
+                const Column& column = columns_[c];
                 if (row < 2) {
                     const bool known = row == 0 ? column.term->magnitude_known : column.term->direction_known;
-                    set_centred(block.marks, known ? tick : question, column.middle, baseline, theme.text);
+                    set_centred(block.marks, known ? tick : question, middles[c - from], baseline, theme.text);
                 } else {
-                    set_centred(block.marks, column.line, column.middle, baseline, theme.secondary);
+                    set_centred(block.marks, column.line, middles[c - from], baseline, theme.secondary);
                 }
             }
         }
         block.height = baseline + 1.8;
         block.marks.emplace_back(rule(0, block.width, block.height, theme.thin, theme.text));
-        break;
+        return block;
     }
-    return block;
+
+    const DrawingContext& context_;
+    Setting setting_;
+    std::vector<Column> columns_;
+    std::vector<ShapedLine> names_;
+    double names_width_ = 0;
+};
+
+}  // namespace
+
+Block equation_block(const DrawingContext& context, const Equation& equation, double most) {
+    // Set as in the book; where that is too wide, closer and then smaller; where that is, too, in rows.
+    using Setting = EquationTable::Setting;
+    constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6}, Setting{11, 7.5, 7, 1.3, 3.2},
+                                  Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
+    for (const Setting& setting : settings)
+        if (const EquationTable table(context, equation, setting); table.width() <= most) return table.set(most);
+    return EquationTable(context, equation, settings[1]).set(most);
 }
 
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures) {

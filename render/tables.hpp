@@ -26,8 +26,8 @@ std::string shortest(double value, Language language);
 /// A unit or number with its powers as superscripts: "m/s²", "5 × 10⁻³".
 RichText with_powers(const std::string& text);
 
-/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm as
-/// far as its terms can be set closer.
+/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
+/// its terms are set closer and smaller, and where that is not enough it goes on in a further row.
 Block equation_block(const DrawingContext& context, const Equation& equation, double most);
 
 /// One row of the results: a vector as drawn or a scalar of a body.

@@ -400,6 +400,11 @@ constexpr std::array fixed_words{
     FixedWords{"steps velocity", "Steps: velocities", "Procedimento: velocità"},
     FixedWords{"steps acceleration", "Steps: accelerations", "Procedimento: accelerazioni"},
     FixedWords{"steps relative motion", "Steps: relative motion", "Procedimento: moto relativo"},
+    FixedWords{"polygons joined",
+               "Joined on their common sides the polygons close: the inner forces, drawn broken, cancel in pairs, and those from "
+               "outside are in equilibrium.",
+               "Accostati sui lati comuni i poligoni si chiudono: le forze interne, a tratti, si elidono a due a due e quelle "
+               "esterne sono in equilibrio."},
     FixedWords{"remarks", "Remarks", "Osservazioni"},
     FixedWords{"scale refused", "at the scale that the file asks for it does not fit the sheet.",
                "alla scala richiesta dal file non sta nel foglio."},
