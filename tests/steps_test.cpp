@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 #include "render/backends.hpp"
+#include "render/tables.hpp"
 #include "tests/pages.hpp"
 
 namespace {
@@ -98,6 +100,26 @@ TEST_P(Steps, EndWithTheFinishedFigures) {
         EXPECT_EQ(drawn, vectors) << polygon.id;
     }
 }
+/// Strokes and letters of a colour.
+std::size_t count_of(const Page& page, Colour colour) {
+    std::size_t count = 0;
+    for (const Mark& mark : page.marks) {
+        if (const auto* path = std::get_if<Path>(&mark)) count += path->stroked && path->pen.colour == colour;
+        if (const auto* text = std::get_if<TextMark>(&mark)) count += text->colour == colour;
+    }
+    return count;
+}
+
+TEST_P(Steps, AlwaysHaveSomethingInTheAccent) {
+    const Solution solution = example(GetParam() + ".json");
+    const Theme theme;
+    const auto pages = lay_out_steps(solution, {}, fonts());
+    if (solution.protocol.statements.empty()) return;
+    for (std::size_t p = 0; p < pages.size(); ++p) {
+        if (shown_on(pages[p]).figure.starts_with("closure")) continue;  // all of it is new
+        EXPECT_GT(count_of(pages[p], theme.accent), 0u) << "page " << p + 1;
+    }
+}
 INSTANTIATE_TEST_SUITE_P(Examples, Steps, testing::ValuesIn(example_names()),
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
@@ -129,6 +151,79 @@ TEST(StepsOfTheFourBar, WhatIsNewIsInTheAccentAndWhatWasIsGrey) {
         }
     }
     EXPECT_TRUE(both);
+}
+
+const Page* page_that_says(const std::vector<Page>& pages, const std::string& words) {
+    const auto found = std::find_if(pages.begin(), pages.end(), [&](const Page& page) { return says(page, words); });
+    return found == pages.end() ? nullptr : &*found;
+}
+std::optional<Colour> colour_of_label(const Page& page, const std::string& words) {
+    for (const TextMark* text : texts_of(page))
+        if (text->cls == "label" && text->words == words) return text->colour;
+    return std::nullopt;
+}
+
+TEST(StepsOfTheFourBar, ShowWhatAnAngularVelocityIsReadOffAndDrawItOnTheBody) {
+    const Theme theme;
+    const auto pages = lay_out_steps(example("four_bar.json"), {}, fonts());
+    const Page* page = page_that_says(pages, "ω_3 is v_BA over AB");
+    ASSERT_TRUE(page);
+    EXPECT_EQ(colour_of_label(*page, "v_BA"), theme.accent);
+    EXPECT_EQ(colour_of_label(*page, "v_B"), theme.secondary);
+    EXPECT_EQ(colour_of_label(*page, "ω_3"), theme.accent);
+    EXPECT_TRUE(says(*page, "ω_3 = 1.309 rad/s"));
+    const Page* next = page_that_says(pages, "ω_4 is v_B over");
+    ASSERT_TRUE(next);
+    EXPECT_EQ(colour_of_label(*next, "ω_3"), theme.secondary);
+    EXPECT_EQ(colour_of_label(*next, "ω_4"), theme.accent);
+}
+
+TEST(StepsOfForces, DrawAForceWhereTheSentenceFindsIt) {
+    const auto pages = lay_out_steps(example("gas_force.json"), {}, fonts());
+    const Page* line = page_that_says(pages, "two forces only");
+    const Page* triangle = page_that_says(pages, "The triangle of body 4");
+    const Page* couple = page_that_says(pages, "that force times its arm");
+    ASSERT_TRUE(line && triangle && couple);
+    EXPECT_TRUE(colour_of_label(*line, "F_gas")) << "is given";
+    EXPECT_FALSE(colour_of_label(*line, "F_14"));
+    EXPECT_FALSE(colour_of_label(*line, "F_12"));
+    EXPECT_EQ(colour_of_label(*triangle, "F_14"), Theme{}.accent);
+    EXPECT_FALSE(colour_of_label(*triangle, "F_12"));
+    EXPECT_EQ(colour_of_label(*couple, "F_12"), Theme{}.accent);
+    EXPECT_EQ(colour_of_label(*couple, "F_14"), Theme{}.secondary);
+    EXPECT_TRUE(says(*triangle, "F_14 = 603.0 N"));
+}
+
+TEST(StepsOfForces, EndWithTheClosedPolygon) {
+    const auto pages = lay_out_steps(example("gas_force.json"), in(Language::it), fonts());
+    EXPECT_EQ(shown_on(pages.back()).figure.substr(0, 7), "closure");
+    EXPECT_TRUE(says(pages.back(), "esterne sono in"));
+}
+
+TEST(EquationBlock, GoesOnInAFurtherRowWhereItIsTooWide) {
+    const Solution solution = example("quick_return.json");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::it};
+    bool broken = false;
+    for (const Statement& statement : solution.protocol.statements) {
+        if (!statement.equation) continue;
+        const Block whole = equation_block(context, *statement.equation, 300),
+                    narrow = equation_block(context, *statement.equation, 50);
+        EXPECT_LE(narrow.width, 50);
+        broken = broken || narrow.height > 1.5 * whole.height;
+        const auto words = [](const Block& block, const std::string& name) {
+            std::size_t count = 0;
+            for (const Mark& mark : block.marks)
+                if (const auto* text = std::get_if<TextMark>(&mark)) count += text->words == name;
+            return count;
+        };
+        for (const std::vector<Term>& side : statement.equation->sides)
+            for (const Term& term : side) {
+                const std::string name = plain(typeset(term.symbol, Language::it));
+                EXPECT_EQ(words(narrow, name), words(whole, name)) << name;
+            }
+    }
+    EXPECT_TRUE(broken);
 }
 
 TEST(StepsOfTheFourBar, AreTheSameEveryTime) {
@@ -164,6 +259,20 @@ TEST(Revealed, DropsWhatComesLaterWithItsGroup) {
     EXPECT_EQ(std::get<Path>(shown[2]).pen.colour, theme.secondary);
     EXPECT_EQ(std::get<Path>(shown[4]).pen.colour, theme.accent);
     EXPECT_EQ(revealed(marks, {0, 1, 2}, 2, theme).size(), marks.size());
+}
+
+TEST(Revealed, PutsWhatIsCitedInTheAccent) {
+    const Theme theme;
+    Path path;
+    path.stroked = true;
+    TextMark label;
+    label.names = {"v_A"};
+    const std::vector<Mark> marks{GroupBegin{"vector", "velocity-v_A", "", {{"data-name", "v_A"}}, 0}, path, GroupEnd{}, label,
+                                  GroupBegin{"vector", "velocity-v_B", "", {{"data-name", "v_B"}}, 0}, path, GroupEnd{}};
+    const auto shown = revealed(marks, {0, 1}, 1, theme, {"v_A"});
+    EXPECT_EQ(std::get<Path>(shown[1]).pen.colour, theme.accent);
+    EXPECT_EQ(std::get<TextMark>(shown[3]).colour, theme.accent);
+    EXPECT_EQ(std::get<Path>(shown[5]).pen.colour, theme.secondary);
 }
 
 }  // namespace
