@@ -118,6 +118,7 @@ public:
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           wanted_(context_, format_.measure, false),
+          force_statements_(solution),
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
           beside_context_(context_) {
@@ -187,7 +188,7 @@ private:
             std::string figure;
             const auto found = polygon_of.find(i);
             if (statement.section == "forces")
-                figure = shows_a_polygon(statement.message) ? "forces" : "lines-of-action";
+                figure = completes_a_polygon(static_cast<int>(i)) ? "forces" : "lines-of-action";
             else if (found != polygon_of.end() && is_plane_of_motion(found->second))
                 figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
             else if (statement.section == "centres" || statement.message.sentence == Sentence::second_way)
@@ -224,10 +225,10 @@ private:
                         order.push_back(i);
         return order;
     }
-    bool shows_a_polygon(const Message& message) const {
-        return closes_a_polygon(message.sentence) && is_wanted("forces") &&
+    bool completes_a_polygon(int statement) const {
+        return is_wanted("forces") &&
                std::any_of(solution_.free_bodies.begin(), solution_.free_bodies.end(), [&](const FreeBody& body) {
-                   return has_force_polygon(solution_, body) && speaks_of(solution_, message, body);
+                   return has_force_polygon(solution_, body) && force_statements_.polygon(body) == statement;
                });
     }
     bool is_plane_of_motion(int polygon) const {
@@ -339,6 +340,8 @@ private:
             for (const FreeBody& body : solution_.free_bodies) {
                 if (!speaks_of(solution_, message, body)) continue;
                 for (const AppliedForce& applied : body.forces) {
+                    // A part of it, before parts are added, is no value of its own.
+                    if (force_statements_.force(body, applied) != static_cast<int>(index)) continue;
                     if (applied.symbol == symbol && !applied.force.is_zero()) return in_unit(length(applied.force), units.force);
                     if (couple_symbol(applied) == symbol && !applied.couple.is_zero())
                         return in_unit(applied.couple.to_double(), units.moment);
@@ -429,11 +432,15 @@ private:
         const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](std::size_t statement) {
             return contents.statements.contains(static_cast<int>(statement));
         });
-        // A page that adds no line shows what it is read off.
+        // A page that adds no line shows what it is read off, or at least of what it speaks.
         std::set<std::string> names;
+        std::vector<Mark> segments;
         if (!adds) {
             names = cited(step.statements);
-            names.merge(contents.found(names));
+            const std::set<std::string> found = contents.found(names);
+            segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
+            if (found.empty() && segments.empty()) names.merge(groups_spoken_of(step.statements));
+            names.insert(found.begin(), found.end());
         }
         std::vector<Mark> marks = placed.caption;
         std::optional<double> scale_of_mechanism;
@@ -442,7 +449,7 @@ private:
             marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
             if (figure->kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = figure->scale;
         }
-        if (!adds) mark_segments(marks, step, beside.kind == "mechanism" ? beside : placed.figure);
+        marks.insert(marks.end(), segments.begin(), segments.end());
         if (!step.rows.empty()) {
             double y = prose_.min.y;
             const Block head = heading_block(prose_context_, format_.measure, heading_of(step), {});
@@ -456,8 +463,9 @@ private:
         return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, steps_.size());
     }
     /// Lengths that a page reads off the mechanism.
-    void mark_segments(std::vector<Mark>& marks, const Step& step, const Figure& mechanism) const {
-        if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return;
+    std::vector<Mark> segments_read(const Step& step, const Figure& mechanism) const {
+        std::vector<Mark> marks;
+        if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
         const auto spot = [&](PointIndex point) {
             const Vector& at = solution_.pose.at(point);
             return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
@@ -475,6 +483,29 @@ private:
                 marks.emplace_back(
                     line(a + pin * along, b - pin * along, {context_.theme.link, context_.theme.accent, {}, false}));
             }
+        return marks;
+    }
+    /// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
+    std::set<std::string> groups_spoken_of(const std::vector<std::size_t>& indices) const {
+        std::set<std::string> links, joints;
+        const Mechanism& mechanism = solution_.mechanism;
+        for (const std::size_t index : indices) {
+            const Message& message = statements()[index].message;
+            for (const FreeBody& free : solution_.free_bodies)
+                if (free.body > 0 && speaks_of(solution_, message, free))
+                    links.insert("link-" + legal_id(mechanism.bodies[static_cast<std::size_t>(free.body)].name));
+            for (const Argument& argument : message.arguments) {
+                if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
+                const auto* symbol = std::get_if<Symbol>(&argument);
+                if (symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha))
+                    links.insert("link-" + legal_id(symbol->about));
+                const auto* point = std::get_if<PointName>(&argument);
+                for (const Joint& joint : mechanism.joints)
+                    if (point && mechanism.points[static_cast<std::size_t>(joint.point)].name == point->name)
+                        joints.insert("joint-" + legal_id(joint.name));
+            }
+        }
+        return links.empty() ? joints : links;
     }
     std::string heading_of(const Step& step) const {
         for (const char* known : {"velocity", "acceleration", "relative motion", "centres", "forces"})
@@ -489,6 +520,7 @@ private:
     SheetFormat format_;
     Signature signature_;
     WantedFigures wanted_;
+    ForceStatements force_statements_;
     Theme prose_theme_;
     DrawingContext prose_context_, beside_context_;
     Box large_, small_, prose_;
@@ -498,14 +530,14 @@ private:
     std::map<std::string, Figure> small_figures_;
 };
 
-/// A label with one of these names, or a group that has one as its `data-name` or, of a centre, its title.
+/// A label with one of these names, or a group that has one as its id, its `data-name` or, of a centre, its title.
 bool is_cited(const Mark& mark, const std::set<std::string>& names) {
     if (names.empty()) return false;
     const auto among = [&](const std::string& name) { return names.contains(name); };
     if (const auto* text = std::get_if<TextMark>(&mark)) return std::any_of(text->names.begin(), text->names.end(), among);
     const auto* group = std::get_if<GroupBegin>(&mark);
     if (!group) return false;
-    if (group->cls == "centre") return names.contains(group->title);
+    if (names.contains(group->id) || (group->cls == "centre" && names.contains(group->title))) return true;
     return std::any_of(group->attributes.begin(), group->attributes.end(),
                        [&](const auto& attribute) { return attribute.first == "data-name" && names.contains(attribute.second); });
 }
