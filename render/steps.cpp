@@ -43,6 +43,7 @@ struct Recolour {
         return fill == theme.paper ||
                std::any_of(theme.bodies.begin(), theme.bodies.end(), [&](const BodyColour& body) { return body.tint == fill; });
     }
+    bool inks(const Path& path) const { return path.stroked || (path.filled && !is_ground(path.fill)); }
     void operator()(Path& path) const {
         if (path.stroked) path.pen.colour = colour;
         if (path.filled && !is_ground(path.fill)) path.fill = colour;
@@ -91,12 +92,14 @@ struct Contents {
     std::set<int> statements;
     std::vector<std::vector<std::string>> names;  // by label
 
-    explicit Contents(const std::vector<Mark>& marks) {
+    Contents(const std::vector<Mark>& marks, const Theme& theme) {
+        const Recolour recolour{theme, theme.accent};
         Nesting nesting;
         for (const Mark& mark : marks) {
             const int statement = nesting.enter(mark);
             const auto* text = std::get_if<TextMark>(&mark);
-            if (statement >= 0 && (text || std::holds_alternative<Path>(mark))) statements.insert(statement);
+            const auto* path = std::get_if<Path>(&mark);
+            if (statement >= 0 && (text || (path && recolour.inks(*path)))) statements.insert(statement);
             if (text && !text->names.empty()) names.push_back(text->names);
         }
     }
@@ -250,7 +253,7 @@ private:
         double height = 0;
         for (const Block& row : rows) height += row.height;
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
-        const Contents contents(large(figure).figure.marks), beside(small(step).marks);
+        const Contents contents(large(figure).figure.marks, context_.theme), beside(small(step).marks, context_.theme);
         step.draws = contents.statements.contains(static_cast<int>(index)) ||
                      beside.statements.contains(static_cast<int>(index)) || !contents.found(cited({index})).empty();
         if (steps_.empty() || steps_.back().section != step.section ||
@@ -428,7 +431,7 @@ private:
         const Theme& theme = context_.theme;
         const Placed& placed = large(step.figure);
         const Figure& beside = small(step);
-        const Contents contents(placed.figure.marks);
+        const Contents contents(placed.figure.marks, theme);
         const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](std::size_t statement) {
             return contents.statements.contains(static_cast<int>(statement));
         });
@@ -437,7 +440,8 @@ private:
         std::vector<Mark> segments;
         if (!adds) {
             names = cited(step.statements);
-            const std::set<std::string> found = contents.found(names);
+            const std::set<std::string> found =
+                Contents(revealed(placed.figure.marks, page_of_, index, theme), theme).found(names);
             segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
             if (found.empty() && segments.empty()) names.merge(groups_spoken_of(step.statements));
             names.insert(found.begin(), found.end());
