@@ -111,7 +111,7 @@ std::size_t count_of(const Page& page, Colour colour) {
 }
 
 TEST_P(Steps, AlwaysHaveSomethingInTheAccent) {
-    const Solution solution = example(GetParam() + ".json");
+    const Solution solution = example(GetParam());
     const Theme theme;
     const auto pages = lay_out_steps(solution, {}, fonts());
     if (solution.protocol.statements.empty()) return;
@@ -165,7 +165,7 @@ std::optional<Colour> colour_of_label(const Page& page, const std::string& words
 
 TEST(StepsOfTheFourBar, ShowWhatAnAngularVelocityIsReadOffAndDrawItOnTheBody) {
     const Theme theme;
-    const auto pages = lay_out_steps(example("four_bar.json"), {}, fonts());
+    const auto pages = lay_out_steps(example("four_bar"), {}, fonts());
     const Page* page = page_that_says(pages, "ω_3 is v_BA over AB");
     ASSERT_TRUE(page);
     EXPECT_EQ(colour_of_label(*page, "v_BA"), theme.accent);
@@ -179,7 +179,7 @@ TEST(StepsOfTheFourBar, ShowWhatAnAngularVelocityIsReadOffAndDrawItOnTheBody) {
 }
 
 TEST(StepsOfForces, DrawAForceWhereTheSentenceFindsIt) {
-    const auto pages = lay_out_steps(example("gas_force.json"), {}, fonts());
+    const auto pages = lay_out_steps(example("gas_force"), {}, fonts());
     const Page* line = page_that_says(pages, "two forces only");
     const Page* triangle = page_that_says(pages, "The triangle of body 4");
     const Page* couple = page_that_says(pages, "that force times its arm");
@@ -195,13 +195,13 @@ TEST(StepsOfForces, DrawAForceWhereTheSentenceFindsIt) {
 }
 
 TEST(StepsOfForces, EndWithTheClosedPolygon) {
-    const auto pages = lay_out_steps(example("gas_force.json"), in(Language::it), fonts());
+    const auto pages = lay_out_steps(example("gas_force"), in(Language::it), fonts());
     EXPECT_EQ(shown_on(pages.back()).figure.substr(0, 7), "closure");
     EXPECT_TRUE(says(pages.back(), "esterne sono in"));
 }
 
 TEST(EquationBlock, GoesOnInAFurtherRowWhereItIsTooWide) {
-    const Solution solution = example("quick_return.json");
+    const Solution solution = example("quick_return");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::it};
     bool broken = false;
