@@ -210,13 +210,16 @@ private:
         Spot meet, along;
     };
 
-    /// A line that is drawn ⟂ to a known vector through its tip: a^t to a^n, a^rel to the Coriolis term.
+    /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a Coriolis term
+    /// that is set off last.
     void add_corner(PolygonParts& parts, const DrawnLine& drawn, Spot support, Spot along, double reach) const {
         for (const PolygonVector& vector : parts.vectors) {
-            if (!vector.right_angle_at_tip || length(vector.tip - support) > coincident) continue;
-            const Spot back = unit(vector.tail - vector.tip);
-            if (std::abs(dot(back, along)) > 1e-9) continue;
-            parts.corners.push_back({support, back, along, std::min(length(vector.tip - vector.tail), reach), drawn.statement});
+            if (!vector.has_right_angles) continue;
+            const bool at_tip = length(vector.tip - support) < coincident;
+            if (!at_tip && length(vector.tail - support) >= coincident) continue;
+            const Spot leg = at_tip ? vector.tail - vector.tip : vector.tip - vector.tail;
+            if (std::abs(dot(unit(leg), along)) > 1e-9) continue;
+            parts.corners.push_back({support, unit(leg), along, std::min(length(leg), reach), drawn.statement});
             return;
         }
     }
@@ -276,7 +279,7 @@ private:
             drawn.value = value;
             drawn.text = typeset(vector.symbol, context_.language);
             drawn.colour = colour_of(vector.body);
-            drawn.right_angle_at_tip = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
+            drawn.has_right_angles = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
             drawn.statement = vector.statement;
             parts.vectors.push_back(std::move(drawn));
         }

@@ -25,8 +25,8 @@ struct PolygonVector {
     double value = 0;  ///< in the figure's unit
     RichText text;
     BodyColour colour;
-    bool internal = false;            ///< a broken line without a head: it falls out of the sum
-    bool right_angle_at_tip = false;  ///< a line ⟂ to it through its tip is so by construction
+    bool internal = false;          ///< a broken line without a head: it falls out of the sum
+    bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
     int statement = -1;
 };
 /// What a detail shows of a vector that leaves it.
@@ -44,7 +44,7 @@ struct PolygonImage {
     RichText text;
     int statement = -1;
 };
-/// A right angle of the construction: at the tip of a known vector the line of the next one begins.
+/// A right angle of the construction: at an end of a known vector the line of the next one begins.
 struct PolygonCorner {
     Spot at;
     Spot first, second;  ///< unit vectors of its legs
