@@ -1,6 +1,7 @@
 // Polygon figures: what is measured on paper is the result.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -306,14 +307,9 @@ TEST(PolygonConstruction, LinesAreSeenToCrossInTheTipThatTheyFind) {
     }
 }
 
-TEST(PolygonConstruction, RightAnglesOfNormalAndTangentialTermsAreMarked) {
-    const Solution solution = example("slider_crank");
-    const Theme theme;
-    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
-    Spot tip, normal;
-    for (const VectorGroup& each : vectors_of(figure))
-        if (each.name() == "a_BA_n") tip = each.axes[0].tip, normal = unit(each.axes[0].tip - each.axes[0].tail);
-    int corners = 0;
+/// The marks of right angles: end of one leg, corner, end of the other.
+std::vector<std::vector<Spot>> corners_of(const Figure& figure, const Theme& theme) {
+    std::vector<std::vector<Spot>> corners;
     for (const Mark& mark : figure.marks) {
         const auto* path = std::get_if<Path>(&mark);
         if (!path || !path->stroked || path->filled || path->pen.width != theme.thin || path->segments.size() != 3) continue;
@@ -322,14 +318,43 @@ TEST(PolygonConstruction, RightAnglesOfNormalAndTangentialTermsAreMarked) {
             if (const auto* m = std::get_if<MoveTo>(&segment)) spots.push_back(m->to);
             if (const auto* l = std::get_if<LineTo>(&segment)) spots.push_back(l->to);
         }
-        if (spots.size() != 3) continue;
-        ++corners;
-        EXPECT_NEAR(length(spots[0] - tip), 1.8, 1e-6);
-        EXPECT_NEAR(dot(spots[0] - tip, normal), -1.8, 1e-6) << "back along a_BA_n";
-        EXPECT_NEAR(dot(spots[2] - tip, normal), 0, 1e-6);
-        EXPECT_NEAR(length(spots[1] - tip), 1.8 * std::sqrt(2.0), 1e-6);
+        if (spots.size() == 3) corners.push_back(std::move(spots));
     }
-    EXPECT_EQ(corners, 1);
+    return corners;
+}
+
+/// A square of 1.8 mm that stands at `foot` between the directions `first` and one across it.
+void expect_corner(const std::vector<Spot>& corner, Spot foot, Spot first) {
+    EXPECT_NEAR(length(corner[0] - foot), 1.8, 1e-6);
+    EXPECT_NEAR(dot(corner[0] - foot, first), 1.8, 1e-6);
+    EXPECT_NEAR(dot(corner[2] - foot, first), 0, 1e-6);
+    EXPECT_NEAR(length(corner[2] - foot), 1.8, 1e-6);
+    EXPECT_NEAR(length(corner[1] - foot), 1.8 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(PolygonConstruction, TheRightAngleOfNormalAndTangentialTermIsMarked) {
+    const Solution solution = example("slider_crank");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
+    const auto corners = corners_of(figure, theme);
+    ASSERT_EQ(corners.size(), 1u);
+    for (const VectorGroup& each : vectors_of(figure))
+        if (each.name() == "a_BA_n") expect_corner(corners[0], each.axes[0].tip, unit(each.axes[0].tail - each.axes[0].tip));
+}
+
+TEST(PolygonConstruction, TheRightAngleToTheCoriolisTermIsMarkedWhereTheRelativeOneEnds) {
+    const Solution solution = example("inverted_slider_crank");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 1, 150, 120);
+    for (const VectorGroup& each : vectors_of(figure)) {
+        if (each.name() != "a_AA*_cor") continue;
+        const auto corners = corners_of(figure, theme);
+        const auto at_tail = std::find_if(corners.begin(), corners.end(), [&](const std::vector<Spot>& corner) {
+            return length(corner[0] - each.axes[0].tail) < 2;
+        });
+        ASSERT_NE(at_tail, corners.end());
+        expect_corner(*at_tail, each.axes[0].tail, unit(each.axes[0].tip - each.axes[0].tail));
+    }
 }
 
 }  // namespace
