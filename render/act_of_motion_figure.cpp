@@ -111,6 +111,16 @@ private:
         }
     }
 
+    // --- the statements that find what is drawn ------------------------------------------------------------------------------
+    /// −1: the velocity is given, or none finds it.
+    int statement_of(const Shown& shown) const {
+        if (shown.given) return -1;
+        for (const DrawnVector& vector : solution_.protocol.vectors)
+            if (vector.symbol == Symbol{Symbol::Letter::v, shown.name, ""}) return vector.statement;
+        return -1;
+    }
+    int statement_of_centre() const { return centre_ ? centre_->statement : -1; }
+
     void draw_velocities(Sketch& sketch, double scale) const {
         const Theme& theme = context_.theme;
         const BodyColour body = theme.body(act_.body);
@@ -120,6 +130,7 @@ private:
             const Symbol symbol{Symbol::Letter::v, shown.name, ""};
             const std::string name = name_of(symbol);
             const RichText text = typeset(symbol, context_.language);
+            const std::size_t first = sketch.arrows.size();
             sketch.arrows.emplace_back(GroupBegin{"velocity",
                                                   sketch.id("mechanism", name),
                                                   plain(text),
@@ -130,7 +141,10 @@ private:
             sketch.arrows.emplace_back(Axis{at, tip});
             draw_arrow(sketch.arrows, at, tip, theme.vector, shown.given ? theme.text : body.line);
             sketch.arrows.emplace_back(GroupEnd{});
+            belong(sketch.arrows, first, statement_of(shown));
             LabelRequest request;
+            request.statement = statement_of(shown);
+            request.names = {name};
             request.text = text;
             request.size = theme.equation;
             request.colour = shown.given ? theme.text : body.letter;
@@ -148,14 +162,20 @@ private:
         const Spot at = sketch.spot(centre_->at->place());
         if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;  // past the range of doubles
         const bool near = centre_near(unscaled_box(sketch)).has_value();
+        const std::size_t join = sketch.construction.size();
         if (act_.found == Found::tips) draw_join_of_tips(sketch, at, near, scale);
+        belong(sketch.construction, join, statement_of_centre());
         std::vector<Spot> far_ends;
         for (PointIndex point = 0; at_index(point) < solution_.pose.points.size(); ++point) {
             const bool by = std::find(act_.points.begin(), act_.points.end(), point) != act_.points.end();
             const bool carried = std::any_of(solution_.points.begin(), solution_.points.end(),
                                              [&](const PointMotion& motion) { return motion.point == point && motion.velocity; });
             if (!by && !carried) continue;
+            const std::size_t ray = sketch.construction.size();
             if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
+            // The rays that found the centre come with it, each other one with the velocity that is normal to it.
+            const Shown* const shown = by ? nullptr : shown_at(point);
+            belong(sketch.construction, ray, std::max(statement_of_centre(), shown ? statement_of(*shown) : -1));
         }
         if (!near) return name_far_centre(sketch, at, far_ends);
         draw_dot(sketch, at);
@@ -224,6 +244,7 @@ private:
     void draw_parallels(Sketch& sketch) const {
         const Spot towards = paper_direction(centre_->at->place());
         constexpr double reach = 22;
+        const std::size_t first = sketch.construction.size();
         Spot end;
         for (const PointIndex point : act_.points) {
             const Spot from = sketch.spot(point);
@@ -235,6 +256,7 @@ private:
             }
             draw_arrow(sketch.construction, from, end, context_.theme.thin, context_.theme.secondary);
         }
+        belong(sketch.construction, first, statement_of_centre());
         LabelRequest label = name_of_centre(sketch);
         label.anchor = end;
         label.clearance = 1.2;
@@ -246,7 +268,8 @@ private:
             "centre",
             sketch.id("centre", solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
             plain(name_of_centre(sketch).text),
-            {}});
+            {},
+            statement_of_centre()});
         sketch.centres.emplace_back(disc(at, 1.15, context_.theme.paper));
         sketch.centres.emplace_back(disc(at, 0.8, context_.theme.text));
         sketch.centres.emplace_back(GroupEnd{});
@@ -259,6 +282,8 @@ private:
     LabelRequest name_of_centre(const Sketch& sketch) const {
         LabelRequest label;
         label.text = typeset(sketch.symbol_of(*centre_), context_.language);
+        label.statement = statement_of_centre();
+        label.names = {name_of(sketch.symbol_of(*centre_))};
         label.size = context_.theme.label;
         label.colour = context_.theme.text;
         return label;
@@ -295,11 +320,15 @@ private:
         // Counter-clockwise is towards smaller angles on paper.
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);
+        const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
+        const int statement = std::max(statement_of_centre(), statement_of_turning(solution_, symbol));
+        const std::size_t first = sketch.arrows.size();
         draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);
+        belong(sketch.arrows, first, statement);
         const Unit& unit_of = solution_.mechanism.units.angular_velocity;
         LabelRequest label;
-        label.text =
-            typeset(Symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""}, context_.language);
+        label.statement = statement;
+        label.text = typeset(symbol, context_.language);
         const std::string value = number((*omega / unit_of.si).to_double(), 3, context_.language);
         append(label.text, with_powers(" = " + value + " " + unit_of.symbol));
         label.size = context_.theme.label;
@@ -315,7 +344,13 @@ private:
         if (!contains(grown(sketch.mechanism_box(), 0.6 * sketch.size()), at)) return;
         const Theme& theme = context_.theme;
         sketch.centres.emplace_back(ring(at, 1.0, theme.paper, {theme.outline, theme.text, {}, false}));
+        const std::vector<Statement>& statements = solution_.protocol.statements;
+        const auto finds_it = std::find_if(statements.begin(), statements.end(), [](const Statement& statement) {
+            return statement.message.sentence == Sentence::act_acceleration_centre;
+        });
         LabelRequest label;
+        if (finds_it != statements.end()) label.statement = static_cast<int>(finds_it - statements.begin());
+        belong(sketch.centres, sketch.centres.size() - 1, label.statement);
         label.text = typeset(Symbol{Symbol::Letter::point, act_.acceleration_centre_name, ""}, context_.language);
         append(label.text, one_piece(" ("));
         append(label.text, typeset(Symbol{Symbol::Letter::a, act_.acceleration_centre_name, ""}, context_.language));

@@ -60,7 +60,8 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
         const Colour ink = body == 0 ? theme.text : theme.body(body).letter;
         const Colour rim = body == 0 ? theme.text : theme.body(body).line;
         const std::vector<double> kind = body == 0 ? std::vector<double>{} : theme.body(body).dashes;
-        marks.emplace_back(ring(place(body), node, theme.paper, {theme.outline, rim, kind, false}));
+        marks.emplace_back(
+            ring(place(body), node, theme.paper, {theme.outline, rim, going_round(kind, 2 * std::numbers::pi * node), false}));
         // A long name stands outside its circle.
         const ShapedLine name = context.fonts.shape(one_piece(mechanism.bodies[b].name), theme.derived);
         if (name.width < 3.7) {

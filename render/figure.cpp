@@ -138,6 +138,15 @@ const std::vector<double>& dashes() {
     return pattern;
 }
 
+std::vector<double> going_round(std::vector<double> dashes, double length) {
+    double period = 0;
+    for (const double dash : dashes) period += dash;
+    if (!(period > 0) || !(length > 0)) return dashes;
+    const double stretch = length / (std::max(1.0, std::round(length / period)) * period);
+    for (double& dash : dashes) dash *= stretch;
+    return dashes;
+}
+
 Path line(Spot from, Spot to, Pen pen) {
     Path path;
     path.segments = {MoveTo{from}, LineTo{to}};

@@ -33,6 +33,7 @@ struct LabelRequest {
     double balloon = 0;          ///< radius of a circle round the text (body numbers), mm; 0: none
     int statement = -1;          ///< of the solution, that what it names is drawn by; −1: it is there from the beginning
     std::vector<std::string> names;  ///< as TextMark's
+    std::vector<double> dashes;      ///< line kind of the balloon, mm
 };
 
 struct Figure {

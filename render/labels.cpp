@@ -836,7 +836,11 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
         if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
         const Spot centre = place.box.centre;
-        if (request.balloon > 0) figure.marks.emplace_back(circle(centre, request.balloon, {0.35, request.colour, {}, false}));
+        if (request.balloon > 0) {
+            const double round = 2 * std::numbers::pi * request.balloon;
+            figure.marks.emplace_back(
+                circle(centre, request.balloon, {0.35, request.colour, going_round(request.dashes, round), false}));
+        }
         const std::size_t first = figure.marks.size();
         set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2},
                  request.colour, "label");

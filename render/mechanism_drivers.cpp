@@ -7,18 +7,6 @@
 
 namespace kinegraph::render::drawing {
 
-namespace {
-
-/// The statement that ends with the angular velocity (or acceleration) of a body; −1: none does.
-int statement_of_turning(const Solution& solution, const Symbol& sought) {
-    const std::vector<Statement>& statements = solution.protocol.statements;
-    for (std::size_t i = 0; i < statements.size(); ++i)
-        if (const Symbol* found = turning_found(statements[i].message); found && *found == sought) return static_cast<int>(i);
-    return -1;
-}
-
-}  // namespace
-
 const Symbol* turning_found(const Message& message) {
     std::size_t argument = 0;
     switch (message.sentence) {
@@ -42,6 +30,13 @@ const Symbol* turning_found(const Message& message) {
     const auto* symbol = std::get_if<Symbol>(&message.arguments[argument]);
     const bool turns = symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha);
     return turns ? symbol : nullptr;
+}
+
+int statement_of_turning(const Solution& solution, const Symbol& sought) {
+    const std::vector<Statement>& statements = solution.protocol.statements;
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        if (const Symbol* found = turning_found(statements[i].message); found && *found == sought) return static_cast<int>(i);
+    return -1;
 }
 
 std::optional<PointIndex> Sketch::pivot_of_driver(const SpinDriver& spin) const {

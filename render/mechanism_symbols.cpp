@@ -363,6 +363,7 @@ void Sketch::balloon(BodyIndex body) {
     request.text = one_piece(data.name);
     request.size = data.name.size() > 1 ? theme_.small : theme_.derived;
     request.colour = letter_colour(body);
+    request.dashes = theme_.body(body).dashes;
     if (context_.fonts.shape(request.text, request.size).width < 3.7)
         request.balloon = 2.3;
     else

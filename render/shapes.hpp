@@ -27,6 +27,9 @@ inline Spot turned(Spot a) { return {-a.y, a.x}; }
 const std::vector<double>& dash_dot();
 const std::vector<double>& dashes();
 
+/// A line kind stretched or shrunk a little, so that it goes round a length a whole number of times.
+std::vector<double> going_round(std::vector<double> dashes, double length);
+
 Path line(Spot from, Spot to, Pen pen);
 Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed = false);
 /// A filled polygon with no edge.
