@@ -12,7 +12,8 @@ namespace kinegraph::render::drawing {
 
 class DimensionsDrawing {
 public:
-    DimensionsDrawing(Sketch& sketch, Spot room) : sketch_(sketch), room_(room), box_(sketch.mechanism_box()) {
+    DimensionsDrawing(Sketch& sketch, Spot room, const std::set<std::string>& left_out)
+        : sketch_(sketch), room_(room), left_out_(left_out), box_(sketch.mechanism_box()) {
         // A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
         for (const std::vector<Mark>* layer : {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.centres})
             add(*layer, heavy_);
@@ -277,8 +278,10 @@ private:
                 best = &trial;
             }
         if (!best || (!all && least > free_enough)) return false;
+        std::string group = sketch_.id("dimension", name);
+        if (left_out_.contains(group)) return false;
         std::vector<Mark>& marks = sketch_.dimensions;
-        marks.emplace_back(GroupBegin{"dimension", sketch_.id("dimension", name), title, {}});
+        marks.emplace_back(GroupBegin{"dimension", std::move(group), title, {}});
         for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
         for (Mark& mark : best->marks) marks.push_back(std::move(mark));
         const std::size_t before = marks.size();
@@ -393,24 +396,27 @@ private:
 
     Sketch& sketch_;
     Spot room_;
-    Box box_;  // of all that is drawn
+    const std::set<std::string>& left_out_;  // ids of groups
+    Box box_;                                // of all that is drawn
     std::vector<Bar> heavy_, light_, taken_;
     std::vector<Length> lengths_;
     std::vector<Radius> radii_;
     std::vector<AngleOf> angles_;
 };
 
-void Sketch::draw_dimensions(Spot room, bool all) { DimensionsDrawing(*this, room).draw(all); }
+void Sketch::draw_dimensions(Spot room, bool all, const std::set<std::string>& left_out) {
+    DimensionsDrawing(*this, room, left_out).draw(all);
+}
 
 namespace {
 
 struct DimensionText {
     InkBox box;
-    int dimension;
+    std::string dimension;  // its group's id
 };
 struct DimensionPath {
     const Path* path;
-    int dimension;
+    std::string dimension;
 };
 
 /// The ink of a text, in the box that its turn carries along.
@@ -455,17 +461,18 @@ void ink(InkMap& map, const Path& path) {
 
 }  // namespace
 
-bool a_dimension_is_covered(const Figure& figure, const Fonts& fonts) {
+std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {
     InkMap others(figure.box);
     std::vector<DimensionText> texts;
     std::vector<DimensionPath> paths;
-    int dimension = 0, dimension_depth = 0, depth = 0;  // the dimension that a mark belongs to, while its group is open
+    std::string dimension;  // that a mark belongs to, while its group is open
+    int dimension_depth = 0, depth = 0;
     for (const Mark& mark : figure.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
             ++depth;
             if (dimension_depth == 0 && group->cls == "dimension") {
                 dimension_depth = depth;
-                ++dimension;
+                dimension = group->id;
             }
         }
         if (std::holds_alternative<GroupEnd>(mark)) {
@@ -481,13 +488,14 @@ bool a_dimension_is_covered(const Figure& figure, const Fonts& fonts) {
                 ink(others, *path);
         }
     }
-    return std::any_of(texts.begin(), texts.end(), [&](const DimensionText& text) {
-        if (others.touches(text.box)) return true;
+    std::set<std::string> covered;
+    for (const DimensionText& text : texts) {
         InkMap of_other_dimensions(figure.box);
         for (const DimensionPath& path : paths)
-            if (path.dimension != text.dimension) ink(of_other_dimensions, *path.path);
-        return of_other_dimensions.touches(text.box);
-    });
+            if (path.dimension != text.dimension && !covered.contains(path.dimension)) ink(of_other_dimensions, *path.path);
+        if (others.touches(text.box) || of_other_dimensions.touches(text.box)) covered.insert(text.dimension);
+    }
+    return covered;
 }
 
 }  // namespace kinegraph::render::drawing

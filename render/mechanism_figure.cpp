@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include "engine/assert.hpp"
 #include "render/figure.hpp"
@@ -106,7 +107,7 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
     return fitted_figure(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) -> Figure {
-        const auto with_dimensions = [&](Dimensions dimensions) {
+        const auto with_dimensions = [&](Dimensions dimensions, const std::set<std::string>& left_out) {
             Sketch sketch(subject, context, scale, "");
             sketch.draw_drivers();
             sketch.draw_compass();
@@ -114,7 +115,7 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
             if (with_centres) sketch.draw_centres();
             sketch.draw_equivalent_linkages();
             if (shows.turnings) sketch.draw_turnings(*shows.turnings);
-            if (dimensions != Dimensions::off) sketch.draw_dimensions({room_x, room_y}, dimensions == Dimensions::on);
+            if (dimensions != Dimensions::off) sketch.draw_dimensions({room_x, room_y}, dimensions == Dimensions::on, left_out);
             const bool dimensioned = !sketch.dimensions.empty();
             sketch.draw_points(true);
             Figure figure = sketch.finish("mechanism", "mechanism", "m");
@@ -123,13 +124,20 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
                          strict);
             return std::pair{std::move(figure), dimensioned};
         };
-        auto [figure, dimensioned] = with_dimensions(context.dimensions);
-        // Dimensions that are not asked for never cost the mechanism a step of its scale, nor a name its place.
-        const bool fits = figure.labels.empty() && figure.box.width() <= room_x && figure.box.height() <= room_y;
-        if (dimensioned && context.dimensions == Dimensions::automatic &&
-            (!fits || a_dimension_is_covered(figure, context.fonts)))
-            return with_dimensions(Dimensions::off).first;
-        return std::move(figure);
+        if (context.dimensions != Dimensions::automatic) return with_dimensions(context.dimensions, {}).first;
+        // Dimensions that are not asked for never cost the mechanism a step of its scale; one that a name's leader covers is left
+        // out, and the rest placed anew.
+        constexpr int most_rounds = 4;
+        std::set<std::string> left_out;
+        for (int round = 0; round < most_rounds; ++round) {
+            auto [figure, dimensioned] = with_dimensions(Dimensions::automatic, left_out);
+            if (!dimensioned) return std::move(figure);
+            if (!figure.labels.empty() || figure.box.width() > room_x || figure.box.height() > room_y) break;
+            std::set<std::string> covered = covered_dimensions(figure, context.fonts);
+            if (covered.empty()) return std::move(figure);
+            left_out.merge(covered);
+        }
+        return with_dimensions(Dimensions::off, {}).first;
     });
 }
 

@@ -154,8 +154,8 @@ public:
     void draw_centres();
     void draw_equivalent_linkages();
     /// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn. `all`: even where it
-    /// is not.
-    void draw_dimensions(Spot room, bool all);
+    /// is not. `left_out`: ids of groups that are not to be drawn.
+    void draw_dimensions(Spot room, bool all, const std::set<std::string>& left_out);
     void draw_pole(const InstantCentre& centre);
     Symbol symbol_of(const InstantCentre& centre) const;
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
@@ -264,9 +264,10 @@ inline std::optional<double> asked_scale(const Mechanism& mechanism, std::string
 
 inline double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
 
-/// Whether the text of a dimension of a finished figure lies on a line that is none of a dimension's: a leader, say, that a name
-/// got later.
-bool a_dimension_is_covered(const Figure& figure, const Fonts& fonts);
+/// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
+/// later. Of two dimensions in each other's way one is named.
+std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
+
 /// Draws at ever smaller scales until everything, labels too, is within the room. Names do not shrink: at half the scale at which
 /// the mechanism itself has room they must take what there is.
 template <class Draw>

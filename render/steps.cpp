@@ -285,7 +285,7 @@ private:
 
     std::vector<Block> equations_of(const Statement& statement) const {
         std::vector<Block> found;
-        if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure));
+        if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
         if (closes_a_polygon(statement.message.sentence))
             for (const FreeBody& free : solution_.free_bodies)
                 if (speaks_of(solution_, statement.message, free)) found.push_back(force_equation_block(context_, free, true));

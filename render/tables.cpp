@@ -336,13 +336,14 @@ private:
 
 }  // namespace
 
-Block equation_block(const DrawingContext& context, const Equation& equation, double most) {
+Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least) {
     // Set as in the book; where that is too wide, closer and then smaller; where that is, too, in rows.
     using Setting = EquationTable::Setting;
     constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6}, Setting{11, 7.5, 7, 1.3, 3.2},
                                   Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
     for (const Setting& setting : settings)
-        if (const EquationTable table(context, equation, setting); table.width() <= most) return table.set(most);
+        if (const EquationTable table(context, equation, setting); setting.size >= least && table.width() <= most)
+            return table.set(most);
     return EquationTable(context, equation, settings[1]).set(most);
 }
 

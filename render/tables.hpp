@@ -27,8 +27,8 @@ std::string shortest(double value, Language language);
 RichText with_powers(const std::string& text);
 
 /// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
-/// its terms are set closer and smaller, and where that is not enough it goes on in a further row.
-Block equation_block(const DrawingContext& context, const Equation& equation, double most);
+/// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.
+Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least = 9);
 
 /// One row of the results: a vector as drawn or a scalar of a body.
 struct ResultRow {

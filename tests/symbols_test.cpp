@@ -373,29 +373,6 @@ TEST(Dimensions, are_left_out_on_request_and_never_cost_a_step_of_the_scale) {
     EXPECT_FALSE(Drawn(given_four_bar).role("dimensions").empty());
 }
 
-TEST(Dimensions, leave_every_name_where_it_is) {
-    /// Names outside of dimensions, and how far each stands from the first point.
-    const auto names = [](const Drawn& drawn) {
-        std::vector<std::string> found;
-        std::vector<bool> of_dimension;  // by open group
-        for (const Mark& mark : drawn.figure.marks) {
-            if (const auto* group = std::get_if<GroupBegin>(&mark))
-                of_dimension.push_back(group->cls == "dimensions" || (!of_dimension.empty() && of_dimension.back()));
-            if (std::holds_alternative<GroupEnd>(mark)) of_dimension.pop_back();
-            const auto* text = std::get_if<TextMark>(&mark);
-            if (!text || text->cls != "label" || of_dimension.back()) continue;
-            const Spot from = text->pivot - drawn.points[0];
-            found.push_back(text->words + " at " + fixed(from.x, 4, Language::en) + ", " + fixed(from.y, 4, Language::en));
-        }
-        return found;
-    };
-    for (const double room : {70.0, 100.0, 150.0}) {
-        const auto without = names(Drawn(given_four_bar, room, Dimensions::off));
-        EXPECT_EQ(names(Drawn(given_four_bar, room, Dimensions::automatic)), without);
-        EXPECT_EQ(names(Drawn(given_four_bar, room, Dimensions::on)), without);
-    }
-}
-
 TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
     const std::set<std::string> roles{"tint", "construction", "ground", "links", "joints", "arrows", "centres", "dimensions"};
     for (const std::string& text :
