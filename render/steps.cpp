@@ -256,7 +256,9 @@ private:
         const Contents contents(large(figure).figure.marks, context_.theme), beside(small(step).marks, context_.theme);
         step.draws = contents.statements.contains(static_cast<int>(index)) ||
                      beside.statements.contains(static_cast<int>(index)) || !contents.found(cited({index})).empty();
-        if (steps_.empty() || steps_.back().section != step.section ||
+        // Loads that act alone begin anew.
+        const bool begins = statement.message.sentence == Sentence::superposition;
+        if (steps_.empty() || begins || steps_.back().section != step.section ||
             steps_.back().height + height > prose_.height() - head_height) {
             steps_.push_back(std::move(step));
             return;
