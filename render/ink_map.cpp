@@ -135,6 +135,17 @@ void InkMap::fill(const std::vector<Spot>& corners) {
     }
 }
 
+void InkMap::clear(const Box& box) {
+    const int first = static_cast<int>(std::clamp((box.min.y - origin_.y) / pitch_ - 1, 0.0, rows_ - 1.0));
+    const int last = static_cast<int>(std::clamp((box.max.y - origin_.y) / pitch_, 0.0, rows_ - 1.0));
+    // Bands stay as they are: they may say too much.
+    for (int row = first; row <= last; ++row)
+        words_of(row, box.min.x - pitch_, box.max.x + pitch_, [&](std::size_t word, std::uint64_t mask) {
+            bits_[word] &= ~mask;
+            return true;
+        });
+}
+
 template <class Look>
 void InkMap::rows_of(const InkBox& box, Look look) const {
     if (box.axis.y != 0) {

@@ -29,6 +29,8 @@ public:
     /// Ink within `half` of the segment.
     void stroke(Spot from, Spot to, double half);
     void fill(const InkBox& box);
+    /// Takes all ink away that may lie in an upright box.
+    void clear(const Box& box);
     /// The inside of a polygon, by the even-odd rule.
     void fill(const std::vector<Spot>& corners);
 

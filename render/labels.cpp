@@ -36,6 +36,7 @@ constexpr double crossing_price = 2.5;  // of a leader, for each stroke it cross
 constexpr double far_price = 0.9;       // for each mm from the nearest place
 constexpr double least_measure = 45;    // of a label, before it is shortened
 constexpr double least_of_far = 11;     // leader and distance: no far place costs less
+constexpr double farthest = 80;         // out of the figure's box, where no room is given
 constexpr int most_looks = 30000;       // for better far places, in a figure; then the first that is free will do
 
 /// A tinted area: a label may stand in it, but rather not.
@@ -547,14 +548,18 @@ private:
         std::vector<std::size_t> waiting;
         for (const auto& [free, i] : order)
             if (in_the_way(i)) waiting.push_back(i);
+        if (waiting.empty()) return;
+        take_all();
         std::size_t moves_left = 2 * requests_.size();
         for (std::size_t next = 0; next < waiting.size() && moves_left > 0; ++next) {
             const std::size_t i = waiting[next];
             if (!in_the_way(i)) continue;
+            give_back(i);
             const auto place = nearest_free(i);
+            if (place) chosen_[i] = *place;
+            take(i);
             if (!place) continue;
             --moves_left;
-            chosen_[i] = *place;
             for (std::size_t j = 0; j < requests_.size(); ++j)
                 if (j != i && clash(chosen_[i], chosen_[j])) waiting.push_back(j);
         }
@@ -562,13 +567,39 @@ private:
 
     std::optional<Candidate> nearest_free(std::size_t i) {
         const Spot half = box_at(i, {}, {1, 0}).half;
-        const Box room{box_.min - spare_ + half, box_.max + spare_ - half};
-        if (const auto found = nearest_free(i, room)) return found;
+        const Spot edge = reach();
+        if (const auto found = nearest_free(i, {box_.min - edge + half, box_.max + edge - half})) return found;
         if (strict_) return std::nullopt;
         constexpr double beyond = 4;
-        const Spot edge = 2.0 * half + Spot{beyond, beyond};
-        return nearest_free(i, {box_.min - edge, box_.max + edge});
+        const Spot further = 2.0 * half + Spot{beyond, beyond};
+        return nearest_free(i, {box_.min - further, box_.max + further});
     }
+    /// How far a label that finds no place may go out of the figure's box.
+    Spot reach() const { return {std::min(spare_.x, farthest), std::min(spare_.y, farthest)}; }
+
+    /// The maps of what labels and leaders take, without one label while its place is looked for.
+    void take_all() {
+        Spot most = reach();
+        for (std::size_t i = 0; i < requests_.size(); ++i) {
+            const Spot half = box_at(i, {}, {1, 0}).half;
+            most = {std::max(most.x, 3 * half.x + 5), std::max(most.y, 3 * half.y + 5)};
+        }
+        taken_.emplace(Box{box_.min - most, box_.max + most});
+        threads_ = taken_;
+        for (std::size_t i = 0; i < requests_.size(); ++i) take(i);
+    }
+    void take(std::size_t i) {
+        taken_->fill(chosen_[i].box.grown(label_gap));
+        if (chosen_[i].leader) threads_->stroke(chosen_[i].leader_from, chosen_[i].leader_to, ink_margin);
+    }
+    void give_back(std::size_t i) {
+        const Box& hole = chosen_[i].extent;
+        taken_->clear(hole);
+        threads_->clear(hole);
+        for (std::size_t j = 0; j < requests_.size(); ++j)
+            if (j != i && !apart(chosen_[j].extent, hole)) take(j);
+    }
+
     /// The nearest place with its middle in a box that covers no stroke and no label; of those about as near the one whose leader
     /// crosses least.
     std::optional<Candidate> nearest_free(std::size_t i, const Box& middles) {
@@ -576,12 +607,7 @@ private:
         const double step = looks_left_ > 0 ? 1 : 2;
         const LabelRequest& request = requests_[i];
         InkBox box = box_at(i, {}, {1, 0});
-        InkMap labels({middles.min - box.half, middles.max + box.half}), leaders = labels;
-        for (std::size_t j = 0; j < requests_.size(); ++j) {
-            if (j == i) continue;
-            labels.fill(chosen_[j].box.grown(label_gap));
-            if (chosen_[j].leader) leaders.stroke(chosen_[j].leader_from, chosen_[j].leader_to, ink_margin);
-        }
+        const InkMap &labels = *taken_, &leaders = *threads_;
         std::optional<Candidate> found;
         const auto look_at = [&](Spot centre) {
             box.centre = centre;
@@ -800,6 +826,7 @@ private:
     std::vector<ShapedLine> shaped_;
     std::vector<Places> places_;
     std::vector<Candidate> chosen_;
+    std::optional<InkMap> taken_, threads_;  // what labels take, and their leaders
     int looks_left_ = most_looks;
     // Of one look at one label, kept for their memory.
     std::vector<std::size_t> around_;

@@ -65,9 +65,9 @@ private:
         set_text(false);
         if (!has_forces(context_.solution)) return;
         // Equations with the steps are not worth a page.
-        const std::size_t without = sheets_.size();
+        std::vector<Sheet> without = sheets_;
         set_text(true);
-        if (sheets_.size() > without) set_text(false);
+        if (sheets_.size() > without.size()) sheets_ = std::move(without);
     }
 
     /// The figures where they are, and the text. `force_equations`: with the steps, where the figure has no room for them.

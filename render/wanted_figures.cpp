@@ -18,13 +18,17 @@ bool has_motion(const Solution& solution) {
 bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
 
 const Figure& Wanted::drawn_into(double room_x, double room_y) {
+    constexpr double air = 16;
     // Not even without lettering; what fills its room, or stands in rows, has no such bound.
     const bool bounded = !fills && !empty && !asked && items == 1 && std::max(extent_x, extent_y) > 0;
     const double largest = bounded ? choose_scale(extent_x, extent_y, room_x, room_y, std::nullopt) * (1 + 1e-9) : 0;
     for (const Drawn& each : drawn) {
-        const bool fits = each.figure.box.width() <= room_x && each.figure.box.height() <= room_y;
+        const double width = each.figure.box.width(), height = each.figure.box.height();
+        // Names that a narrower room kept in may stand better in this one.
+        const bool at_ease = width + air <= each.room_x && height + air <= each.room_y;
         if ((each.room_x == room_x && each.room_y == room_y) ||
-            (fits && ((each.room_x >= room_x && each.room_y >= room_y) || each.figure.scale <= largest)))
+            (width <= room_x && height <= room_y &&
+             ((each.room_x >= room_x && each.room_y >= room_y) || (at_ease && each.figure.scale <= largest))))
             return each.figure;
     }
     drawn.push_back({room_x, room_y, draw(room_x, room_y)});
