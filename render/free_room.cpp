@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "render/shapes.hpp"
 
@@ -32,11 +33,12 @@ bool Occupancy::is_free(const Box& box) const {
     const int right = std::clamp(static_cast<int>(std::ceil(box.max.x)), 0, columns_);
     const int top = std::clamp(static_cast<int>(std::floor(box.min.y)), 0, rows_);
     const int bottom = std::clamp(static_cast<int>(std::ceil(box.max.y)), 0, rows_);
-    for (int y = top; y < bottom; ++y) {
-        const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(index(0, y));
-        if (std::find(row + left, row + right, 1) != row + right) return false;
-    }
+    for (int y = top; y < bottom; ++y)
+        if (!is_free(y, left, right)) return false;
     return true;
+}
+bool Occupancy::is_free(int row, int from, int to) const {
+    return from >= to || std::memchr(cells_.data() + index(from, row), 1, static_cast<std::size_t>(to - from)) == nullptr;
 }
 std::pair<double, double> Occupancy::longest_run(double left, double right, double top, double bottom) const {
     const int from = std::clamp(static_cast<int>(std::floor(left)), 0, columns_);
@@ -50,8 +52,7 @@ std::pair<double, double> Occupancy::longest_run(double left, double right, doub
         if (run_bottom - run_top > best.second - best.first) best = {run_top, run_bottom};
     };
     for (int y = start; y < end; ++y) {
-        const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(index(0, y));
-        if (std::find(row + from, row + to, 1) == row + to) continue;
+        if (is_free(y, from, to)) continue;
         close(y, false);
         start = y + 1;
     }

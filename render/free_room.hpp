@@ -21,6 +21,7 @@ public:
     std::pair<double, double> longest_run(double left, double right, double top, double bottom) const;
 
 private:
+    bool is_free(int row, int from, int to) const;
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
     }
