@@ -342,7 +342,7 @@ public:
 
     /// At this scale, with details as long as these fit; nothing where it does not fit; `force`: whatever it takes.
     std::optional<Figure> at(double scale, double room_x, double room_y, bool force) const {
-        if (const auto detailed = at(scale, room_x, room_y, false, true)) return detailed;
+        if (auto detailed = at(scale, room_x, room_y, false, true)) return detailed;
         return at(scale, room_x, room_y, force, false);
     }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -177,8 +178,9 @@ private:
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
         for (const PolygonVector& vector : parts_.vectors) draw_vector(vector, drawn, vector.internal ? broken : arrows);
-        for (const std::vector<Mark>& marks : {broken, arrows})
-            figure_.marks.insert(figure_.marks.end(), marks.begin(), marks.end());
+        for (std::vector<Mark>* const marks : {&broken, &arrows})
+            figure_.marks.insert(figure_.marks.end(), std::make_move_iterator(marks->begin()),
+                                 std::make_move_iterator(marks->end()));
     }
     void draw_vector(const PolygonVector& vector, std::vector<Drawn>& drawn, std::vector<Mark>& marks) {
         // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n. A side of forces met

@@ -123,6 +123,23 @@ TEST_P(Steps, AlwaysHaveSomethingInTheAccent) {
 INSTANTIATE_TEST_SUITE_P(Examples, Steps, testing::ValuesIn(example_names()),
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
 
+TEST(StepsOfDetails, ComeWithTheFirstVectorInThem) {
+    std::size_t most = 0;
+    for (const Page& page : lay_out_steps(example("stephenson_3_driver_6"), {}, fonts())) {
+        std::set<std::string> details, used;
+        for (const Mark& mark : page.marks) {
+            const auto* group = std::get_if<GroupBegin>(&mark);
+            if (!group) continue;
+            if (group->cls == "figure" && group->attributes.front().second == "detail") details.insert(group->id);
+            if (group->cls == "vector" && group->id.find("-detail-") != std::string::npos)
+                used.insert(group->id.substr(0, group->id.find('-', group->id.find("-detail-") + 8)));
+        }
+        EXPECT_EQ(details, used);
+        most = std::max(most, details.size());
+    }
+    EXPECT_EQ(most, 2u);
+}
+
 TEST(StepsOfTheFourBar, BeginWithoutAPolygonAndDrawItLineByLine) {
     const auto pages = lay_out_steps(example("four_bar"), {}, fonts());
     std::vector<std::size_t> vectors;
