@@ -174,34 +174,6 @@ std::string shortest(double value, Language language) {
     return number(value, 17, language);
 }
 
-RichText with_powers(const std::string& text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> powers{{{"⁰", "0"},
-                                                                                           {"¹", "1"},
-                                                                                           {"²", "2"},
-                                                                                           {"³", "3"},
-                                                                                           {"⁴", "4"},
-                                                                                           {"⁵", "5"},
-                                                                                           {"⁶", "6"},
-                                                                                           {"⁷", "7"},
-                                                                                           {"⁸", "8"},
-                                                                                           {"⁹", "9"},
-                                                                                           {"⁻", "−"}}};
-    RichText rich = one_piece("");
-    for (std::size_t i = 0; i < text.size();) {
-        const auto power = std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
-            return std::string_view(text).substr(i).starts_with(each.first);
-        });
-        if (power != powers.end()) {
-            rich.back().sup += power->second;
-            i += power->first.size();
-        } else {
-            if (!rich.back().sup.empty()) rich.push_back(one_piece("").front());
-            rich.back().text += text[i++];
-        }
-    }
-    return rich;
-}
-
 namespace {
 
 /// An equation in the making: its terms as columns, what stands before each, and how it is set.

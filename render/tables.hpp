@@ -23,8 +23,6 @@ std::string shortest(double value);
 /// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
 std::string shortest(double value, Language language);
 
-/// A unit or number with its powers as superscripts: "m/s²", "5 × 10⁻³".
-RichText with_powers(const std::string& text);
 
 /// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
 /// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.

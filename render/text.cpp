@@ -455,7 +455,68 @@ private:
 
 bool has_scripts(const Piece& piece) { return !piece.sub.empty() || !piece.sup.empty() || piece.dots > 0; }
 
+/// Digits raised by their characters, which the fonts have only for 1, 2 and 3.
+bool has_raised_digits(std::string_view text) {
+    // ⁰, ⁴ to ⁹ and ⁻ in UTF-8.
+    static constexpr std::string_view block = "\xE2\x81", last = "\xB0\xB4\xB5\xB6\xB7\xB8\xB9\xBB";
+    for (std::size_t at = text.find(block); at != std::string_view::npos; at = text.find(block, at + 1))
+        if (at + 2 < text.size() && last.find(text[at + 2]) != std::string_view::npos) return true;
+    return false;
+}
+
+/// The same text with raised digits as superscripts, the words with such in pieces of their own; `text` itself where it has none.
+const RichText& with_raised_digits(const RichText& text, RichText& changed) {
+    const auto concerns = [](const Piece& piece) { return !has_scripts(piece) && has_raised_digits(piece.text); };
+    if (std::none_of(text.begin(), text.end(), concerns)) return text;
+    for (const Piece& piece : text) {
+        if (!concerns(piece)) {
+            changed.push_back(piece);
+            continue;
+        }
+        const std::string& words = piece.text;
+        for (std::size_t at = 0; at < words.size();) {
+            const std::size_t blank = words.find(' ', at), end = blank == std::string::npos ? words.size() : blank + 1;
+            for (Piece& part : with_powers(words.substr(at, end - at))) {
+                Piece set = piece;
+                set.text = std::move(part.text);
+                set.sup = std::move(part.sup);
+                changed.push_back(std::move(set));
+            }
+            at = end;
+        }
+    }
+    return changed;
+}
+
 }  // namespace
+
+RichText with_powers(const std::string& text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> powers{{{"⁰", "0"},
+                                                                                           {"¹", "1"},
+                                                                                           {"²", "2"},
+                                                                                           {"³", "3"},
+                                                                                           {"⁴", "4"},
+                                                                                           {"⁵", "5"},
+                                                                                           {"⁶", "6"},
+                                                                                           {"⁷", "7"},
+                                                                                           {"⁸", "8"},
+                                                                                           {"⁹", "9"},
+                                                                                           {"⁻", "−"}}};
+    RichText rich{Piece{}};
+    for (std::size_t i = 0; i < text.size();) {
+        const auto power = std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
+            return std::string_view(text).substr(i).starts_with(each.first);
+        });
+        if (power != powers.end()) {
+            rich.back().sup += power->second;
+            i += power->first.size();
+        } else {
+            if (!rich.back().sup.empty()) rich.push_back(Piece{});
+            rich.back().text += text[i++];
+        }
+    }
+    return rich;
+}
 
 std::string plain(const RichText& text) {
     std::string words;
@@ -507,11 +568,14 @@ tl::expected<Fonts, std::string> Fonts::open() {
 ShapedLine Fonts::shape(const RichText& text, double size_points) const {
     KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
     Setter<State> setter(*state_);
-    for (const Piece& piece : text) setter.set(piece, millimetres(size_points));
+    RichText changed;
+    for (const Piece& piece : with_raised_digits(text, changed)) setter.set(piece, millimetres(size_points));
     return setter.finish(text);
 }
 
-std::vector<ShapedLine> Fonts::wrap(const RichText& text, double size_points, double measure) const {
+std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
+    RichText changed;
+    const RichText& text = with_raised_digits(given, changed);
     // Items are words, blanks between words, or pieces that hold together; a line may end only at a blank.
     struct Item {
         std::size_t piece, begin, end;

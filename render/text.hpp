@@ -31,6 +31,8 @@ struct Piece {
 using RichText = std::vector<Piece>;
 inline void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
 
+/// A unit or number with its powers as superscripts: "m/s²", "5 × 10⁻³".
+RichText with_powers(const std::string& text);
 /// What the rich text says without its setting: "v_B", "a_BA^t".
 std::string plain(const RichText& text);
 

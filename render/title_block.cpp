@@ -17,16 +17,23 @@ namespace kinegraph::render {
 
 namespace {
 
+constexpr std::size_t most_bytes = 1000;  // of a title: far more than any block holds
+
+/// The beginning of UTF-8 text, whole characters of it.
+void cut_to(std::string& text, std::size_t bytes) {
+    if (text.size() <= bytes) return;
+    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) --bytes;
+    text.resize(bytes);
+}
+
 /// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not enough.
 ShapedLine fitted(const Fonts& fonts, std::string words, Face face, double size, double least, double width) {
     ShapedLine line = fonts.shape(one_piece(words, face), size);
     while (line.width > width && size > least) line = fonts.shape(one_piece(words, face), size -= 0.5);
     const std::string all = words;
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-    if (line.width > width && words.size() > 1000) words.resize(1000);  // far more than any block holds
+    if (line.width > width) cut_to(words, most_bytes);
     while (line.width > width && !words.empty()) {
-        while (words.size() > 1 && continues(words.back())) words.pop_back();
-        words.pop_back();
+        cut_to(words, words.size() - 1);
         line = fonts.shape(one_piece(words + "…", face), size);
         line.words = all;
     }
@@ -36,7 +43,8 @@ ShapedLine fitted(const Fonts& fonts, std::string words, Face face, double size,
 /// The title on as many lines as the height holds.
 void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size, double small_print) {
     constexpr double least = 5, leading = 1.15;
-    const std::string title = title_of(context.solution, context.language);
+    std::string title = title_of(context.solution, context.language);
+    cut_to(title, most_bytes);
     const auto lead = [&] { return millimetres(size) * leading; };
     std::vector<ShapedLine> lines;
     const auto most = [&] { return static_cast<std::size_t>(std::max(1.0, std::floor((room.height() - small_print) / lead()))); };

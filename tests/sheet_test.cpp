@@ -126,6 +126,16 @@ TEST(Sheet, AVeryLongTitleStaysInItsBlock) {
     for (const Page& page : pages) EXPECT_LE(box_of(page.marks).max.x, page.width - 9.5);
 }
 
+TEST(Sheet, ATitleOfAMegabyteCostsNothing) {
+    Solution solution = example("four_bar");
+    const auto start = std::chrono::steady_clock::now();
+    solution.mechanism.title.en.clear();
+    for (int i = 0; i < 200000; ++i) solution.mechanism.title.en += "Wort ";
+    EXPECT_EQ(lay_out(solution, {}, fonts()).front().title, solution.mechanism.title.en);
+    // Once it took minutes; a sheet takes a few hundredths of a second.
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
 TEST(Sheet, TwoHundredCharactersAndMarkupStayInTheTitleBlock) {
     Solution solution = example("four_bar");
     std::string words, one_word;

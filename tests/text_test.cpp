@@ -238,6 +238,17 @@ TEST(Wrap, DoesNotBreakWhatHoldsTogether) {
     EXPECT_EQ(lines[1].words, "v_B,");
 }
 
+/// The fonts have ¹, ² and ³, and no other raised digit; files and numbers have all of them.
+TEST(Type, RaisesDigitsThatTheFontsHaveNot) {
+    const ShapedLine raised = fonts().shape({piece("2 × 10⁻⁴⁰ m")}, size);
+    Piece power = piece("10");
+    power.sup = "−40";
+    EXPECT_NEAR(raised.width, fonts().shape({piece("2 × "), power, piece(" m")}, size).width, 1e-12);
+    EXPECT_EQ(raised.words, "2 × 10⁻⁴⁰ m");
+    EXPECT_EQ(fonts().wrap({piece("2 × 10⁵ m")}, size, 0.1).size(), 4U);
+    EXPECT_TRUE(fonts().missing().empty() || fonts().missing().front() != "U+2075");
+}
+
 TEST(Wrap, NothingIsOneEmptyLine) {
     ASSERT_EQ(fonts().wrap({}, 9, 10).size(), 1U);
     EXPECT_EQ(fonts().wrap({piece("   ")}, 9, 10).size(), 1U);
