@@ -23,7 +23,6 @@ std::string shortest(double value);
 /// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
 std::string shortest(double value, Language language);
 
-
 /// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
 /// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.
 Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least = 9);
