@@ -119,7 +119,22 @@ private:
             if (vector.symbol == Symbol{Symbol::Letter::v, shown.name, ""}) return vector.statement;
         return -1;
     }
-    int statement_of_centre() const { return centre_ ? centre_->statement : -1; }
+    int statement_of_centre() const {
+        const std::vector<Statement>& statements = solution_.protocol.statements;
+        const auto finds_it = std::find_if(statements.begin(), statements.end(), [](const Statement& statement) {
+            switch (statement.message.sentence) {
+                case Sentence::act_perpendiculars:
+                case Sentence::act_tips:
+                case Sentence::act_point_at_rest:
+                case Sentence::act_translation:
+                case Sentence::act_parallels:
+                    return statement.section != "acceleration";
+                default:
+                    return false;
+            }
+        });
+        return finds_it == statements.end() ? -1 : static_cast<int>(finds_it - statements.begin());
+    }
 
     void draw_velocities(Sketch& sketch, double scale) const {
         const Theme& theme = context_.theme;

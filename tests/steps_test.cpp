@@ -217,6 +217,18 @@ TEST(StepsOfForces, EndWithTheClosedPolygon) {
     EXPECT_TRUE(says(pages.back(), "esterne sono in"));
 }
 
+TEST(StepsOfAnActOfMotion, FindTheCentreBeforeTheVelocitiesAboutIt) {
+    const auto pages = lay_out_steps(example("act_of_motion_general"), {}, fonts());
+    const Page* centre = page_that_says(pages, "the perpendiculars at A and B meet");
+    ASSERT_TRUE(centre);
+    EXPECT_TRUE(colour_of_label(pages.front(), "v_A")) << "is given";
+    EXPECT_FALSE(colour_of_label(pages.front(), "P_12"));
+    EXPECT_FALSE(colour_of_label(pages.front(), "v_D"));
+    EXPECT_EQ(colour_of_label(*centre, "P_12"), Theme{}.accent);
+    EXPECT_FALSE(colour_of_label(*centre, "v_D"));
+    EXPECT_TRUE(colour_of_label(pages.back(), "v_D"));
+}
+
 TEST(EquationBlock, GoesOnInAFurtherRowWhereItIsTooWide) {
     const Solution solution = example("quick_return");
     const Theme theme;

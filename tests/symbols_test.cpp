@@ -10,8 +10,10 @@
 
 #include "constructions/solve.hpp"
 #include "render/figure.hpp"
+#include "render/mechanism_sketch.hpp"
 #include "render/shapes.hpp"
 #include "tests/fonts.hpp"
+#include "tests/solved.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -371,6 +373,21 @@ TEST(Dimensions, are_left_out_on_request_and_never_cost_a_step_of_the_scale) {
         EXPECT_EQ(none.figure.scale, some.figure.scale);
     }
     EXPECT_FALSE(Drawn(given_four_bar).role("dimensions").empty());
+}
+
+TEST(Dimensions, none_lies_on_what_a_name_got_later) {
+    const Theme theme;
+    std::size_t drawn = 0;
+    for (const char* name : {"cam_roller_follower", "stephenson_1_driver_3", "stephenson_3_driver_2", "jansen_leg"}) {
+        const Solution solution = tests::example(name);
+        for (const double room : {70.0, 85.0, 100.0, 115.0, 130.0}) {
+            const Figure figure = mechanism_figure({solution, theme, fonts(), Language::en}, room, room, true);
+            EXPECT_TRUE(drawing::covered_dimensions(figure, fonts()).empty()) << name << " in " << room;
+            for (const Mark& mark : figure.marks)
+                if (const auto* group = std::get_if<GroupBegin>(&mark)) drawn += group->cls == "dimension";
+        }
+    }
+    EXPECT_GT(drawn, 0U);
 }
 
 TEST(Symbols, every_mark_has_a_role_and_stays_in_the_room) {
