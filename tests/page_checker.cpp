@@ -1,11 +1,13 @@
-// How the faults are found: the figures of the page are taken apart into labels and segments of stroke.
+// How the faults are found: the page is taken apart into labels, other text and segments of stroke; or into two pictures.
 #include "tests/page_checker.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <stdexcept>
 
+#include "render/backends.hpp"
+#include "render/picture_difference.hpp"
 #include "render/shapes.hpp"
 
 namespace kinegraph::render {
@@ -30,6 +32,11 @@ struct FigureParts {
     std::vector<Label> labels;
     std::vector<Stroke> strokes;
     std::vector<std::pair<std::size_t, Stroke>> leaders;  // of the label with this number
+    std::vector<Label> texts;                             // that stand in the figure and are no labels: tables, scale bars
+};
+struct PageParts {
+    std::vector<FigureParts> figures;
+    std::vector<Label> texts;  // outside of all figures
 };
 
 void widen(Box& box, Spot by) {
@@ -113,6 +120,13 @@ bool overlap(const TurnedBox& a, const TurnedBox& b) {
     });
 }
 
+/// Italic letters of one line lean over into the next word's box.
+bool deeply_overlap(TurnedBox a, TurnedBox b) {
+    constexpr double lean = 0.1;
+    for (TurnedBox* box : {&a, &b}) box->half = box->half - Spot{lean / 2, lean / 2};
+    return overlap(a, b);
+}
+
 std::string figure_of(const GroupBegin& group) {
     for (const auto& attribute : group.attributes)
         if (attribute.first == "data-figure") return group.id;
@@ -131,42 +145,75 @@ bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {
     return std::holds_alternative<ArcTo>(std::get<Path>(marks[k + 1]).segments[1]);
 }
 
-/// Takes the page apart, figure by figure.
-std::vector<FigureParts> parts_of(const Page& page, const Fonts& fonts) {
-    std::vector<FigureParts> figures;
+/// A light area on light paper, a dark one on dark: it may carry a label.
+bool is_tint(const Path& path, Colour paper) {
+    const auto apart = [](std::uint8_t a, std::uint8_t b) { return std::abs(int{a} - int{b}); };
+    return !path.stroked && path.filled &&
+           std::max({apart(path.fill.red, paper.red), apart(path.fill.green, paper.green), apart(path.fill.blue, paper.blue)}) <
+               0x40;
+}
+
+/// What a path of a figure is, and what it belongs to, by the groups it stands in.
+std::pair<Fault::Kind, std::string> role_of(const std::vector<const GroupBegin*>& groups, const Path& path) {
+    constexpr std::array vectors{"vector", "force", "velocity", "arrows"};
+    constexpr std::array mechanism{"link", "joint", "spring", "links", "joints", "ground"};
+    const auto is_one_of = [](const auto& roles, const std::string& cls) { return std::ranges::count(roles, cls) > 0; };
+    for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+        const std::string& cls = (*group)->cls;
+        const std::string of = (*group)->id.empty() ? cls : (*group)->id;
+        if (is_one_of(vectors, cls)) return {Fault::Kind::label_on_vector, of};
+        if (is_one_of(mechanism, cls)) return {Fault::Kind::label_on_mechanism, of};
+    }
+    if (path.stroked && path.pen.width > 0.3) return {Fault::Kind::label_on_mechanism, "a thick line"};
+    return {Fault::Kind::label_on_construction, "a thin line"};
+}
+
+/// Goes through the marks of a page; knows in which groups each stands and whether in a figure.
+template <class Look>
+void each_mark(const Page& page, Look look) {
     std::vector<const GroupBegin*> groups;
+    for (std::size_t k = 0; k < page.marks.size(); ++k) {
+        const Mark& mark = page.marks[k];
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) groups.push_back(group);
+        if (std::holds_alternative<GroupEnd>(mark)) groups.pop_back();
+        const bool within = std::ranges::any_of(groups, [](const GroupBegin* g) { return !figure_of(*g).empty(); });
+        look(k, mark, groups, within);
+    }
+}
+
+/// Takes the page apart, figure by figure.
+PageParts parts_of(const Page& page, const Fonts& fonts) {
+    PageParts parts;
     std::vector<Box> rings;
     std::vector<Stroke> leader;
     bool in_label = false;  // further colours of the label before
-    for (std::size_t k = 0; k < page.marks.size(); ++k) {
-        const Mark& mark = page.marks[k];
-        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
-            groups.push_back(group);
-            if (const std::string id = figure_of(*group); !id.empty()) figures.push_back({id, {}, {}, {}});
+    const auto add_text = [&](const TextMark& text, FigureParts* figure) {
+        Box box = unturned_ink(text, fonts);
+        if (box.min.x > box.max.x) return;
+        if (figure && text.cls == "label") {
+            for (const Box& ring : rings) widen(box, ring.min), widen(box, ring.max);
+            figure->labels.push_back({text.words, turned_about(box, text.pivot, text.angle)});
+            for (const Stroke& each : leader) figure->leaders.emplace_back(figure->labels.size() - 1, each);
+            leader.clear();
+            rings.clear();
+            in_label = true;
+            return;
         }
-        if (std::holds_alternative<GroupEnd>(mark)) groups.pop_back();
-        const bool within = std::ranges::any_of(groups, [](const GroupBegin* g) { return !figure_of(*g).empty(); });
-        if (!within) continue;
-        FigureParts& figure = figures.back();
-        if (const auto* text = std::get_if<TextMark>(&mark)) {
-            if (text->cls == "label") {
-                Box box = unturned_ink(*text, fonts);
-                for (const Box& ring : rings) widen(box, ring.min), widen(box, ring.max);
-                figure.labels.push_back({text->words, turned_about(box, text->pivot, text->angle)});
-                for (const Stroke& each : leader) figure.leaders.emplace_back(figure.labels.size() - 1, each);
-                leader.clear();
-                rings.clear();
-                in_label = true;
-            } else if (in_label && text->words.empty()) {
-                const TurnedBox more = turned_about(unturned_ink(*text, fonts), text->pivot, text->angle);
-                figure.labels.push_back({figure.labels.back().words + " (continued)", more});
-            } else {
-                in_label = false;
-            }
-            continue;
+        const TurnedBox ink = turned_about(box, text.pivot, text.angle);
+        if (figure && in_label && text.words.empty()) {
+            figure->labels.push_back({figure->labels.back().words + " (continued)", ink});
+            return;
         }
+        in_label = false;
+        (figure ? figure->texts : parts.texts).push_back({text.words, ink});
+    };
+    each_mark(page, [&](std::size_t k, const Mark& mark, const std::vector<const GroupBegin*>& groups, bool within) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark))
+            if (const std::string id = figure_of(*group); !id.empty()) parts.figures.push_back({id, {}, {}, {}, {}});
+        FigureParts* const figure = within ? &parts.figures.back() : nullptr;
+        if (const auto* text = std::get_if<TextMark>(&mark)) return add_text(*text, figure);
         const auto* path = std::get_if<Path>(&mark);
-        if (!path) continue;
+        if (!path || !figure) return;
         in_label = false;
         std::vector<Stroke> strokes = strokes_of(*path);
         // A leader and the ring round a number stand directly before their label.
@@ -175,27 +222,17 @@ std::vector<FigureParts> parts_of(const Page& page, const Fonts& fonts) {
                 leader = strokes;
             else
                 rings.assign(1, box_of({mark}));
-            continue;
+            return;
         }
-        if (!path->stroked && path->filled && std::min({path->fill.red, path->fill.green, path->fill.blue}) >= 0xC0)
-            continue;  // a tint may carry a label
-        Fault::Kind role = Fault::Kind::label_on_construction;
-        std::string of = "a thin line";
-        for (const GroupBegin* group : groups) {
-            if (group->cls == "vector" || group->cls == "force") role = Fault::Kind::label_on_vector, of = group->id;
-            if (group->cls == "link" || group->cls == "joint") role = Fault::Kind::label_on_mechanism, of = group->id;
-        }
-        if (role == Fault::Kind::label_on_construction && path->stroked && path->pen.width > 0.3) {
-            role = Fault::Kind::label_on_mechanism;
-            of = "a thick line";
-        }
+        if (is_tint(*path, page.paper)) return;
+        const auto [role, of] = role_of(groups, *path);
         for (Stroke& stroke : strokes) {
             stroke.role = role;
             stroke.of = of;
-            figure.strokes.push_back(std::move(stroke));
+            figure->strokes.push_back(std::move(stroke));
         }
-    }
-    return figures;
+    });
+    return parts;
 }
 
 /// The sheet's frame: the first path of a page.
@@ -209,6 +246,77 @@ bool leaves(const Box& frame, const Box& box) {
     constexpr double grace = 0.05;
     return box.min.x < frame.min.x - grace || box.min.y < frame.min.y - grace || box.max.x > frame.max.x + grace ||
            box.max.y > frame.max.y + grace;
+}
+
+/// A page for one colour of ink.
+Page blank_like(const Page& page) {
+    Page empty;
+    empty.width = page.width;
+    empty.height = page.height;
+    return empty;
+}
+constexpr Colour ink_colour{0, 0, 0}, no_ink{255, 255, 255};
+
+/// All letters of the page, black on white.
+Page letters_of(const Page& page) {
+    Page letters = blank_like(page);
+    for (const Mark& mark : page.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark)) {
+            TextMark black = *text;
+            black.colour = ink_colour;
+            for (Path& extra : black.extras) extra.fill = extra.pen.colour = ink_colour;
+            letters.marks.emplace_back(std::move(black));
+        }
+    return letters;
+}
+
+/// The mechanisms and the vectors of the page, black on white. The white within a symbol hides what it stands on, as it does on
+/// the page; white anywhere else hides nothing, so that a halo under a letter would not excuse it.
+Page strokes_of(const Page& page) {
+    Page strokes = blank_like(page);
+    each_mark(page, [&](std::size_t k, const Mark& mark, const std::vector<const GroupBegin*>& groups, bool within) {
+        const auto* path = std::get_if<Path>(&mark);
+        if (!path || !within || is_part_of_label(page.marks, k)) return;
+        if (role_of(groups, *path).first == Fault::Kind::label_on_construction) return;
+        Path black = *path;
+        Path area = *path;
+        area.stroked = false;
+        black.fill = is_tint(area, page.paper) ? no_ink : ink_colour;
+        black.pen.colour = ink_colour;
+        strokes.marks.emplace_back(std::move(black));
+    });
+    return strokes;
+}
+
+void add_faults_within(const FigureParts& figure, std::vector<Fault>& faults) {
+    for (std::size_t i = 0; i < figure.labels.size(); ++i) {
+        const Label& label = figure.labels[i];
+        for (std::size_t j = i + 1; j < figure.labels.size(); ++j)
+            if (overlap(label.ink, figure.labels[j].ink) && figure.labels[j].words.find(" (continued)") == std::string::npos)
+                faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, figure.labels[j].words});
+        for (const Label& text : figure.texts)
+            if (overlap(label.ink, text.ink)) faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, text.words});
+        const Stroke* worst = nullptr;
+        for (const Stroke& stroke : figure.strokes)
+            if (meets(label.ink, stroke) && (!worst || stroke.role < worst->role)) worst = &stroke;
+        if (worst) faults.push_back({worst->role, figure.id, label.words, worst->of});
+    }
+    for (const auto& [own, leader] : figure.leaders)
+        for (std::size_t i = 0; i < figure.labels.size(); ++i)
+            if (i != own && meets(figure.labels[i].ink, leader))
+                faults.push_back({Fault::Kind::leader_on_label, figure.id, figure.labels[own].words, figure.labels[i].words});
+}
+
+/// A figure on what is not its own: each of the others' letters is named once.
+void add_faults_beyond(const FigureParts& figure, const std::vector<Label>& letters, std::vector<Fault>& faults) {
+    for (const Label& text : letters) {
+        const auto covered = [&](const auto& labels) {
+            return std::ranges::any_of(labels, [&](const Label& label) { return overlap(label.ink, text.ink); });
+        };
+        if (covered(figure.labels) || covered(figure.texts) ||
+            std::ranges::any_of(figure.strokes, [&](const Stroke& stroke) { return meets(text.ink, stroke); }))
+            faults.push_back({Fault::Kind::figure_on_text, figure.id, "a stroke or a label", text.words});
+    }
 }
 
 }  // namespace
@@ -231,28 +339,38 @@ std::vector<Fault> faults_of(const Page& page, const Fonts& fonts) {
         }
         if (leaves(frame, box)) faults.push_back({Fault::Kind::outside, here, text ? text->words : "a stroke", "the frame"});
     }
-    for (const FigureParts& figure : parts_of(page, fonts)) {
-        for (std::size_t i = 0; i < figure.labels.size(); ++i) {
-            const Label& label = figure.labels[i];
-            for (std::size_t j = i + 1; j < figure.labels.size(); ++j)
-                if (overlap(label.ink, figure.labels[j].ink) && figure.labels[j].words.find(" (continued)") == std::string::npos)
-                    faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, figure.labels[j].words});
-            const Stroke* worst = nullptr;
-            for (const Stroke& stroke : figure.strokes)
-                if (meets(label.ink, stroke) && (!worst || stroke.role < worst->role)) worst = &stroke;
-            if (worst) faults.push_back({worst->role, figure.id, label.words, worst->of});
-        }
-        for (const auto& [own, leader] : figure.leaders)
-            for (std::size_t i = 0; i < figure.labels.size(); ++i)
-                if (i != own && meets(figure.labels[i].ink, leader))
-                    faults.push_back({Fault::Kind::leader_on_label, figure.id, figure.labels[own].words, figure.labels[i].words});
+    const PageParts parts = parts_of(page, fonts);
+    for (const FigureParts& figure : parts.figures) {
+        add_faults_within(figure, faults);
+        add_faults_beyond(figure, parts.texts, faults);
+        for (const FigureParts& other : parts.figures)
+            if (&other != &figure) add_faults_beyond(figure, other.labels, faults);
     }
+    for (std::size_t i = 0; i < parts.texts.size(); ++i)
+        for (std::size_t j = i + 1; j < parts.texts.size(); ++j)
+            if (deeply_overlap(parts.texts[i].ink, parts.texts[j].ink))
+                faults.push_back({Fault::Kind::text_on_text, "text", parts.texts[i].words, parts.texts[j].words});
     return faults;
 }
 
+std::size_t pixels_in_common(const Page& page, const Fonts& fonts, double dpi) {
+    const auto picture_of = [&](const Page& part) {
+        auto picture = decode_png(to_png(part, fonts, dpi));
+        if (!picture) throw std::runtime_error(picture.error());
+        return *std::move(picture);
+    };
+    const Picture letters = picture_of(letters_of(page)), strokes = picture_of(strokes_of(page));
+    constexpr int half = 0x80;  // of white
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < letters.pixels.size(); ++i)
+        common += letters.pixels[i].red < half && strokes.pixels[i].red < half ? 1 : 0;
+    return common;
+}
+
 std::string said(const Fault& fault) {
-    static constexpr std::array words{" on the label ", " on the mechanism: ",        " on the vector ",
-                                      " on ",           ": its leader on the label ", " leaves "};
+    static constexpr std::array words{
+        " on the label ", " on the mechanism: ", " on the vector ", " on ", ": its leader on the label ", " on ", " on ",
+        " leaves "};
     return fault.figure + ": " + fault.label + words[static_cast<std::size_t>(fault.kind)] + fault.other;
 }
 
