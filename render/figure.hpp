@@ -79,7 +79,8 @@ enum class Labelling {
 /// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
 /// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
 /// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
-/// (its aria-label says it all). False: none was set.
+/// (its aria-label says it all). What finds no place is listed in a key below the figure, by a number at its object where that
+/// finds one; labels that must stay in the room go there rather than leave it. False: none was set.
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
                   Labelling labelling = Labelling::free);
 

@@ -14,7 +14,8 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double least_run = 16;  // of free height worth a text column
+constexpr double least_run = 16;       // of free height worth a text column
+constexpr double overflow_price = 10;  // of a figure that its cell cannot hold: more than any size is worth
 
 double caption_height(const Wanted& wanted, double width) { return wanted.caption_width > width ? 11 : 7; }
 
@@ -73,7 +74,7 @@ private:
     /// A page with `count` figures from `first` on.
     struct Outcome {
         double value = -1e300;
-        bool missed = false;  // a figure is not at the scale that the file asks for
+        bool missed = false;  // a figure is not at the scale that the file asks for, or larger than its cell
         Sheet sheet;
         std::vector<Figure> drawn;  // of this page
         std::set<std::size_t> unplaced;
@@ -97,8 +98,8 @@ private:
             bool smaller = false;
             for (std::size_t i = 0; i < count; ++i) {
                 Wanted& wanted = wanted_.list[first + i];
-                fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
-                const bool missed = misses(wanted, result_.drawn.back());
+                const bool held = fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                const bool missed = misses(wanted, result_.drawn.back()) || !held;
                 outcome.missed = outcome.missed || missed;
                 double size = 0;
                 if (wanted.fills)
@@ -106,6 +107,7 @@ private:
                 else if (!wanted.empty)
                     size = wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / result_.drawn.back().scale) -
                            (missed ? 3 : 0);
+                if (!held) size -= overflow_price;
                 outcome.value += size;
                 if (!wanted.empty && size < worth(wanted, best.cells[i], wanted_.force_scale) - 0.05) {
                     smaller = true;
@@ -125,7 +127,8 @@ private:
         return chosen;
     }
 
-    void fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell) {
+    /// Whether the cell holds the figure.
+    bool fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell) {
         const int number = static_cast<int>(result_.drawn.size()) + 1;
         Box room = rectangle(cell.min.x, cell.min.y + caption_height(wanted, cell.width()), cell.max.x, cell.max.y);
         Figure figure = wanted.drawn_into(room.width(), room.height());
@@ -145,7 +148,10 @@ private:
         set_caption(sheet.marks, context_, figure, number, cell.min, cell.width());
         sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());
         if (figure.kind == "mechanism" && !sheet.scale_of_mechanism) sheet.scale_of_mechanism = figure.scale;
+        constexpr double grace = 0.01;
+        const bool held = figure.box.width() <= room.width() + grace && figure.box.height() <= room.height() + grace;
         result_.drawn.push_back(std::move(figure));
+        return held;
     }
 
     /// The room divided between equations and figure, whichever way leaves the figure larger.

@@ -14,6 +14,7 @@
 
 #include "render/figure.hpp"
 #include "render/ink_map.hpp"
+#include "render/label_key.hpp"
 #include "render/shapes.hpp"
 
 namespace kinegraph::render {
@@ -35,9 +36,12 @@ constexpr double leader_price = 6;
 constexpr double crossing_price = 2.5;  // of a leader, for each stroke it crosses
 constexpr double far_price = 0.9;       // for each mm from the nearest place
 constexpr double least_measure = 45;    // of a label, before it is shortened
-constexpr double least_of_far = 11;     // leader and distance: no far place costs less
-constexpr double farthest = 80;         // out of the figure's box, where no room is given
-constexpr int most_looks = 30000;       // for better far places, in a figure; then the first that is free will do
+constexpr double longest_leader = 40;   // beyond it nobody sees what is named
+constexpr double wide_key = 90;         // of a key's lines under a narrow figure
+constexpr double above_key = 2.5;
+constexpr double least_of_far = 11;  // leader and distance: no far place costs less
+constexpr double farthest = 80;      // out of the figure's box, where no room is given
+constexpr int most_looks = 30000;    // for better far places, in a figure; then the first that is free will do
 
 /// A tinted area: a label may stand in it, but rather not.
 struct Area {
@@ -108,6 +112,8 @@ public:
     }
 
     bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
+    /// No ink under it, however near.
+    bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.1)); }
     /// What a label there costs: ink within the margin is forbidden, ink within breathing distance and a tint are a pity.
     double price(const InkBox& box, bool free) const {
         double price = 0;
@@ -226,62 +232,15 @@ struct Places {
     Box span = nowhere;              // what all of them take
 };
 
-/// The first `count` characters of UTF-8 text.
-std::string beginning(const std::string& text, std::size_t count) {
-    std::size_t at = 0;
-    for (; at < text.size(); ++at)
-        if ((static_cast<unsigned char>(text[at]) & 0xC0) != 0x80 && count-- == 0) break;
-    return text.substr(0, at);
-}
-
-/// Sets a line wider than `measure` again, ended by an ellipsis: pieces go from the end, then characters of the first. What the
-/// line says stays whole.
-void shorten(const LabelRequest& request, const Fonts& fonts, double measure, ShapedLine& shaped) {
-    if (shaped.width <= measure || request.text.empty()) return;
-    const std::string words = shaped.words;
-    const auto fits = [&](RichText text) {
-        text.push_back({"…", Face::regular, "", Face::italic, "", Face::regular, 0, false, {}});
-        shaped = fonts.shape(text, request.size);
-        shaped.words = words;
-        return shaped.width <= measure;
-    };
-    RichText text = request.text;
-    // What can stand is found by halves: names may be as long as a file lets them.
-    const auto longest = [&](std::size_t low, std::size_t high, const auto& kept) {
-        while (low < high) {
-            const std::size_t middle = (low + high + 1) / 2;
-            if (fits(kept(middle)))
-                low = middle;
-            else
-                high = middle - 1;
-        }
-        return low;
-    };
-    const std::size_t pieces = longest(
-        0, text.size() - 1, [&](std::size_t n) { return RichText(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n)); });
-    text.resize(std::max<std::size_t>(pieces, 1));
-    if (pieces == 0) {
-        Piece& first = text.front();
-        std::string& long_one = first.sub.size() > first.text.size() ? first.sub : first.text;
-        const std::string all = long_one;
-        const auto cut = [&](std::size_t n) {
-            long_one = beginning(all, n);
-            return text;
-        };
-        cut(longest(1, all.size(), cut));
-    }
-    fits(text);
-}
-
 class Placing {
 public:
-    Placing(const Figure& figure, const Fonts& fonts, const Ground& ground, const std::optional<Spot>& room, bool strict)
-        : requests_(figure.labels), ground_(ground), box_(figure.box), strict_(strict) {
-        if (!(box_.width() > 0) || !(box_.height() > 0)) box_ = box_of(figure.marks);
+    Placing(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
+            const std::optional<Spot>& room, bool strict)
+        : requests_(requests), ground_(ground), box_(box), strict_(strict) {
         if (room) spare_ = {std::max(0.0, room->x - box_.width()) / 2, std::max(0.0, room->y - box_.height()) / 2};
         for (const LabelRequest& request : requests_) {
-            shaped_.push_back(fonts.shape(request.text, request.size));
-            if (room && request.balloon <= 0) shorten(request, fonts, std::max(0.5 * room->x, least_measure), shaped_.back());
+            const double measure = room && request.balloon <= 0 ? std::max(0.5 * room->x, least_measure) : 1e300;
+            shaped_.push_back(shaped_within(request.text, request.size, fonts, measure));
         }
         places_.resize(requests_.size());
         chosen_.resize(requests_.size());
@@ -318,12 +277,38 @@ public:
 
     const ShapedLine& shaped(std::size_t i) const { return shaped_[i]; }
     const Candidate& chosen(std::size_t i) const { return chosen_[i]; }
-    /// Whether the label covers something, or its leader another label, or where it may not stand.
-    bool in_the_way(std::size_t i) const {
-        if (chosen_[i].covered) return true;
-        for (std::size_t j = 0; j < requests_.size(); ++j)
-            if (j != i && clash(chosen_[i], chosen_[j])) return true;
+    /// Whether some label is in the way.
+    bool is_crowded() const {
+        for (std::size_t i = 0; i < requests_.size(); ++i)
+            if (in_the_way(i)) return true;
         return false;
+    }
+    /// The labels for which no place was found: they cover something, or stand where they may not, or in each other's way. Of two
+    /// that do the one goes that frees more of the others.
+    std::vector<std::size_t> placeless() const {
+        std::vector<bool> gone(requests_.size());
+        for (std::size_t i = 0; i < requests_.size(); ++i)
+            gone[i] = (strict_ && leaves_the_room(chosen_[i])) || !ground_.is_bare(chosen_[i].box);
+        std::vector<std::vector<std::size_t>> met(requests_.size());
+        for (std::size_t i = 0; i < requests_.size(); ++i)
+            for (std::size_t j = 0; j < requests_.size(); ++j)
+                if (j != i && !gone[i] && !gone[j] && meet(chosen_[i], chosen_[j])) met[i].push_back(j);
+        for (;;) {
+            std::size_t most = 0, worst = 0;
+            for (std::size_t i = 0; i < requests_.size(); ++i)
+                if (!gone[i] && met[i].size() >= std::max<std::size_t>(most, 1)) {
+                    // A leader is no loss.
+                    if (met[i].size() == most && chosen_[worst].leader && !chosen_[i].leader) continue;
+                    most = met[i].size(), worst = i;
+                }
+            if (most == 0) break;
+            gone[worst] = true;
+            for (const std::size_t j : met[worst]) std::erase(met[j], worst);
+        }
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < requests_.size(); ++i)
+            if (gone[i]) found.push_back(i);
+        return found;
     }
 
 private:
@@ -542,6 +527,26 @@ private:
         return all.width() <= room.x && all.height() <= room.y;
     }
 
+    bool leaves_the_room(const Candidate& candidate) const {
+        constexpr double grace = 0.01;
+        const Spot out = outside(extent_of(candidate.box));
+        return out.x > spare_.x + grace || out.y > spare_.y + grace;
+    }
+    /// Whether ink meets ink.
+    static bool meet(const Candidate& a, const Candidate& b) {
+        constexpr double apart_enough = 0.15;
+        return gap_between(a.box, b.box, apart_enough) < apart_enough ||
+               (a.leader && gap_between(a.thread, b.box, apart_enough) < apart_enough) ||
+               (b.leader && gap_between(b.thread, a.box, apart_enough) < apart_enough);
+    }
+    /// Whether the label covers something, or its leader another label, or where it may not stand.
+    bool in_the_way(std::size_t i) const {
+        if (chosen_[i].covered) return true;
+        for (std::size_t j = 0; j < requests_.size(); ++j)
+            if (j != i && clash(chosen_[i], chosen_[j])) return true;
+        return false;
+    }
+
     /// Nothing may stay covered: far away there is room, in the figure or at its edge. Labels that keep a leader from getting
     /// there are moved next.
     void repair(const std::vector<std::pair<int, std::size_t>>& order) {
@@ -613,21 +618,21 @@ private:
             box.centre = centre;
             const double extra = distance_to_box(request.anchor, box) - request.clearance;
             const double least = leader_price + far_price * extra;
-            if (extra < step || (found && least >= found->price)) return;
+            if (extra < step || extra > longest_leader || (found && least >= found->price)) return;
             --looks_left_;
             if (labels.touches(box) || leaders.touches(box) || !ground_.is_free(box)) return;
             Candidate candidate;
             candidate.box = box;
             candidate.price = least;
             draw_leader(i, candidate);
+            if (labels.touches(candidate.thread)) return;
             // Counted until it is no better than what was found.
-            double met = unruly_price * labels.touches({candidate.leader_from, {0.1, 0.1}});
+            double met = 0;
             const auto count = [&](double price, const auto& crossings) {
                 const double left = found ? (found->price - least - met) / price : 1e6;
                 if (left > 0) met += price * crossings(static_cast<int>(std::min(left, 1e6)) + 1);
             };
             const Spot from = candidate.leader_from, to = candidate.leader_to;
-            count(unruly_price, [&](int most) { return labels.crossings(from, to, most); });
             count(unruly_price, [&](int most) { return leaders.crossings(from, to, most); });
             count(crossing_price, [&](int most) { return ground_.crossed(from, to, most); });
             candidate.price += met;
@@ -839,11 +844,23 @@ private:
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling) {
     if (figure.labels.empty()) return true;
     const Ground ground(figure.marks, fonts);
-    Placing placing(figure, fonts, ground, room, labelling == Labelling::strict);
-    if (!placing.place(labelling == Labelling::if_it_fits ? room : std::nullopt)) return false;
-    if (labelling == Labelling::if_all_free)
-        for (std::size_t i = 0; i < figure.labels.size(); ++i)
-            if (placing.in_the_way(i)) return false;
+    const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
+    if (!boxed) figure.box = box_of(figure.marks);
+    const double measure = std::max(figure.box.width(), room ? std::min(room->x, wide_key) : wide_key);
+    std::vector<LabelRequest> requests = figure.labels;
+    LabelKey key(fonts);
+    std::optional<Placing> placing;
+    // With labels gone others may find a place; a number that finds none is no longer tried.
+    for (;;) {
+        std::optional<Spot> left = room;
+        if (left && !key.empty()) left->y = std::max(left->y - above_key - key.lines({}, measure).height, figure.box.height());
+        placing.emplace(requests, figure.box, fonts, ground, left, labelling == Labelling::strict);
+        if (!placing->place(labelling == Labelling::if_it_fits ? left : std::nullopt)) return false;
+        if (labelling == Labelling::if_all_free && placing->is_crowded()) return false;
+        const std::vector<std::size_t> placeless = placing->placeless();
+        if (placeless.empty()) break;
+        key.take(requests, placeless);
+    }
 
     // Into the figure's group, where that is closed already.
     const auto groups = std::count_if(figure.marks.begin(), figure.marks.end(),
@@ -853,12 +870,10 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&
                          std::holds_alternative<GroupEnd>(figure.marks.back()) && groups == closed;
     if (grouped) figure.marks.pop_back();
-    const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
-    if (!boxed) figure.box = box_of(figure.marks);
-    for (std::size_t i = 0; i < figure.labels.size(); ++i) {
-        const LabelRequest& request = figure.labels[i];
-        const Candidate& place = placing.chosen(i);
-        const ShapedLine& shaped = placing.shaped(i);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        const LabelRequest& request = requests[i];
+        const Candidate& place = placing->chosen(i);
+        const ShapedLine& shaped = placing->shaped(i);
         const std::size_t own = figure.marks.size();
         if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
         if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
@@ -883,6 +898,12 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         const Spot reach = place.box.reach();
         figure.box.min = {std::min(figure.box.min.x, centre.x - reach.x), std::min(figure.box.min.y, centre.y - reach.y)};
         figure.box.max = {std::max(figure.box.max.x, centre.x + reach.x), std::max(figure.box.max.y, centre.y + reach.y)};
+    }
+    if (!key.empty()) {
+        const Spot at{figure.box.min.x, figure.box.max.y + above_key};
+        LabelKey::Lines lines = key.lines(at, measure);
+        figure.marks.insert(figure.marks.end(), lines.marks.begin(), lines.marks.end());
+        figure.box.max = {std::max(figure.box.max.x, at.x + lines.width), at.y + lines.height};
     }
     if (grouped) figure.marks.emplace_back(GroupEnd{});
     figure.labels.clear();

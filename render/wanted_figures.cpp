@@ -35,7 +35,11 @@ const Figure& Wanted::drawn_into(double room_x, double room_y) {
     return drawn.back().figure;
 }
 
-bool has_circle(const Solution& solution) { return solution.mechanism.bodies.size() >= 3 && !solution.centres.empty(); }
+bool has_circle(const Solution& solution) {
+    constexpr std::size_t most = 16;  // of whose chords one can still be told from the next
+    const std::size_t bodies = solution.mechanism.bodies.size();
+    return bodies >= 3 && bodies <= most && !solution.centres.empty();
+}
 bool has_velocities(const Solution& solution) {
     // An act of motion has them in its own figure.
     return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {

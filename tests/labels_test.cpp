@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "render/figure.hpp"
 #include "render/shapes.hpp"
 #include "tests/fonts.hpp"
+#include "tests/page_checker.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -169,6 +171,45 @@ TEST(Labels, stay_within_the_figures_group_and_box) {
             EXPECT_GE(text->pivot.y, figure.box.min.y);
             EXPECT_LE(text->pivot.y, figure.box.max.y);
         }
+}
+
+/// A field of strokes with no room in it for a letter, and points all over: what finds no place beside it either is in the key.
+TEST(Labels, without_a_place_are_listed_below_the_figure) {
+    for (const bool strict : {false, true}) {
+        Figure figure;
+        figure.marks.emplace_back(GroupBegin{"figure", "field", "", {{"data-figure", "mechanism"}}});
+        figure.marks.emplace_back(GroupBegin{"links", "", "", {}});
+        for (int i = 0; i <= 80; ++i) figure.marks.emplace_back(line({1.0 * i, 0}, {1.0 * i, 60}, {0.18, {0, 0, 0}, {}, false}));
+        figure.marks.emplace_back(GroupEnd{});
+        figure.marks.emplace_back(GroupEnd{});
+        std::multiset<std::string> asked;
+        for (int i = 0; i < 60; ++i) {
+            figure.labels.push_back(named("N" + std::to_string(i), grid(i, 10, 8, 10) + Spot{4, 5}));
+            asked.insert("N" + std::to_string(i));
+        }
+        const Spot room{90, 110};
+        place_labels(figure, fonts(), room, strict);
+        Page page;
+        figure.move(60, 30);
+        page.marks.emplace_back(polyline({{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}}, {}, true));
+        page.marks.insert(page.marks.end(), figure.marks.begin(), figure.marks.end());
+        std::multiset<std::string> shown;
+        int numbers = 0;
+        for (const Mark& mark : page.marks)
+            if (const auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label") {
+                if (text->words.ends_with(")"))
+                    ++numbers;
+                else
+                    shown.insert(text->words);
+            }
+        EXPECT_EQ(shown, asked);
+        EXPECT_GT(numbers, 0);
+        for (const Fault& fault : faults_of(page, fonts())) ADD_FAILURE() << said(fault);
+        EXPECT_EQ(pixels_in_common(page, fonts(), 150), 0U);
+        EXPECT_LE(figure.box.width(), room.x);
+        EXPECT_GT(figure.box.height(), 65);
+        EXPECT_LE(figure.box.height(), strict ? room.y : 200.0);
+    }
 }
 
 TEST(Labels, are_placed_alike_twice) {

@@ -10,7 +10,7 @@
 #include "tests/files.hpp"
 #include "tests/fonts.hpp"
 #include "tests/page_checker.hpp"
-#include "tests/pages.hpp"
+#include "tests/solved.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -30,7 +30,7 @@ TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
     std::string first;
     for (const std::string& name : tests::example_names()) {
         options.theme = built_in_theme(theme_names()[turn++ % theme_names().size()]).value();
-        for (const Page& page : lay_out(pages::example(name), options, fonts())) {
+        for (const Page& page : lay_out(tests::example(name), options, fonts())) {
             for (const Fault& fault : faults_of(page, fonts())) {
                 ++counts[fault.kind];
                 if (first.size() < 2000) first += name + ", " + said(fault) + "\n";
