@@ -114,6 +114,11 @@ public:
     bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
     /// No ink under it, however near.
     bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.1)); }
+    /// Whether a leader there would run over letters that are drawn already.
+    bool covers_text(const InkBox& thread) const {
+        return std::any_of(texts_.begin(), texts_.end(),
+                           [&](const InkBox& text) { return gap_between(thread, text, 0.1) < 0.1; });
+    }
     /// What a label there costs: ink within the margin is forbidden, ink within breathing distance and a tint are a pity.
     double price(const InkBox& box, bool free) const {
         double price = 0;
@@ -197,10 +202,12 @@ private:
         ink.centre = text.pivot + Spot{arm.x * c - arm.y * s, arm.x * s + arm.y * c};
         ink.axis = {c, s};
         map_.fill(ink.grown(label_gap - ink_margin));
+        texts_.push_back(ink);
     }
 
     InkMap map_;
     std::vector<Area> areas_;
+    std::vector<InkBox> texts_;
     std::vector<Spot> outline_;  // of the path at hand
 };
 
@@ -232,6 +239,21 @@ struct Places {
     Box span = nowhere;              // what all of them take
 };
 
+/// How far the ink of a line reaches beyond its ends by more than the margin forgives: f and j lean out of their widths.
+double overhang_of(const ShapedLine& line, const Fonts& fonts) {
+    double out = 0;
+    const auto look_at = [&](double x) { out = std::max({out, -x, x - line.width}); };
+    for (const ShapedLine::Part& part : line.parts)
+        for (const Glyph& glyph : part.glyphs)
+            for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
+                if (const auto* m = std::get_if<MoveTo>(&segment)) look_at(glyph.origin.x + glyph.size * m->to.x);
+                if (const auto* l = std::get_if<LineTo>(&segment)) look_at(glyph.origin.x + glyph.size * l->to.x);
+                if (const auto* c = std::get_if<CurveTo>(&segment)) look_at(glyph.origin.x + glyph.size * c->to.x);
+            }
+    constexpr double forgiven = 0.3;
+    return std::max(0.0, out - forgiven);
+}
+
 class Placing {
 public:
     Placing(const std::vector<LabelRequest>& requests, const Box& box, const Fonts& fonts, const Ground& ground,
@@ -241,6 +263,7 @@ public:
         for (const LabelRequest& request : requests_) {
             const double measure = room && request.balloon <= 0 ? std::max(0.5 * room->x, least_measure) : 1e300;
             shaped_.push_back(shaped_within(request.text, request.size, fonts, measure));
+            overhang_.push_back(overhang_of(shaped_.back(), fonts));
         }
         places_.resize(requests_.size());
         chosen_.resize(requests_.size());
@@ -288,7 +311,9 @@ public:
     std::vector<std::size_t> placeless() const {
         std::vector<bool> gone(requests_.size());
         for (std::size_t i = 0; i < requests_.size(); ++i)
-            gone[i] = (strict_ && leaves_the_room(chosen_[i])) || !ground_.is_bare(chosen_[i].box);
+            gone[i] = (strict_ && leaves_the_room(chosen_[i])) ||
+                      !ground_.is_bare(chosen_[i].box.grown(requests_[i].balloon > 0 ? 0.2 : 0)) ||
+                      (chosen_[i].leader && ground_.covers_text(chosen_[i].thread));
         std::vector<std::vector<std::size_t>> met(requests_.size());
         for (std::size_t i = 0; i < requests_.size(); ++i)
             for (std::size_t j = 0; j < requests_.size(); ++j)
@@ -318,7 +343,7 @@ private:
     InkBox box_at(std::size_t i, Spot centre, Spot axis) const {
         if (const double r = requests_[i].balloon; r > 0) return {centre, {r, r}, axis};
         const ShapedLine& s = shaped_[i];
-        return {centre, {s.width / 2, (s.ascent + s.descent) / 2}, axis};
+        return {centre, {s.width / 2 + overhang_[i], (s.ascent + s.descent) / 2}, axis};
     }
     bool beside_line(std::size_t i) const {
         return requests_[i].toward && length(*requests_[i].toward - requests_[i].anchor) > 0;
@@ -541,7 +566,7 @@ private:
     }
     /// Whether the label covers something, or its leader another label, or where it may not stand.
     bool in_the_way(std::size_t i) const {
-        if (chosen_[i].covered) return true;
+        if (chosen_[i].covered || (chosen_[i].leader && ground_.covers_text(chosen_[i].thread))) return true;
         for (std::size_t j = 0; j < requests_.size(); ++j)
             if (j != i && clash(chosen_[i], chosen_[j])) return true;
         return false;
@@ -625,7 +650,7 @@ private:
             candidate.box = box;
             candidate.price = least;
             draw_leader(i, candidate);
-            if (labels.touches(candidate.thread)) return;
+            if (labels.touches(candidate.thread) || ground_.covers_text(candidate.thread)) return;
             // Counted until it is no better than what was found.
             double met = 0;
             const auto count = [&](double price, const auto& crossings) {
@@ -829,7 +854,10 @@ private:
     bool strict_;
     Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
-    std::vector<Places> places_;
+    std::vector<double> overhang_;  // of their ink
+    std::vector<std::vector<Candidate>> candidates_;
+    std::vector<std::vector<std::size_t>> kinds_;  // where each kind of place ends, by label
+    std::vector<int> stage_;                       // how many kinds of place have been proposed
     std::vector<Candidate> chosen_;
     std::optional<InkMap> taken_, threads_;  // what labels take, and their leaders
     int looks_left_ = most_looks;

@@ -224,7 +224,9 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
                 rings.assign(1, box_of({mark}));
             return;
         }
-        if (is_tint(*path, page.paper)) return;
+        // Where links cross, a stroke of paper keeps them apart.
+        const bool blank_stroke = path->stroked && !path->filled && path->pen.colour == page.paper;
+        if (is_tint(*path, page.paper) || blank_stroke) return;
         const auto [role, of] = role_of(groups, *path);
         for (Stroke& stroke : strokes) {
             stroke.role = role;
@@ -282,7 +284,7 @@ Page strokes_of(const Page& page) {
         Path area = *path;
         area.stroked = false;
         black.fill = is_tint(area, page.paper) ? no_ink : ink_colour;
-        black.pen.colour = ink_colour;
+        black.pen.colour = path->pen.colour == page.paper ? no_ink : ink_colour;
         strokes.marks.emplace_back(std::move(black));
     });
     return strokes;
@@ -359,7 +361,9 @@ std::size_t pixels_in_common(const Page& page, const Fonts& fonts, double dpi) {
         if (!picture) throw std::runtime_error(picture.error());
         return *std::move(picture);
     };
-    const Picture letters = picture_of(letters_of(page)), strokes = picture_of(strokes_of(page));
+    const Page drawn = strokes_of(page);
+    if (drawn.marks.empty()) return 0;
+    const Picture letters = picture_of(letters_of(page)), strokes = picture_of(drawn);
     constexpr int half = 0x80;  // of white
     std::size_t common = 0;
     for (std::size_t i = 0; i < letters.pixels.size(); ++i)
