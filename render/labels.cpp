@@ -855,9 +855,7 @@ private:
     Spot spare_{1e9, 1e9};  // how far a label may stand out of the box on each side
     std::vector<ShapedLine> shaped_;
     std::vector<double> overhang_;  // of their ink
-    std::vector<std::vector<Candidate>> candidates_;
-    std::vector<std::vector<std::size_t>> kinds_;  // where each kind of place ends, by label
-    std::vector<int> stage_;                       // how many kinds of place have been proposed
+    std::vector<Places> places_;
     std::vector<Candidate> chosen_;
     std::optional<InkMap> taken_, threads_;  // what labels take, and their leaders
     int looks_left_ = most_looks;

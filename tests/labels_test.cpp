@@ -188,7 +188,7 @@ TEST(Labels, without_a_place_are_listed_below_the_figure) {
             asked.insert("N" + std::to_string(i));
         }
         const Spot room{90, 110};
-        place_labels(figure, fonts(), room, strict);
+        place_labels(figure, fonts(), room, strict ? Labelling::strict : Labelling::free);
         Page page;
         figure.move(60, 30);
         page.marks.emplace_back(polyline({{0, 0}, {page.width, 0}, {page.width, page.height}, {0, page.height}}, {}, true));

@@ -20,6 +20,8 @@ struct TurnedBox {
 struct Label {
     std::string words;
     TurnedBox ink;
+    double ring =
+        0;  // radius of the circle round a number, its pen included: what is clear of it may come into the box's corners
 };
 struct Stroke {
     Spot from, to;
@@ -111,6 +113,13 @@ bool meets(const TurnedBox& box, const Stroke& stroke) {
     return clip(from.x, d.x, box.half.x + stroke.half) && clip(from.y, d.y, box.half.y + stroke.half);
 }
 
+bool meets(const Label& label, const Stroke& stroke) {
+    if (label.ring <= 0) return meets(label.ink, stroke);
+    const Spot d = stroke.to - stroke.from, to_centre = label.ink.centre - stroke.from;
+    const double t = std::clamp(dot(to_centre, d) / std::max(dot(d, d), 1e-12), 0.0, 1.0);
+    return length(to_centre - t * d) < label.ring + stroke.half;
+}
+
 bool overlap(const TurnedBox& a, const TurnedBox& b) {
     const Spot d = b.centre - a.centre;
     return std::ranges::all_of(std::array{a.axis, turned(a.axis), b.axis, turned(b.axis)}, [&](Spot axis) {
@@ -192,7 +201,8 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
         if (box.min.x > box.max.x) return;
         if (figure && text.cls == "label") {
             for (const Box& ring : rings) widen(box, ring.min), widen(box, ring.max);
-            figure->labels.push_back({text.words, turned_about(box, text.pivot, text.angle)});
+            const double ring = rings.empty() ? 0 : 0.5 * rings.front().width();
+            figure->labels.push_back({text.words, turned_about(box, text.pivot, text.angle), ring});
             for (const Stroke& each : leader) figure->leaders.emplace_back(figure->labels.size() - 1, each);
             leader.clear();
             rings.clear();
@@ -201,11 +211,11 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
         }
         const TurnedBox ink = turned_about(box, text.pivot, text.angle);
         if (figure && in_label && text.words.empty()) {
-            figure->labels.push_back({figure->labels.back().words + " (continued)", ink});
+            figure->labels.push_back({figure->labels.back().words + " (continued)", ink, 0});
             return;
         }
         in_label = false;
-        (figure ? figure->texts : parts.texts).push_back({text.words, ink});
+        (figure ? figure->texts : parts.texts).push_back({text.words, ink, 0});
     };
     each_mark(page, [&](std::size_t k, const Mark& mark, const std::vector<const GroupBegin*>& groups, bool within) {
         if (const auto* group = std::get_if<GroupBegin>(&mark))
@@ -300,12 +310,12 @@ void add_faults_within(const FigureParts& figure, std::vector<Fault>& faults) {
             if (overlap(label.ink, text.ink)) faults.push_back({Fault::Kind::label_on_label, figure.id, label.words, text.words});
         const Stroke* worst = nullptr;
         for (const Stroke& stroke : figure.strokes)
-            if (meets(label.ink, stroke) && (!worst || stroke.role < worst->role)) worst = &stroke;
+            if (meets(label, stroke) && (!worst || stroke.role < worst->role)) worst = &stroke;
         if (worst) faults.push_back({worst->role, figure.id, label.words, worst->of});
     }
     for (const auto& [own, leader] : figure.leaders)
         for (std::size_t i = 0; i < figure.labels.size(); ++i)
-            if (i != own && meets(figure.labels[i].ink, leader))
+            if (i != own && meets(figure.labels[i], leader))
                 faults.push_back({Fault::Kind::leader_on_label, figure.id, figure.labels[own].words, figure.labels[i].words});
 }
 

@@ -1,4 +1,4 @@
-// Five hundred random mechanisms on paper: nothing covers anything, counted from the display list and in pixels. From one to the
+// Random mechanisms on paper: nothing covers anything, counted from the display list and in pixels. From one to the
 // next language, theme, paper and orientation change, so that all combinations are met.
 //
 // Each is named by its seed. KINEGRAPH_SEED=n lays that one out alone, prints its file, and writes its pages as PNG into the
