@@ -71,7 +71,7 @@ std::string legal_id(std::string_view name);
 
 enum class Labelling {
     free,        ///< labels leave the room where nothing in it is free
-    strict,      ///< rather than leave the room, a label covers a stroke
+    strict,      ///< rather than leave the room, a label goes into the key
     if_it_fits,  ///< none is set where figure and labels do not fit into the room
     if_all_free  ///< none is set where one of them finds no free place
 };
