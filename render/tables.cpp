@@ -64,18 +64,11 @@ public:
         const auto omega = scalar("omega " + body_name(vector.body)), alpha = scalar("alpha " + body_name(vector.body));
         const auto pair = split(vector.symbol.about);
         using Role = DrawnVector::Role;
-        if (vector.role == Role::coriolis) {
-            for (const Joint& joint : solution_.mechanism.joints)
-                if (pair ? joint.name == pair->first : joint.name == vector.symbol.about)
-                    if (const auto v = components("sliding " + joint.name + " coriolis")) return length(*v);
-            return std::nullopt;
-        }
-        if (vector.role == Role::sliding || term == "rel") {
-            const std::string point = pair ? pair->first : vector.symbol.about;
-            for (const Joint& joint : solution_.mechanism.joints)
-                if (solution_.mechanism.points[static_cast<std::size_t>(joint.point)].name == point)
-                    if (const auto v = components("sliding " + joint.name + " " + kind)) return length(*v);
-            return std::nullopt;
+        if (vector.role == Role::coriolis || vector.role == Role::sliding || term == "rel") {
+            const Joint* joint = pair ? slide_between(pair->first, pair->second) : nullptr;
+            if (joint == nullptr) return std::nullopt;
+            const auto v = components("sliding " + joint->name + " " + (vector.role == Role::coriolis ? "coriolis" : kind));
+            return v ? std::optional(length(*v)) : std::nullopt;
         }
         if (term == "n" || term == "t") {
             if (!omega || (term == "t" && !alpha)) return std::nullopt;
@@ -102,6 +95,21 @@ public:
     }
 
 private:
+    /// The joint at which a point of one body slides on that of another, A on A* or A* on A.
+    const Joint* slide_between(const std::string& first, const std::string& second) const {
+        const auto carries = [&](const std::string& label, BodyIndex body) {
+            return std::any_of(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& point) {
+                return point.label == label && std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
+            });
+        };
+        for (const Sliding& sliding : solution_.sliding) {
+            const Joint& joint = solution_.mechanism.joints[static_cast<std::size_t>(sliding.joint)];
+            const BodyIndex slider = joint.bodies[0], guide = joint.bodies[1];
+            if ((carries(first, slider) && carries(second, guide)) || (carries(first, guide) && carries(second, slider)))
+                return &joint;
+        }
+        return nullptr;
+    }
     /// "BA" is of B relative to A where points of these names exist.
     std::optional<std::pair<std::string, std::string>> split(const std::string& about) const {
         if (const std::size_t comma = about.find(','); comma != std::string::npos)

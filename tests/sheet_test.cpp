@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "constructions/solve.hpp"
@@ -269,6 +271,24 @@ TEST(Results, AreMeasuredOnTheDrawing) {
         EXPECT_NEAR(*row.millimetres * scale, row.drawing, 1e-6 * scale) << row.name;
     }
     EXPECT_GE(vectors, 10);
+}
+
+/// Whatever has a number of the check beside it has its own: of two slidings at one point too.
+TEST(Results, AreBesideTheirOwnNumbers) {
+    for (const std::string& name : example_names()) {
+        const Solution solution = example(name);
+        const Theme theme;
+        const DrawingContext context{solution, theme, fonts(), Language::en};
+        std::vector<Figure> figures;
+        for (int p = 0; p < static_cast<int>(solution.protocol.polygons.size()); ++p)
+            figures.push_back(polygon_figure(context, p, 150, 100));
+        std::map<std::string, double> largest;
+        for (const ResultRow& row : result_rows(context, figures))
+            largest[row.group + row.unit] = std::max(largest[row.group + row.unit], std::abs(row.drawing));
+        for (const ResultRow& row : result_rows(context, figures))
+            if (row.numeric)
+                EXPECT_NEAR(row.drawing, *row.numeric, 1e-9 * largest[row.group + row.unit] + 1e-12) << name << ": " << row.name;
+    }
 }
 
 TEST(Results, InTheTableAreReadToATenthOfAMillimetre) {
