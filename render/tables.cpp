@@ -74,6 +74,8 @@ public:
             if (!omega || (term == "t" && !alpha)) return std::nullopt;
             double radius = 0;
             if (pair) {
+                // The link of an equivalent linkage is no body's: the check has nothing of its turning.
+                if (is_foreign(pair->first, vector.body) || is_foreign(pair->second, vector.body)) return std::nullopt;
                 const auto p = place(pair->first), q = place(pair->second);
                 if (!p || !q) return std::nullopt;
                 radius = length(*p - *q);
@@ -95,13 +97,18 @@ public:
     }
 
 private:
+    bool carries(const std::string& label, BodyIndex body) const {
+        return std::any_of(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& point) {
+            return point.label == label && std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
+        });
+    }
+    /// A point of other bodies; auxiliary points are nobody's.
+    bool is_foreign(const std::string& label, BodyIndex body) const {
+        return !carries(label, body) && std::any_of(solution_.points.begin(), solution_.points.end(),
+                                                    [&](const PointMotion& point) { return point.label == label; });
+    }
     /// The joint at which a point of one body slides on that of another, A on A* or A* on A.
     const Joint* slide_between(const std::string& first, const std::string& second) const {
-        const auto carries = [&](const std::string& label, BodyIndex body) {
-            return std::any_of(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& point) {
-                return point.label == label && std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
-            });
-        };
         for (const Sliding& sliding : solution_.sliding) {
             const Joint& joint = solution_.mechanism.joints[static_cast<std::size_t>(sliding.joint)];
             const BodyIndex slider = joint.bodies[0], guide = joint.bodies[1];

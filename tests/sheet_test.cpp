@@ -286,8 +286,9 @@ TEST(Results, AreBesideTheirOwnNumbers) {
         for (const ResultRow& row : result_rows(context, figures))
             largest[row.group + row.unit] = std::max(largest[row.group + row.unit], std::abs(row.drawing));
         for (const ResultRow& row : result_rows(context, figures))
-            if (row.numeric)
+            if (row.numeric) {
                 EXPECT_NEAR(row.drawing, *row.numeric, 1e-9 * largest[row.group + row.unit] + 1e-12) << name << ": " << row.name;
+            }
     }
 }
 
