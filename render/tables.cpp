@@ -79,6 +79,7 @@ public:
                 const auto p = place(pair->first), q = place(pair->second);
                 if (!p || !q) return std::nullopt;
                 radius = length(*p - *q);
+                if (radius == 0) return std::nullopt;  // of two bodies in contact
             } else {
                 // A point on a circle about a fixed pivot: its radius from v = ω r.
                 const auto v = of_point("velocity", vector.symbol.about, vector.body);
