@@ -1,11 +1,12 @@
 // Random mechanisms on paper: nothing covers anything, counted from the display list and in pixels. From one to the
 // next language, theme, paper and orientation change, so that all combinations are met.
 //
-// What remains is written down as it is: of twenty sheets one may still have a fault in its display list, none in its pixels.
+// What remains is written down as it is: the first forty sheets have no fault, of more than fifty one in fifty may still have one
+// in its display list; in the pixels none has. Of five hundred two had (November 2026).
 //
 // Each is named by its seed. KINEGRAPH_SEED=n lays that one out alone, prints its file, and writes its pages as PNG into the
-// directory KINEGRAPH_PAGES where that is set; KINEGRAPH_RANDOM_MECHANISMS=n takes so many (forty); KINEGRAPH_ALL_PAPERS=1 lays
-// each out in all combinations (more than an hour for the five hundred).
+// directory KINEGRAPH_PAGES where that is set; KINEGRAPH_RANDOM_MECHANISMS=n takes so many (five hundred; forty under
+// sanitizers); KINEGRAPH_ALL_PAPERS=1 lays each out in all combinations (more than an hour for the five hundred).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -150,18 +151,25 @@ void lay_out_one(std::uint64_t seed, Count& count) {
     }
 }
 
+/// Under sanitizers everything takes several times as long.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int default_count = 40;
+#else
+constexpr int default_count = 500;
+#endif
+
 void look_at_quarter(int quarter) {
     Count count;
     if (const char* one = std::getenv("KINEGRAPH_SEED")) {
         if (quarter == 0) lay_out_one(std::strtoull(one, nullptr, 10), count);
     } else {
         const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS");
-        const int mechanisms = asked != nullptr ? std::atoi(asked) : 40;
+        const int mechanisms = asked != nullptr ? std::atoi(asked) : default_count;
         for (int seed = quarter; seed < mechanisms; seed += 4) lay_out_one(static_cast<std::uint64_t>(seed), count);
     }
-    EXPECT_LE(count.sheets - count.clean, 1 + count.sheets / 20) << count.first;
+    EXPECT_LE(count.sheets - count.clean, count.sheets / 50) << count.first;
     EXPECT_EQ(count.pixels, 0U) << count.first;
-    std::cout << count.sheets << " sheets, " << count.pages << " pages, " << count.clean << " sheets clean\n";
+    std::cout << count.sheets << " sheets, " << count.pages << " pages, " << count.clean << " sheets clean\n" << count.first;
 }
 
 TEST(RandomPages1, CoverNothing) { look_at_quarter(0); }
