@@ -10,10 +10,6 @@
 
 namespace kinegraph::render {
 
-/// A line of text no wider than `measure` mm: pieces go from the end, then characters of the first, for an ellipsis. What the
-/// line says stays whole.
-ShapedLine shaped_within(const RichText& text, double size, const Fonts& fonts, double measure);
-
 class LabelKey {
 public:
     explicit LabelKey(const Fonts& fonts) : fonts_(fonts) {}

@@ -653,4 +653,55 @@ std::string_view Fonts::file(std::uint8_t face) const {
 
 std::vector<std::string> Fonts::missing() const { return state_->missing; }
 
+namespace {
+
+/// The first `count` characters of UTF-8 text.
+std::string beginning(const std::string& text, std::size_t count) {
+    std::size_t at = 0;
+    for (; at < text.size(); ++at)
+        if ((static_cast<unsigned char>(text[at]) & 0xC0) != 0x80 && count-- == 0) break;
+    return text.substr(0, at);
+}
+
+}  // namespace
+
+ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, double measure) {
+    ShapedLine shaped = fonts.shape(line, size);
+    if (shaped.width <= measure || line.empty()) return shaped;
+    const std::string words = shaped.words;
+    const auto fits = [&](RichText text) {
+        text.push_back({"…", Face::regular, "", Face::italic, "", Face::regular, 0, false, {}});
+        shaped = fonts.shape(text, size);
+        shaped.words = words;
+        return shaped.width <= measure;
+    };
+    RichText text = line;
+    // What can stand is found by halves: names may be as long as a file lets them.
+    const auto longest = [&](std::size_t low, std::size_t high, const auto& kept) {
+        while (low < high) {
+            const std::size_t middle = (low + high + 1) / 2;
+            if (fits(kept(middle)))
+                low = middle;
+            else
+                high = middle - 1;
+        }
+        return low;
+    };
+    const std::size_t pieces = longest(
+        0, text.size() - 1, [&](std::size_t n) { return RichText(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n)); });
+    text.resize(std::max<std::size_t>(pieces, 1));
+    if (pieces == 0) {
+        Piece& first = text.front();
+        std::string& long_one = first.sub.size() > first.text.size() ? first.sub : first.text;
+        const std::string all = long_one;
+        const auto cut = [&](std::size_t n) {
+            long_one = beginning(all, n);
+            return text;
+        };
+        cut(longest(1, all.size(), cut));
+    }
+    fits(text);
+    return shaped;
+}
+
 }  // namespace kinegraph::render

@@ -84,6 +84,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
+/// A line of text no wider than `measure` mm: pieces go from the end, then characters of the first, for an ellipsis. What the
+/// line says stays whole.
+ShapedLine shaped_within(const RichText& text, double size, const Fonts& fonts, double measure);
+
 /// Points to millimetres.
 constexpr double millimetres(double points) { return points * 25.4 / 72.0; }
 
