@@ -7,6 +7,7 @@
 #include "render/shapes.hpp"
 #include "render/sheet_parts.hpp"
 #include "render/tables.hpp"
+#include "render/utf8.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -17,9 +18,8 @@ std::string shortest_scale(double value, Language language) {
     const double round = std::round(value * power) / power;
     const std::string text = shortest(std::abs(round - value) < 1e-12 * value ? round : value, language);
     // A scale of the file's own, 14 mm = 16.28 MN, may have no end.
-    constexpr std::ptrdiff_t longest = 10;  // 2.5 × 10⁻⁴
-    const auto characters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    return characters > longest ? number(value, 5, language) : text;
+    constexpr std::size_t longest = 10;  // 2.5 × 10⁻⁴
+    return character_count(text) > longest ? number(value, 5, language) : text;
 }
 
 /// A diagram has no scale, nor has a polygon of which all vectors are zero.

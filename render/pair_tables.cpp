@@ -5,15 +5,12 @@
 #include <cstdlib>
 
 #include "engine/pair_catalogue.hpp"
+#include "render/utf8.hpp"
 
 namespace kinegraph::render {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-std::size_t columns_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 std::string signed_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
 
@@ -37,7 +34,7 @@ public:
     void table(const std::vector<Cells>& rows) {
         std::vector<std::size_t> widths(rows.front().size(), 0);
         for (const Cells& row : rows)
-            for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns_of(row[c]));
+            for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
         for (std::size_t r = 0; r < rows.size(); ++r) {
             if (form_ == TextForm::markdown) {
                 text_ += "|";
@@ -51,7 +48,7 @@ public:
             }
             std::string each = " ";
             for (std::size_t c = 0; c < rows[r].size(); ++c)
-                each += (c == 0 ? " " : "  ") + rows[r][c] + std::string(widths[c] - columns_of(rows[r][c]), ' ');
+                each += (c == 0 ? " " : "  ") + rows[r][c] + std::string(widths[c] - character_count(rows[r][c]), ' ');
             each.erase(each.find_last_not_of(' ') + 1);
             text_ += each + "\n";
         }
@@ -66,9 +63,9 @@ public:
         }
         text_ += "  " + name + "\n";
         std::size_t width = 0;
-        for (const auto& fact : facts) width = std::max(width, columns_of(fact[0]));
+        for (const auto& fact : facts) width = std::max(width, character_count(fact[0]));
         for (const auto& [word, fact] : facts)
-            text_ += "    " + word + std::string(width - columns_of(word) + 2, ' ') + fact + "\n";
+            text_ += "    " + word + std::string(width - character_count(word) + 2, ' ') + fact + "\n";
     }
     std::string code(std::string_view text) const {
         return form_ == TextForm::markdown ? "`" + std::string(text) + "`" : std::string(text);

@@ -4,14 +4,11 @@
 
 #include "render/shapes.hpp"
 #include "render/sheet.hpp"
+#include "render/utf8.hpp"
 #include "render/words.hpp"
 
 namespace kinegraph::render {
 namespace {
-
-std::size_t columns_of(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 using Cells = std::vector<std::string>;
 
@@ -21,13 +18,13 @@ std::string table(const std::string& heading, const std::vector<Cells>& rows) {
     std::vector<std::size_t> widths;
     for (const Cells& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], columns_of(row[c]));
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
     }
     std::string text = "\n" + heading + "\n";
     for (const Cells& row : rows) {
         std::string each = " ";
         for (std::size_t c = 0; c < row.size(); ++c) {
-            const std::string space(widths[c] - columns_of(row[c]), ' ');
+            const std::string space(widths[c] - character_count(row[c]), ' ');
             each += c == 0 ? " " + row[c] + space : "  " + space + row[c];
         }
         while (!each.empty() && each.back() == ' ') each.pop_back();

@@ -653,24 +653,20 @@ std::string_view Fonts::file(std::uint8_t face) const {
 
 std::vector<std::string> Fonts::missing() const { return state_->missing; }
 
-namespace {
-
-/// The first `count` characters of UTF-8 text.
-std::string beginning(const std::string& text, std::size_t count) {
-    std::size_t at = 0;
-    for (; at < text.size(); ++at)
-        if ((static_cast<unsigned char>(text[at]) & 0xC0) != 0x80 && count-- == 0) break;
-    return text.substr(0, at);
-}
-
-}  // namespace
-
 ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, double measure) {
     ShapedLine shaped = fonts.shape(line, size);
     if (shaped.width <= measure || line.empty()) return shaped;
     const std::string words = shaped.words;
     const auto fits = [&](RichText text) {
-        text.push_back({"…", Face::regular, "", Face::italic, "", Face::regular, 0, false, {}});
+        text.push_back({"…",
+                        line.front().face == Face::bold ? Face::bold : Face::regular,
+                        "",
+                        Face::italic,
+                        "",
+                        Face::regular,
+                        0,
+                        false,
+                        {}});
         shaped = fonts.shape(text, size);
         shaped.words = words;
         return shaped.width <= measure;
@@ -695,7 +691,7 @@ ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, 
         std::string& long_one = first.sub.size() > first.text.size() ? first.sub : first.text;
         const std::string all = long_one;
         const auto cut = [&](std::size_t n) {
-            long_one = beginning(all, n);
+            long_one = first_characters(all, n);
             return text;
         };
         cut(longest(1, all.size(), cut));

@@ -11,45 +11,33 @@
 #include "render/caption.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
+#include "render/utf8.hpp"
 #include "render/wanted_figures.hpp"
 
 namespace kinegraph::render {
 
 namespace {
 
-constexpr std::size_t most_bytes = 1000;  // of a title: far more than any block holds
-
-/// The beginning of UTF-8 text, whole characters of it.
-void cut_to(std::string& text, std::size_t bytes) {
-    if (text.size() <= bytes) return;
-    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) --bytes;
-    text.resize(bytes);
-}
+constexpr std::size_t most_characters = 1000;  // of a title: far more than any block holds
 
 /// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not enough.
-ShapedLine fitted(const Fonts& fonts, std::string words, Face face, double size, double least, double width) {
-    ShapedLine line = fonts.shape(one_piece(words, face), size);
-    while (line.width > width && size > least) line = fonts.shape(one_piece(words, face), size -= 0.5);
-    const std::string all = words;
-    if (line.width > width) cut_to(words, most_bytes);
-    while (line.width > width && !words.empty()) {
-        cut_to(words, words.size() - 1);
-        line = fonts.shape(one_piece(words + "…", face), size);
-        line.words = all;
-    }
-    return line;
+ShapedLine fitted(const Fonts& fonts, const std::string& words, Face face, double size, double least, double width) {
+    const RichText text = one_piece(words, face);
+    for (; size > least; size -= 0.5)
+        if (ShapedLine line = fonts.shape(text, size); line.width <= width) return line;
+    return shaped_within(text, size, fonts, width);
 }
 
 /// The title on as many lines as the height holds.
 void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size, double small_print) {
     constexpr double least = 5, leading = 1.15;
-    std::string title = title_of(context.solution, context.language);
-    cut_to(title, most_bytes);
+    const std::string whole = title_of(context.solution, context.language);
+    const RichText title = one_piece(std::string(first_characters(whole, most_characters)), Face::bold);
     const auto lead = [&] { return millimetres(size) * leading; };
     std::vector<ShapedLine> lines;
     const auto most = [&] { return static_cast<std::size_t>(std::max(1.0, std::floor((room.height() - small_print) / lead()))); };
     for (;; size -= 0.5) {
-        lines = context.fonts.wrap(one_piece(title, Face::bold), size, room.width());
+        lines = context.fonts.wrap(title, size, room.width());
         const bool wide =
             std::any_of(lines.begin(), lines.end(), [&](const ShapedLine& each) { return each.width > room.width(); });
         if (size <= least || (!wide && lines.size() <= std::min<std::size_t>(most(), size > 8 ? 2 : 4))) break;

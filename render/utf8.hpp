@@ -31,6 +31,20 @@ inline char32_t next_code_point(std::string_view text, std::size_t& at) {
     return code;
 }
 
+/// How many characters a text has, for columns of a table: the code points of UTF-8.
+inline std::size_t character_count(std::string_view text) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < text.size(); ++count) next_code_point(text, at);
+    return count;
+}
+
+/// The first `count` characters of a text, all of it where it has no more.
+inline std::string_view first_characters(std::string_view text, std::size_t count) {
+    std::size_t at = 0;
+    for (; at < text.size() && count > 0; --count) next_code_point(text, at);
+    return text.substr(0, at);
+}
+
 /// Appends the code point, which must be a valid one.
 inline void append_utf8(std::string& text, char32_t code) {
     const auto put = [&](char32_t bits) { text += static_cast<char>(static_cast<std::uint8_t>(bits)); };

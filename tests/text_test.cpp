@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "render/utf8.hpp"
 #include "tests/fonts.hpp"
 
 namespace {
@@ -252,6 +253,25 @@ TEST(Type, RaisesDigitsThatTheFontsHaveNot) {
 TEST(Wrap, NothingIsOneEmptyLine) {
     ASSERT_EQ(fonts().wrap({}, 9, 10).size(), 1U);
     EXPECT_EQ(fonts().wrap({piece("   ")}, 9, 10).size(), 1U);
+}
+
+TEST(Shortened, KeepsWholeCharactersAndSaysAll) {
+    const ShapedLine whole = set("éééééééééé", Face::bold), five = set("ééééé…", Face::bold);
+    const ShapedLine cut = shaped_within({piece("éééééééééé", Face::bold)}, size, fonts(), five.width + 1e-9);
+    EXPECT_NEAR(cut.width, five.width, 1e-9) << "the ellipsis is as bold as what it ends";
+    EXPECT_EQ(glyphs(cut), glyphs(five));
+    EXPECT_EQ(cut.words, "éééééééééé");
+    EXPECT_EQ(shaped_within({piece("éééééééééé", Face::bold)}, size, fonts(), whole.width).width, whole.width);
+}
+
+TEST(Utf8, CountsAndCutsByWholeCharacters) {
+    EXPECT_EQ(character_count("a≙𝛼é"), 4U);
+    EXPECT_EQ(first_characters("a≙𝛼é", 3), "a≙𝛼");
+    EXPECT_EQ(first_characters("a≙", 7), "a≙");
+    EXPECT_EQ(first_characters("a≙", 0), "");
+    // Whatever is not well formed counts byte by byte, to the very end.
+    EXPECT_EQ(character_count("\x80\x80\xe2\x89"), 4U);
+    EXPECT_EQ(first_characters("\x80\x80\xe2\x89", 3), "\x80\x80\xe2");
 }
 
 TEST(Opening, NamesTheFileAndThePackage) {
