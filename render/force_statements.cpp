@@ -2,20 +2,14 @@
 #include "render/force_statements.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "engine/exact.hpp"
+#include "render/sentences.hpp"
 
 namespace kinegraph::render {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// Sentences by which two forces, or two and a couple, take their line.
-bool joins_two_forces(Sentence sentence) {
-    return sentence == Sentence::two_force_body || sentence == Sentence::two_force_guide ||
-           sentence == Sentence::two_force_group || sentence == Sentence::two_forces_and_couple;
-}
 
 bool names_one_of(const Message& message, const std::set<std::string>& names) {
     return std::any_of(message.arguments.begin(), message.arguments.end(), [&](const Argument& argument) {
@@ -31,37 +25,6 @@ bool names_point(const Message& message, const std::string& name) {
 }
 
 }  // namespace
-
-bool closes_a_polygon(Sentence sentence) {
-    switch (sentence) {
-        case Sentence::triangle:
-        case Sentence::triangle_at:
-        case Sentence::parallel_forces:
-        case Sentence::culmann:
-        case Sentence::culmann_line:
-        case Sentence::force_and_couple:
-        case Sentence::single_reaction:
-            return true;
-        default:
-            return false;
-    }
-}
-
-bool speaks_of(const Solution& solution, const Message& message, const FreeBody& body) {
-    const auto* said = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
-    if (!said) return false;
-    const std::string& name =
-        body.body >= 0 ? solution.mechanism.bodies[at(body.body)].name : solution.mechanism.points[at(body.pin)].name;
-    if (said->name == name) return true;
-    constexpr std::string_view and_then = " + ";
-    for (std::string_view rest = said->name; !rest.empty();) {
-        const std::size_t end = rest.find(and_then);
-        if (rest.substr(0, end) == name) return true;
-        if (end == std::string_view::npos) break;
-        rest.remove_prefix(end + and_then.size());
-    }
-    return false;
-}
 
 ForceStatements::ForceStatements(const Solution& solution) : solution_(solution) {
     const std::vector<Statement>& statements = solution.protocol.statements;

@@ -9,11 +9,6 @@
 
 namespace kinegraph::render {
 
-/// Whether a body's polygon is closed by this sentence.
-bool closes_a_polygon(Sentence sentence);
-/// Whether the sentence speaks of this body, alone or among others that are taken together.
-bool speaks_of(const Solution& solution, const Message& message, const FreeBody& body);
-
 /// All answers are indices into Protocol::statements; −1: it is given, no sentence finds it.
 class ForceStatements {
 public:

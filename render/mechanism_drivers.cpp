@@ -3,34 +3,10 @@
 
 #include "render/clutter.hpp"
 #include "render/mechanism_sketch.hpp"
+#include "render/sentences.hpp"
 #include "render/tables.hpp"
 
 namespace kinegraph::render::drawing {
-
-const Symbol* turning_found(const Message& message) {
-    std::size_t argument = 0;
-    switch (message.sentence) {
-        case Sentence::omega_from_pair:
-        case Sentence::alpha_from_pair:
-        case Sentence::omega_by_sleeve:
-        case Sentence::alpha_by_sleeve:
-        case Sentence::omega_by_driver:
-        case Sentence::alpha_by_driver:
-        case Sentence::omega_from_parallels:
-        case Sentence::alpha_from_parallels:
-            break;
-        case Sentence::trial_closes_on_line:
-        case Sentence::trial_closes_by_spin:
-            argument = 2;
-            break;
-        default:
-            return nullptr;
-    }
-    if (argument >= message.arguments.size()) return nullptr;
-    const auto* symbol = std::get_if<Symbol>(&message.arguments[argument]);
-    const bool turns = symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha);
-    return turns ? symbol : nullptr;
-}
 
 int statement_of_turning(const Solution& solution, const Symbol& sought) {
     const std::vector<Statement>& statements = solution.protocol.statements;

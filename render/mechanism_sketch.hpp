@@ -117,8 +117,6 @@ private:
     }
 };
 
-/// The ω or α that a sentence ends with; none: it finds no turning.
-const Symbol* turning_found(const Message& message);
 /// The statement that ends with the angular velocity (or acceleration) of a body; −1: none does.
 int statement_of_turning(const Solution& solution, const Symbol& sought);
 

@@ -8,28 +8,12 @@
 
 #include "render/force_tables.hpp"
 #include "render/prose.hpp"
+#include "render/sentences.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
 
 namespace kinegraph::render {
 namespace {
-
-/// Sentences that the list of centres says as well.
-bool told_by_list(const Statement& statement) {
-    switch (statement.message.sentence) {
-        case Sentence::primary_revolute:
-        case Sentence::primary_prismatic:
-        case Sentence::primary_rolling:
-        case Sentence::primary_gear:
-        case Sentence::primary_weld:
-        case Sentence::kennedy:
-        case Sentence::kennedy_line:
-        case Sentence::kennedy_two_normals:
-            return true;
-        default:
-            return false;
-    }
-}
 
 class SectionWriter {
 public:

@@ -13,6 +13,7 @@
 #include "render/force_tables.hpp"
 #include "render/mechanism_sketch.hpp"
 #include "render/prose.hpp"
+#include "render/sentences.hpp"
 #include "render/shapes.hpp"
 #include "render/tables.hpp"
 #include "render/title_block.hpp"
@@ -20,20 +21,6 @@
 
 namespace kinegraph::render {
 namespace {
-
-/// Statements that only name the pair a centre lies at.
-bool names_a_pair(Sentence sentence) {
-    switch (sentence) {
-        case Sentence::primary_revolute:
-        case Sentence::primary_prismatic:
-        case Sentence::primary_rolling:
-        case Sentence::primary_gear:
-        case Sentence::primary_weld:
-            return true;
-        default:
-            return false;
-    }
-}
 
 /// A stroke or a letter in another colour; what is filled with paper or with a body's tint stays.
 struct Recolour {
@@ -326,7 +313,7 @@ private:
     std::optional<Value> value_found(std::size_t index, const Symbol& symbol) const {
         const Message& message = statements()[index].message;
         const Units& units = solution_.mechanism.units;
-        if (const Symbol* turning = drawing::turning_found(message); turning && *turning == symbol) {
+        if (const Symbol* turning = turning_found(message); turning && *turning == symbol) {
             const bool omega = symbol.letter == Symbol::Letter::omega;
             const auto body = solution_.mechanism.body_named(symbol.about);
             if (!body) return std::nullopt;

@@ -1,0 +1,22 @@
+// Sentences: what those of a solution are about, for sheets, steps and figures alike. Reads their kind and their arguments; says
+// nothing in words and computes nothing.
+#pragma once
+
+#include "engine/solution.hpp"
+
+namespace kinegraph::render {
+
+/// Statements that only name the pair a centre lies at.
+bool names_a_pair(Sentence sentence);
+/// Sentences that the list of centres says as well.
+bool told_by_list(const Statement& statement);
+/// The ω or α that a sentence ends with; none: it finds no turning.
+const Symbol* turning_found(const Message& message);
+/// Sentences by which two forces, or two and a couple, take their line.
+bool joins_two_forces(Sentence sentence);
+/// Whether a body's polygon is closed by this sentence.
+bool closes_a_polygon(Sentence sentence);
+/// Whether the sentence speaks of this body, alone or among others that are taken together.
+bool speaks_of(const Solution& solution, const Message& message, const FreeBody& body);
+
+}  // namespace kinegraph::render
