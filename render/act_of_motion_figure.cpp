@@ -445,7 +445,7 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
     const std::optional<double> asked = asked_scale(mechanism, "mechanism");
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), asked);
-    return fitted_figure(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) {
+    return fitted_figure(first, asked.has_value(), room_x, room_y, any_scale, [&](double scale, bool last, bool strict) {
         Sketch sketch(subject, context, scale, "");
         const double reach = std::clamp(0.55 * sketch.size(), 14.0, longest_velocity);
         const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);

@@ -305,6 +305,12 @@ void move(std::vector<Mark>& marks, double dx, double dy) {
     for (Mark& mark : marks) Shift{dx, dy}(mark);
 }
 
+Figure Figure::empty_at(double scale) {
+    Figure figure;
+    figure.scale = scale;
+    return figure;
+}
+
 void Figure::move(double dx, double dy) {
     const Shift shift{dx, dy};
     render::move(marks, dx, dy);

@@ -2,6 +2,7 @@
 // paper by moving them, never by scaling: the scale is chosen when the figure is made.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ struct Figure {
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
 
     void move(double dx, double dy);
+    static Figure empty_at(double scale);
 };
 
 /// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place, all, none.
@@ -65,6 +67,10 @@ struct DrawingContext {
 /// The largest scale of 1-2-2.5-5 × 10ⁿ units per mm at which `extent` units fit into `room` mm; the file's own where it asks
 /// one.
 double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked);
+
+/// Of the figures that take a `coarsest` scale (units per mm): one that would have to be drawn coarser, or leave its room, comes
+/// empty and at any_scale; whoever sets such a limit has no use for it.
+constexpr double any_scale = std::numeric_limits<double>::infinity();
 
 /// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
 std::string legal_id(std::string_view name);
@@ -84,6 +90,9 @@ enum class Labelling {
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
                   Labelling labelling = Labelling::free);
 
+/// What the names that a figure asks for will take with the air about them, mm²: places or none.
+double room_of_names(const Figure& figure, const Fonts& fonts);
+
 /// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
 /// Appended to `marks`; a vector shorter than its head gets a smaller head.
 /// `dashes` (mm) are those of its shaft.
@@ -91,7 +100,8 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
                 const std::vector<double>& dashes = {});
 
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
-Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres);
+Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
+                        double coarsest = any_scale);
 /// The mechanism with what turns: ω of the bodies (or α), each marked with the statement that finds it.
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres.
@@ -103,7 +113,7 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
 /// One polygon of the protocol (by index): pole, vectors, images, construction lines.
-Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y);
+Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest = any_scale);
 
 // Forces. Triangles and closed polygon share one scale: `least` is the smallest that the other could be drawn at (units per mm),
 // and with `fixed` the one the file asks for, kept as long as it fits.

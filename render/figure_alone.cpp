@@ -16,12 +16,12 @@ constexpr double tallest = 130;  // less than half a sheet: the text of a book g
 
 struct Choice {
     std::string name;
-    std::function<Figure(double, double)> draw;
+    std::function<Figure(double room_x, double room_y, double coarsest)> draw;
 };
 
 std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
     std::vector<Choice> all;
-    all.push_back({"mechanism", [&context](double x, double y) {
+    all.push_back({"mechanism", [&context](double x, double y, double) {
                        return context.solution.act_of_motion ? act_of_motion_figure(context, x, y)
                                                              : mechanism_figure(context, x, y, false);
                    }});
@@ -49,7 +49,7 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
     const std::vector<Choice> all = choices(context, wanted);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
     if (found == all.end()) return std::nullopt;
-    Figure figure = found->draw(2 * format.measure + gap, tallest);
+    Figure figure = found->draw(2 * format.measure + gap, tallest, any_scale);
     const Box box = box_of(figure.marks);
     figure.move(margin - box.min.x, margin - box.min.y);
     Page page;

@@ -15,6 +15,7 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double least_run = 16;       // of free height worth a text column
+constexpr double hope_is_short_by = 0.05;  // of what a figure may be worth more than was hoped
 constexpr double overflow_price = 10;  // of a figure that its cell cannot hold: more than any size is worth
 
 double caption_height(const Wanted& wanted, double width) { return wanted.caption_width > width ? 11 : 7; }
@@ -25,13 +26,44 @@ public:
         : context_(context), format_(format), wanted_(figures) {}
 
     FigurePages place(double text_area) {
-        place_all(text_area);
+        wanted_.force_scale.reset();
+        place_from(0, text_area);
+        constexpr int most_rounds = 5;
+        for (int round = 0; round < most_rounds && !of_one_force_scale(); ++round) {
+            take_back_forces();
+            place_from(wanted_.first_of_forces, text_area);
+        }
         return std::move(result_);
     }
 
 private:
-    void place_all(double text_area) {
-        for (std::size_t first = 0; first < wanted_.list.size();) {
+    /// Triangles and closed polygon have one scale: the smaller drawing's. Where they have not, the next round takes that.
+    bool of_one_force_scale() {
+        double least = 1e300, most = 0;
+        for (std::size_t i = 0; i < wanted_.list.size(); ++i)
+            if (wanted_.list[i].to_force_scale) {
+                least = std::min(least, result_.drawn[i].scale);
+                most = std::max(most, result_.drawn[i].scale);
+            }
+        if (most <= least * (1 + 1e-9)) return true;
+        wanted_.force_scale = most;
+        for (Wanted& wanted : wanted_.list)
+            if (wanted.to_force_scale)
+                wanted.drawn.erase(std::remove_if(wanted.drawn.begin(), wanted.drawn.end(),
+                                                  [&](const Wanted::Drawn& each) { return each.figure.scale < most; }),
+                                   wanted.drawn.end());
+        return false;
+    }
+    void take_back_forces() {
+        const std::size_t first = wanted_.first_of_forces;
+        result_.drawn.erase(result_.drawn.begin() + static_cast<std::ptrdiff_t>(first), result_.drawn.end());
+        result_.sheets.erase(result_.sheets.begin() + static_cast<std::ptrdiff_t>(result_.force_page), result_.sheets.end());
+        result_.unplaced.erase(result_.unplaced.lower_bound(first), result_.unplaced.end());
+    }
+
+    /// All figures from one on that begins a page.
+    void place_from(std::size_t first, double text_area) {
+        while (first < wanted_.list.size()) {
             std::size_t together = 1;  // up to where a new page is wanted
             while (first + together < wanted_.list.size() && !wanted_.list[first + together].starts_page) ++together;
             std::size_t most = first > 0 ? std::max<std::size_t>(most_on_first_page(format_), 4) : most_on_first_page(format_);
@@ -95,10 +127,21 @@ private:
             if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
             Outcome outcome;
             outcome.value = 0;
-            bool smaller = false;
-            for (std::size_t i = 0; i < count; ++i) {
+            bool smaller = false, of_use = true;
+            double hoped = best.value;  // of those that are not drawn yet
+            for (std::size_t i = 0; i < count && of_use; ++i) {
                 Wanted& wanted = wanted_.list[first + i];
-                const bool held = fill_cell(outcome.sheet, wanted, first + i, best.cells[i]);
+                const double hoped_here = worth(wanted, best.cells[i], wanted_.force_scale);
+                hoped -= hoped_here;
+                const double needed = chosen.value - outcome.value - hoped - hope_is_short_by * static_cast<double>(count - i);
+                const Filled filled = fill_cell(outcome.sheet, wanted, first + i, best.cells[i], coarsest_worth(wanted, needed));
+                if (filled == Filled::not_at_all) {
+                    of_use = false;
+                    smaller = true;
+                    enlarge_rim(wanted);
+                    continue;
+                }
+                const bool held = filled == Filled::within;
                 const bool missed = misses(wanted, result_.drawn.back()) || !held;
                 outcome.missed = outcome.missed || missed;
                 double size = 0;
@@ -109,10 +152,9 @@ private:
                            (missed ? 3 : 0);
                 if (!held) size -= overflow_price;
                 outcome.value += size;
-                if (!wanted.empty && size < worth(wanted, best.cells[i], wanted_.force_scale) - 0.05) {
+                if (!wanted.empty && size < hoped_here - 0.05) {
                     smaller = true;
-                    wanted.rim_x += 8;
-                    wanted.rim_y += 8;
+                    enlarge_rim(wanted);
                 }
             }
             outcome.drawn.assign(std::make_move_iterator(result_.drawn.begin() + drawn_before),
@@ -121,21 +163,46 @@ private:
             outcome.unplaced = std::move(result_.unplaced);
             outcome.cells = best.cells;
             result_.unplaced = unplaced_before;
-            if (outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+            if (of_use && outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
             if (!smaller) break;
         }
         return chosen;
     }
 
-    /// Whether the cell holds the figure.
-    bool fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell) {
+    static void enlarge_rim(Wanted& wanted) {
+        wanted.rim_x += 8;
+        wanted.rim_y += 8;
+    }
+
+    /// The coarsest scale at which a figure is worth as much as is needed.
+    static double coarsest_worth(const Wanted& wanted, double needed) {
+        if (wanted.empty || wanted.fills || wanted.asked || wanted.items > 1 || needed < -0.5 * overflow_price) return any_scale;
+        const double extent = std::max(wanted.extent_x, wanted.extent_y);
+        // The size that is worth it, by halving.
+        double least = 1e-3, enough = 1e4;
+        if (wanted.weight * use_of(enough) < needed) return 0;
+        for (int i = 0; i < 40; ++i) {
+            const double size = std::sqrt(least * enough);
+            (wanted.weight * use_of(size) < needed ? least : enough) = size;
+        }
+        return extent / enough;
+    }
+
+    enum class Filled { within, beyond, not_at_all };
+
+    /// How the cell holds the figure; not at all where it would have to be drawn coarser than `coarsest`.
+    Filled fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell, double coarsest) {
         const int number = static_cast<int>(result_.drawn.size()) + 1;
         Box room = rectangle(cell.min.x, cell.min.y + caption_height(wanted, cell.width()), cell.max.x, cell.max.y);
-        Figure figure = wanted.drawn_into(room.width(), room.height());
+        Figure figure = wanted.drawn_into(room.width(), room.height(), coarsest);
+        if (figure.scale > coarsest) return Filled::not_at_all;
         // Captions of a row of figures share a baseline; a long one takes what it needs.
         std::vector<Mark> caption;
         room.min.y = std::max(room.min.y, cell.min.y + set_caption(caption, context_, figure, number, cell.min, cell.width()));
-        if (figure.box.height() > room.height()) figure = wanted.drawn_into(room.width(), room.height());
+        if (figure.box.height() > room.height()) {
+            figure = wanted.drawn_into(room.width(), room.height(), coarsest);
+            if (figure.scale > coarsest) return Filled::not_at_all;
+        }
         if (!wanted.equations.empty()) {
             const std::array<Block, 2> blocks{arranged(wanted.equations, false), arranged(wanted.equations, true)};
             if (!set_beside(sheet.marks, figure, blocks, room) && !apart(sheet, figure, wanted, blocks, room)) {
@@ -151,7 +218,7 @@ private:
         constexpr double grace = 0.01;
         const bool held = figure.box.width() <= room.width() + grace && figure.box.height() <= room.height() + grace;
         result_.drawn.push_back(std::move(figure));
-        return held;
+        return held ? Filled::within : Filled::beyond;
     }
 
     /// The room divided between equations and figure, whichever way leaves the figure larger.
@@ -180,8 +247,9 @@ private:
         }
         // A polygon three steps smaller is no fair price: then the equations stand with the steps.
         if (!best || scale > 3 * figure.scale) return false;
-        Figure smaller = wanted.drawn_into(best->figure_room.width(), best->figure_room.height());
-        if (smaller.scale > 3 * figure.scale || smaller.box.width() > best->figure_room.width() ||
+        const double coarsest = 3 * figure.scale;
+        Figure smaller = wanted.drawn_into(best->figure_room.width(), best->figure_room.height(), coarsest);
+        if (smaller.scale > coarsest || smaller.box.width() > best->figure_room.width() ||
             smaller.box.height() > best->figure_room.height())
             return false;
         figure = std::move(smaller);
@@ -246,24 +314,7 @@ bool misses(const Wanted& wanted, const Figure& figure) {
 }
 
 FigurePages place_figures(const DrawingContext& context, const SheetFormat& format, WantedFigures& figures, double text_area) {
-    figures.force_scale.reset();
-    for (int round = 0;; ++round) {
-        FigurePages pages = FigurePlacer(context, format, figures).place(text_area);
-        // Triangles and closed polygon have one scale: the smaller drawing's.
-        double least = 1e300, most = 0;
-        for (std::size_t i = 0; i < figures.list.size(); ++i)
-            if (figures.list[i].to_force_scale) {
-                least = std::min(least, pages.drawn[i].scale);
-                most = std::max(most, pages.drawn[i].scale);
-            }
-        if (most <= least * (1 + 1e-9) || round == 5) return pages;
-        figures.force_scale = most;
-        for (Wanted& wanted : figures.list)
-            if (wanted.to_force_scale)
-                wanted.drawn.erase(std::remove_if(wanted.drawn.begin(), wanted.drawn.end(),
-                                                  [&](const Wanted::Drawn& each) { return each.figure.scale < most; }),
-                                   wanted.drawn.end());
-    }
+    return FigurePlacer(context, format, figures).place(text_area);
 }
 
 }  // namespace kinegraph::render

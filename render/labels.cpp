@@ -867,6 +867,16 @@ private:
 
 }  // namespace
 
+double room_of_names(const Figure& figure, const Fonts& fonts) {
+    constexpr double air = 2 * label_gap;
+    double sum = 0;
+    for (const LabelRequest& request : figure.labels) {
+        const ShapedLine shaped = fonts.shape(request.text, request.size);
+        sum += (shaped.width + air) * (shaped.ascent + shaped.descent + air);
+    }
+    return sum;
+}
+
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling) {
     if (figure.labels.empty()) return true;
     const Ground ground(figure.marks, fonts);

@@ -88,7 +88,8 @@ struct Shows {
     std::optional<Symbol::Letter> turnings{};
 };
 
-Figure figure_of_mechanism(const DrawingContext& context, double room_x, double room_y, const Shows& shows) {
+Figure figure_of_mechanism(const DrawingContext& context, double room_x, double room_y, const Shows& shows,
+                           double coarsest = any_scale) {
     const bool with_centres = shows.centres;
     const Subject subject(context.solution);
     const std::optional<double> asked = asked_scale(context.solution.mechanism, "mechanism");
@@ -106,7 +107,7 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
-    return fitted_figure(first, asked.has_value(), room_x, room_y, [&](double scale, bool last, bool strict) -> Figure {
+    return fitted_figure(first, asked.has_value(), room_x, room_y, coarsest, [&](double scale, bool last, bool strict) -> Figure {
         const auto with_dimensions = [&](Dimensions dimensions, const std::set<std::string>& left_out) {
             Sketch sketch(subject, context, scale, "");
             sketch.draw_drivers();
@@ -143,8 +144,8 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
 
 }  // namespace
 
-Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres) {
-    return figure_of_mechanism(context, room_x, room_y, {with_centres});
+Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres, double coarsest) {
+    return figure_of_mechanism(context, room_x, room_y, {with_centres}, coarsest);
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
@@ -184,7 +185,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
     const std::optional<double> asked = asked_scale(solution.mechanism, "body");
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    return fitted_figure(first, false, room_x, room_y, [&](double scale, bool last, bool strict) {
+    return fitted_figure(first, false, room_x, room_y, any_scale, [&](double scale, bool last, bool strict) {
         Sketch sketch(subject, context, scale, "velocities-");
         sketch.draw_in_grey();
         const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);

@@ -377,7 +377,7 @@ double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std
 
 }  // namespace
 
-Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y) {
+Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest) {
     KG_ASSERT(polygon >= 0 && static_cast<std::size_t>(polygon) < context.solution.protocol.polygons.size(),
               "a polygon of the protocol");
     const Drawing drawing(context, polygon);
@@ -428,11 +428,16 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
     double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
     // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
     constexpr double least_shown = 12;
-    // … and a polygon smaller than this is worth more than details beside it.
+    // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
+    constexpr double crowded = 0.17;
+    if (coarsest < any_scale && room_of_names(drawing.at(scale), context.fonts) > crowded * room_x * room_y)
+        return Figure::empty_at(any_scale);
+    // A polygon smaller than this is worth more than details beside it.
     constexpr double least_with_details = 60;
     for (;; scale = next_scale(scale)) {
         const double extent = std::max(drawing.width(), drawing.height());
         const bool last = extent / next_scale(scale) < least_shown;
+        if (scale > coarsest || (last && coarsest < any_scale)) return Figure::empty_at(any_scale);
         const Attempt made = attempt(scale);
         Figure figure = drawing.with_parts(made.empty, made.parts, {});
         if (!last && !fits(figure, 0.4 * label_reach)) continue;

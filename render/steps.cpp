@@ -371,7 +371,7 @@ private:
             return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha, room_x,
                                            room_y);
         for (Wanted& wanted : wanted_.list)
-            if (wanted.name == name) return wanted.draw(room_x, room_y);
+            if (wanted.name == name) return wanted.draw(room_x, room_y, any_scale);
         if (solution_.act_of_motion) return act_of_motion_figure(context, room_x, room_y);
         return mechanism_figure(context, room_x, room_y, false);
     }

@@ -17,7 +17,7 @@ bool has_motion(const Solution& solution) {
 }
 bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
 
-const Figure& Wanted::drawn_into(double room_x, double room_y) {
+const Figure& Wanted::drawn_into(double room_x, double room_y, double coarsest) {
     constexpr double air = 16;
     // Not even without lettering; what fills its room, or stands in rows, has no such bound.
     const bool bounded = !fills && !empty && !asked && items == 1 && std::max(extent_x, extent_y) > 0;
@@ -31,7 +31,12 @@ const Figure& Wanted::drawn_into(double room_x, double room_y) {
              ((each.room_x >= room_x && each.room_y >= room_y) || (at_ease && each.figure.scale <= largest))))
             return each.figure;
     }
-    drawn.push_back({room_x, room_y, draw(room_x, room_y)});
+    Figure figure = draw(room_x, room_y, coarsest);
+    if (figure.scale > coarsest) {
+        too_coarse = std::move(figure);
+        return too_coarse;
+    }
+    drawn.push_back({room_x, room_y, std::move(figure)});
     return drawn.back().figure;
 }
 
@@ -54,7 +59,7 @@ WantedFigures::WantedFigures(const DrawingContext& context, double measure, bool
     const auto add_late = [&](const char* name, auto draw) {
         late.emplace_back();
         late.back().name = name;
-        late.back().draw = [this, draw](double x, double y) { return draw(context_, x, y); };
+        late.back().draw = [this, draw](double x, double y, double) { return draw(context_, x, y); };
     };
     if (has_velocities(context.solution)) add_late("velocities", velocities_on_mechanism);
     if (has_circle(context.solution)) add_late("circle-diagram", circle_diagram);
@@ -80,7 +85,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     mechanism.caption_width = 95;
     mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
     mechanism.starts_page = true;
-    mechanism.draw = [this](double x, double y) {
+    mechanism.draw = [this](double x, double y, double) {
         Figure figure = mechanism_with_forces(context_, x, y);
         if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
         return mechanism_with_forces(unscaled(), x, y);
@@ -97,7 +102,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
             if (!wanted.asked) wanted.asked = asked(other, si);
         wanted.to_force_scale = true;
         const std::optional<double> scale = wanted.asked;
-        wanted.draw = [this, draw, scale](double x, double y) {
+        wanted.draw = [this, draw, scale](double x, double y, double) {
             const bool fixed = scale && !force_scale;
             return draw(x, y, fixed ? scale : force_scale, fixed);
         };
@@ -135,7 +140,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
         body.fills = true;
         body.weight = box.width() + box.height() > 0 ? 1 : 0.4;
         body.starts_page = first;
-        body.draw = [this, i](double x, double y) { return free_body_figure(context_, i, x, y); };
+        body.draw = [this, i](double x, double y, double) { return free_body_figure(context_, i, x, y); };
         first = false;
         list.push_back(std::move(body));
     }
@@ -149,7 +154,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
         wanted.rim_x = 40;  // forces on either side
         wanted.rim_y = 40 + 0.6 * lever_table.height;
         wanted.weight = 1.3;
-        wanted.draw = [this](double x, double y) { return lever_with_table(x, y); };
+        wanted.draw = [this](double x, double y, double) { return lever_with_table(x, y); };
         lever = list.size();
         list.push_back(std::move(wanted));
     }
@@ -222,15 +227,15 @@ void WantedFigures::collect_motion() {
     mechanism.caption_width = 95;
     // Its symbols and letters do not shrink with it: drawn small, it is crowded.
     mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
-    const auto draw = [](const DrawingContext& context, double x, double y) {
+    const auto draw = [](const DrawingContext& context, double x, double y, double coarsest) {
         if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
-        return mechanism_figure(context, x, y, !context.solution.centres.empty());
+        return mechanism_figure(context, x, y, !context.solution.centres.empty(), coarsest);
     };
-    mechanism.draw = [this, draw](double x, double y) {
-        Figure figure = draw(context_, x, y);
+    mechanism.draw = [this, draw](double x, double y, double coarsest) {
+        Figure figure = draw(context_, x, y, coarsest);
         if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
         // The scale that the file asks for is too large for the paper: ours, then.
-        return draw(unscaled(), x, y);
+        return draw(unscaled(), x, y, coarsest);
     };
     list.push_back(std::move(mechanism));
 
@@ -263,7 +268,9 @@ void WantedFigures::collect_motion() {
         wanted.extent_y = std::max(max_y - min_y, 1e-30);
         wanted.asked = asked(polygon.id, si);
         if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
-        wanted.draw = [this, p](double x, double y) { return polygon_figure(context_, static_cast<int>(p), x, y); };
+        wanted.draw = [this, p](double x, double y, double coarsest) {
+            return polygon_figure(context_, static_cast<int>(p), x, y, coarsest);
+        };
         for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
             const auto& equation = protocol.statements[i].equation;
             const auto found = polygon_of.find(static_cast<int>(i));

@@ -28,7 +28,7 @@ struct Wanted {
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
     double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
     std::optional<double> asked;
-    std::function<Figure(double, double)> draw;
+    std::function<Figure(double room_x, double room_y, double coarsest)> draw;
     std::vector<Block> equations;
     bool empty = false;  ///< all its vectors are zero: a pole and names
     double weight = 1;   ///< against the other figures of the page
@@ -42,10 +42,11 @@ struct Wanted {
         Figure figure;
     };
     std::deque<Drawn> drawn;  ///< they stay where they are
+    Figure too_coarse;        ///< the last that was
 
     /// Drawn once for all rooms between the one it was drawn for and what it takes, for the scale is the largest that fits; and
-    /// for all that it fits into where no larger scale could.
-    const Figure& drawn_into(double room_x, double room_y);
+    /// for all that it fits into where no larger scale could. `coarsest`: as of figures.
+    const Figure& drawn_into(double room_x, double room_y, double coarsest = any_scale);
 };
 
 /// Their list. Not to be moved: those who draw refer to it.
