@@ -2,6 +2,7 @@
 // what such a figure shows and where its arrows stand; takes every force and place from the Solution, computes no statics.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/assert.hpp"
@@ -158,37 +159,36 @@ public:
           protocol_(context.solution.protocol),
           polygon_(protocol_.polygons[at_index(polygon)]),
           unit_(context.solution.mechanism.units.force) {
-        Exact low_x, high_x, low_y, high_y;
-        bool first = true;
+        Vector longest;
+        Exact square;
         for (const int v : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[at_index(v)];
-            for (const int corner : {vector.tail, vector.tip}) {
-                const Vector at = protocol_.point(corner).place();
-                if (first || at.x < low_x) low_x = at.x;
-                if (first || at.x > high_x) high_x = at.x;
-                if (first || at.y < low_y) low_y = at.y;
-                if (first || at.y > high_y) high_y = at.y;
-                first = false;
-            }
+            for (const int corner : {vector.tail, vector.tip}) place(corner);
             const Vector value = protocol_.value_of(vector);
-            if (along_.is_zero() || dot(along_, along_) < dot(value, value)) along_ = value;
+            values_.push_back(kinegraph::length(in_unit(value)));
+            if (Exact own = dot(value, value); longest.is_zero() || square < own) {
+                longest = value;
+                square = std::move(own);
+            }
         }
+        along_ = paper_direction(longest);
         // So thin that its sides would lie on each other.
         constexpr double thin = 0.035;
-        double below = 0, above = 0, back = 0, ahead = 0;
-        const Spot main = paper_direction(along_);
-        const double longest = std::max(kinegraph::length(along_), 1e-300);
-        for (const int v : polygon_.vectors)
-            for (const int corner : {protocol_.vectors[at_index(v)].tail, protocol_.vectors[at_index(v)].tip}) {
-                const Spot at = paper_spot(protocol_.point(corner).place() -
-                                           protocol_.point(protocol_.vectors[at_index(polygon_.vectors.front())].tail).place());
-                const double across = cross(main, at) / longest, along = dot(main, at) / longest;
-                below = std::min(below, across), above = std::max(above, across);
-                back = std::min(back, along), ahead = std::max(ahead, along);
-            }
-        flat_ = above - below < thin * (ahead - back);
-        width_ = ((high_x - low_x) / unit_.si).to_double();
-        height_ = ((high_y - low_y) / unit_.si).to_double();
+        Box box, turned_box;
+        const Spot start =
+            polygon_.vectors.empty() ? Spot{} : places_.at(protocol_.vectors[at_index(polygon_.vectors.front())].tail);
+        for (const auto& [corner, at] : places_) {
+            const Spot off = at - start, seen{dot(along_, off), cross(along_, off)};
+            box = {{std::min(box.min.x, off.x), std::min(box.min.y, off.y)},
+                   {std::max(box.max.x, off.x), std::max(box.max.y, off.y)}};
+            turned_box = {{std::min(turned_box.min.x, seen.x), std::min(turned_box.min.y, seen.y)},
+                          {std::max(turned_box.max.x, seen.x), std::max(turned_box.max.y, seen.y)}};
+        }
+        flat_ = turned_box.height() < thin * turned_box.width();
+        width_ = box.width();
+        height_ = box.height();
+        for (const kinegraph::Face& face : polygon_.faces)
+            for (const int corner : face.corners) place(corner);
     }
 
     double width() const { return width_; }
@@ -217,11 +217,10 @@ public:
         const double largest = std::max(width_, height_);
         std::vector<std::vector<Interval>> columns;
         std::set<std::string> names;
-        for (const int index : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[at_index(index)];
-            const Vector exact = protocol_.value_of(vector);
+        for (std::size_t i = 0; i < polygon_.vectors.size(); ++i) {
+            const DrawnVector& vector = protocol_.vectors[at_index(polygon_.vectors[i])];
             PolygonVector side;
-            side.value = kinegraph::length({exact.x / unit_.si, exact.y / unit_.si});
+            side.value = values_[i];
             if (!(side.value > largest * 1e-12)) continue;
             const std::string base = name_of(vector.symbol);
             side.name = base;
@@ -261,17 +260,24 @@ public:
     }
 
 private:
-    Spot spot(const Figure& figure, int element) const {
-        const Vector at = protocol_.point(element).place();
-        return {(at.x / unit_.si).to_double() / figure.scale, -(at.y / unit_.si).to_double() / figure.scale};
+    Vector in_unit(const Vector& si_value) const {
+        return unit_.si == Exact(1) ? si_value : Vector{si_value.x / unit_.si, si_value.y / unit_.si};
+    }
+    /// Each corner is turned to doubles once: the rationals are long.
+    void place(int corner) {
+        const auto [found, fresh] = places_.try_emplace(corner);
+        if (fresh) found->second = paper_spot(in_unit(protocol_.point(corner).place()));
+    }
+    Spot spot(const Figure& figure, int corner) const {
+        const Spot at = places_.at(corner);
+        return {at.x / figure.scale, at.y / figure.scale};
     }
 
     /// Sides of one direction would lie on each other: each goes into the first column beside that is free there.
     Spot displaced(std::vector<std::vector<Interval>>& columns, Spot tail, Spot tip) const {
         if (!flat_) return {0, 0};
         constexpr double pitch = 3.4;
-        const Spot along = paper_direction(along_);
-        const double a = dot(tail, along), b = dot(tip, along);
+        const double a = dot(tail, along_), b = dot(tip, along_);
         const Interval taken{std::min(a, b), std::max(a, b)};
         std::size_t column = 0;
         for (; column < columns.size(); ++column)
@@ -280,14 +286,16 @@ private:
                 break;
         if (column == columns.size()) columns.emplace_back();
         columns[column].push_back(taken);
-        return (pitch * static_cast<double>(column)) * turned(along);
+        return (pitch * static_cast<double>(column)) * turned(along_);
     }
 
     const DrawingContext& context_;
     const Protocol& protocol_;
     const Polygon& polygon_;
     const Unit& unit_;
-    Vector along_;
+    std::map<int, Spot> places_;  // of corners, in the unit of force, y downwards
+    std::vector<double> values_;  // of the polygon's vectors
+    Spot along_;                  // the longest
     bool flat_ = true;
     double width_ = 0, height_ = 0;
 };
@@ -317,12 +325,11 @@ class Rows {
 public:
     Rows(const DrawingContext& context, bool with_tables) : context_(context) {
         for (const int polygon : shown_polygons(context.solution)) {
-            Item item{polygon, {}, {}};
+            Item item{polygon, ForcePolygon(context, polygon), {}, nullptr};
             for (const FreeBody& body : context.solution.free_bodies)
                 if (body.polygon == polygon) {
                     item.body = &body;
-                    if (with_tables && !ForcePolygon(context, polygon).flat())
-                        item.table = force_equation_block(context, body, false);
+                    if (with_tables && !item.drawing.flat()) item.table = force_equation_block(context, body, false);
                 }
             items_.push_back(std::move(item));
         }
@@ -331,11 +338,15 @@ public:
     bool has_tables() const {
         return std::any_of(items_.begin(), items_.end(), [](const Item& item) { return item.table.width > 0; });
     }
+    Rows without_tables() const {
+        Rows plain = *this;
+        for (Item& item : plain.items_) item.table = {};
+        return plain;
+    }
     double least_scale(double room_x, double room_y) const {
         double most = 0;
         for (const Item& item : items_) {
-            const ForcePolygon polygon(context_, item.polygon);
-            most = std::max({most, polygon.width() / room_x, polygon.height() / room_y});
+            most = std::max({most, item.drawing.width() / room_x, item.drawing.height() / room_y});
         }
         return most > 0 ? choose_scale(most, 0, 1, 1, std::nullopt) : 1;
     }
@@ -358,11 +369,10 @@ private:
         std::size_t letters = 0;
         std::vector<Spot> sizes;
         for (const Item& item : items_) {
-            const ForcePolygon polygon(context_, item.polygon);
-            const Figure empty = polygon.empty_at(scale);
-            parts.push_back(polygon.parts_of(empty));
+            const Figure empty = item.drawing.empty_at(scale);
+            parts.push_back(item.drawing.parts_of(empty));
             details.push_back(with_details ? details_of(parts.back(), scale, 1, letters) : std::vector<Detail>{});
-            figures.push_back(polygon.with_parts(empty, parts.back(), details.back()));
+            figures.push_back(item.drawing.with_parts(empty, parts.back(), details.back()));
             sizes.push_back(size_of(item, figures.back(), 0.4 * label_reach, head));
         }
         if (with_details && letters == 0) return std::nullopt;
@@ -388,8 +398,7 @@ private:
         all.scale = scale;
         all.unit = context_.solution.mechanism.units.force.symbol;
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
-            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 &&
-                   !ForcePolygon(context_, item.polygon).flat();
+            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat();
         });
         const std::string key = items_.size() == 1 ? (triangles ? "force triangle" : "force polygon")
                                                    : (triangles ? "force triangles" : "force polygons");
@@ -443,6 +452,7 @@ private:
 
     struct Item {
         int polygon = -1;
+        ForcePolygon drawing;
         Block table;
         const FreeBody* body = nullptr;
     };
@@ -647,7 +657,7 @@ Box extent_of_forces(const Solution& solution, int polygon) {
 
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed,
                              bool tables) {
-    const Rows with_tables(context, tables), plain_rows(context, false);
+    const Rows with_tables(context, tables), plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
     if (fixed && least) {
         if (auto figure = with_tables.at(*least, room_x, room_y, false)) return std::move(*figure);
