@@ -18,13 +18,12 @@ namespace {
 class SectionWriter {
 public:
     SectionWriter(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
-                  const FigurePages& pages, bool force_equations)
+                  const FigurePages& pages)
         : context_(context),
           solution_(context.solution),
           format_(format),
           wanted_(figures),
-          pages_(pages),
-          force_equations_(force_equations) {}
+          pages_(pages) {}
 
     std::vector<Section> write() {
         write_sections();
@@ -198,7 +197,6 @@ private:
 
     /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.
     void add_force_equation(Section& section, const Message& message, std::set<BodyIndex>& told) const {
-        if (!force_equations_) return;
         if (message.sentence != Sentence::triangle && message.sentence != Sentence::triangle_at &&
             message.sentence != Sentence::single_reaction && message.sentence != Sentence::culmann &&
             message.sentence != Sentence::culmann_line)
@@ -217,6 +215,7 @@ private:
             if (block.width == 0 || block.width > format_.measure - 6) continue;
             move(block.marks, 6, 0.5);
             block.height += 2.5;
+            section.spare_rows.push_back(section.rows.size());
             section.rows.push_back(std::move(block));
         }
     }
@@ -278,7 +277,6 @@ private:
     const SheetFormat& format_;
     const WantedFigures& wanted_;
     const FigurePages& pages_;
-    bool force_equations_;
     std::vector<Section> sections_;
 };
 
@@ -300,8 +298,17 @@ double estimated_text(const Solution& s, const SheetFormat& format) {
 }
 
 std::vector<Section> write_sections(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
-                                    const FigurePages& pages, bool force_equations) {
-    return SectionWriter(context, format, figures, pages, force_equations).write();
+                                    const FigurePages& pages) {
+    return SectionWriter(context, format, figures, pages).write();
+}
+
+std::vector<Section> without_spare_rows(std::vector<Section> sections) {
+    for (Section& section : sections) {
+        for (auto row = section.spare_rows.rbegin(); row != section.spare_rows.rend(); ++row)
+            section.rows.erase(section.rows.begin() + static_cast<std::ptrdiff_t>(*row));
+        section.spare_rows.clear();
+    }
+    return sections;
 }
 
 }  // namespace kinegraph::render

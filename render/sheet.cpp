@@ -53,7 +53,8 @@ private:
             for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0, 0.0}) {
                 if (spare == 0 && !forces) continue;
                 figures_ = place_figures(context_, format_, wanted_, spare * text);
-                set_text(equations);
+                std::vector<Section> sections = write_sections(context_, format_, wanted_, figures_);
+                set_text(equations ? std::move(sections) : without_spare_rows(std::move(sections)));
                 if (sheets_.size() == figures_.sheets.size()) return true;
             }
             if (!forces) break;
@@ -62,19 +63,17 @@ private:
     }
     void on_several() {
         figures_ = place_figures(context_, format_, wanted_, 0);
-        set_text(false);
+        const std::vector<Section> text = write_sections(context_, format_, wanted_, figures_);
+        set_text(without_spare_rows(text));
         if (!has_forces(context_.solution)) return;
         // Equations with the steps are not worth a page.
         std::vector<Sheet> without = sheets_;
-        set_text(true);
+        set_text(text);
         if (sheets_.size() > without.size()) sheets_ = std::move(without);
     }
 
-    /// The figures where they are, and the text. `force_equations`: with the steps, where the figure has no room for them.
-    void set_text(bool force_equations) {
-        sheets_ = flow_text(context_, format_, wanted_, figures_,
-                            write_sections(context_, format_, wanted_, figures_, force_equations));
-    }
+    /// The figures where they are, and the text.
+    void set_text(std::vector<Section> text) { sheets_ = flow_text(context_, format_, wanted_, figures_, std::move(text)); }
 
     DrawingContext context_;
     SheetFormat format_;
