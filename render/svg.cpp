@@ -1,6 +1,5 @@
 // A Page as SVG 1.1, a tree built with pugixml, one item a line. Each outline stands once, in <defs>, under an id that names
 // face, glyph and size, so that sheets put into one HTML page do not mix theirs up. Decides nothing about the drawing.
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -26,10 +25,11 @@ void append_number(std::string& out, double value, int digits) {
         out += '0';
         return;
     }
-    if (rest < 0) {
-        out += '-';
-        rest = -rest;
-    }
+    // Built from its end, and added as one.
+    char text[32];
+    char* first = text + sizeof text;
+    const bool negative = rest < 0;
+    if (negative) rest = -rest;
     if (digits >= 4 && rest % 10000 == 0) {
         rest /= 10000;
         digits -= 4;
@@ -38,20 +38,14 @@ void append_number(std::string& out, double value, int digits) {
         rest /= 10;
         --digits;
     }
-    char text[24];
-    const auto end = std::to_chars(text, text + sizeof text, rest).ptr;
-    const auto length = static_cast<int>(end - text);
-    if (digits == 0) {
-        out.append(text, end);
-    } else if (length > digits) {
-        out.append(text, end - digits);
-        out += '.';
-        out.append(end - digits, end);
-    } else {
-        out += "0.";
-        out.append(static_cast<std::size_t>(digits - length), '0');
-        out.append(text, end);
+    if (digits > 0) {
+        for (; digits > 0; --digits, rest /= 10) *--first = static_cast<char>('0' + rest % 10);
+        *--first = '.';
     }
+    do *--first = static_cast<char>('0' + rest % 10);
+    while ((rest /= 10) != 0);
+    if (negative) *--first = '-';
+    out.append(first, text + sizeof text);
 }
 
 constexpr int drawn_digits = 8;    // of what is measured
