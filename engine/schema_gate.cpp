@@ -17,13 +17,17 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The schema without what is for readers and editors only, or not for std::regex.
+/// Takes away what is for readers and editors only, or not for std::regex.
+void strip(Json& part) {
+    if (part.is_object())
+        for (const char* key : {"description", "pattern", "examples"}) part.erase(key);
+    for (Json& inner : part)
+        if (inner.is_structured()) strip(inner);
+}
 Json schema_document() {
-    const auto wanted = [](int /*depth*/, Json::parse_event_t event, Json& parsed) {
-        return event != Json::parse_event_t::key || (parsed != "description" && parsed != "pattern" && parsed != "examples");
-    };
-    Json document = Json::parse(mechanism_schema_text, wanted, false);
+    Json document = Json::parse(mechanism_schema_text, nullptr, false);
     KG_ASSERT(document.is_object(), "the built-in schema is JSON");
+    strip(document);
     return document;
 }
 

@@ -14,9 +14,9 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double least_run = 16;       // of free height worth a text column
+constexpr double least_run = 16;           // of free height worth a text column
 constexpr double hope_is_short_by = 0.05;  // of what a figure may be worth more than was hoped
-constexpr double overflow_price = 10;  // of a figure that its cell cannot hold: more than any size is worth
+constexpr double overflow_price = 10;      // of a figure that its cell cannot hold: more than any size is worth
 
 double caption_height(const Wanted& wanted, double width) { return wanted.caption_width > width ? 11 : 7; }
 
@@ -122,8 +122,8 @@ private:
         for (int round = 0; round < 4; ++round) {
             Split best;
             for (const Box& each : areas)
-                for (Split& split : splits(wanted_, first, count, each, format_))
-                    if (split.value > best.value + 1e-9) best = std::move(split);
+                if (Split split = best_split(wanted_, first, count, each, format_); split.value > best.value + 1e-9)
+                    best = std::move(split);
             if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
             Outcome outcome;
             outcome.value = 0;

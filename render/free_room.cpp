@@ -28,15 +28,6 @@ void Occupancy::block(const std::vector<Spot>& spots) {
         if (x >= 0 && y >= 0 && x < columns_ && y < rows_) cells_[index(x, y)] = 1;
     }
 }
-bool Occupancy::is_free(const Box& box) const {
-    const int left = std::clamp(static_cast<int>(std::floor(box.min.x)), 0, columns_);
-    const int right = std::clamp(static_cast<int>(std::ceil(box.max.x)), 0, columns_);
-    const int top = std::clamp(static_cast<int>(std::floor(box.min.y)), 0, rows_);
-    const int bottom = std::clamp(static_cast<int>(std::ceil(box.max.y)), 0, rows_);
-    for (int y = top; y < bottom; ++y)
-        if (!is_free(y, left, right)) return false;
-    return true;
-}
 bool Occupancy::is_free(int row, int from, int to) const {
     return from >= to || std::memchr(cells_.data() + index(from, row), 1, static_cast<std::size_t>(to - from)) == nullptr;
 }
@@ -58,6 +49,28 @@ std::pair<double, double> Occupancy::longest_run(double left, double right, doub
     }
     close(end, true);
     return best;
+}
+
+FreeBoxes::FreeBoxes(const Occupancy& page)
+    : columns_(page.columns_),
+      rows_(page.rows_),
+      inked_(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0) {
+    const auto width = static_cast<std::size_t>(columns_) + 1;
+    for (std::size_t y = 1; y <= static_cast<std::size_t>(rows_); ++y) {
+        int in_row = 0;
+        for (std::size_t x = 1; x < width; ++x) {
+            in_row += page.cells_[(y - 1) * (width - 1) + x - 1];
+            inked_[y * width + x] = inked_[(y - 1) * width + x] + in_row;
+        }
+    }
+}
+bool FreeBoxes::has(const Box& box) const {
+    const auto cell = [](double at, int most) { return static_cast<std::size_t>(std::clamp(static_cast<int>(at), 0, most)); };
+    const std::size_t left = cell(std::floor(box.min.x), columns_), right = cell(std::ceil(box.max.x), columns_);
+    const std::size_t top = cell(std::floor(box.min.y), rows_), bottom = cell(std::ceil(box.max.y), rows_);
+    const auto width = static_cast<std::size_t>(columns_) + 1;
+    return inked_[bottom * width + right] - inked_[top * width + right] ==
+           inked_[bottom * width + left] - inked_[top * width + left];
 }
 
 std::vector<Spot> covered(const std::vector<Mark>& marks) {

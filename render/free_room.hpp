@@ -10,13 +10,12 @@
 
 namespace kinegraph::render {
 
-/// Where a page is inked, to a millimetre; asked for free rectangles.
+/// Where a page is inked, to a millimetre.
 class Occupancy {
 public:
     Occupancy(double width, double height);
     void block(const Box& box);
     void block(const std::vector<Spot>& spots);
-    bool is_free(const Box& box) const;
     /// The longest free run of rows over [left, right], `clear` kept on all sides, within [top, bottom].
     std::pair<double, double> longest_run(double left, double right, double top, double bottom) const;
 
@@ -25,8 +24,20 @@ private:
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
     }
+    friend class FreeBoxes;
     int columns_, rows_;
     std::vector<char> cells_;
+};
+
+/// Asked for many boxes of a page whether they are free: counts what is inked above and left of every place once.
+class FreeBoxes {
+public:
+    explicit FreeBoxes(const Occupancy& page);
+    bool has(const Box& box) const;
+
+private:
+    int columns_, rows_;
+    std::vector<int> inked_;  // a row and a column more than the page has cells
 };
 
 /// Places that marks cover, about one each millimetre; text and filled areas as their boxes.

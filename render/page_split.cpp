@@ -2,7 +2,10 @@
 #include "render/page_split.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "engine/assert.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -20,13 +23,23 @@ void compositions(int n, int parts_left, std::vector<int>& now, std::vector<std:
     }
 }
 /// Shares of a length among n, a few of them.
-std::vector<std::vector<double>> shares(std::size_t n) {
-    if (n == 1) return {{1}};
-    if (n == 2) return {{0.5, 0.5}, {0.56, 0.44}, {0.44, 0.56}, {0.62, 0.38}, {0.38, 0.62}, {0.68, 0.32}, {0.32, 0.68}};
-    if (n == 3)
-        return {{0.34, 0.33, 0.33}, {0.4, 0.3, 0.3},    {0.3, 0.4, 0.3},   {0.3, 0.3, 0.4},
-                {0.46, 0.27, 0.27}, {0.27, 0.46, 0.27}, {0.27, 0.27, 0.46}};
-    return {std::vector<double>(n, 1.0 / static_cast<double>(n))};
+using Shares = std::vector<std::vector<double>>;
+const Shares& shares(std::size_t n) {
+    static const std::array<Shares, 6> of{
+        Shares{{1}},
+        Shares{{0.5, 0.5}, {0.56, 0.44}, {0.44, 0.56}, {0.62, 0.38}, {0.38, 0.62}, {0.68, 0.32}, {0.32, 0.68}},
+        Shares{{0.34, 0.33, 0.33},
+               {0.4, 0.3, 0.3},
+               {0.3, 0.4, 0.3},
+               {0.3, 0.3, 0.4},
+               {0.46, 0.27, 0.27},
+               {0.27, 0.46, 0.27},
+               {0.27, 0.27, 0.46}},
+        Shares{std::vector<double>(4, 1.0 / 4)},
+        Shares{std::vector<double>(5, 1.0 / 5)},
+        Shares{std::vector<double>(6, 1.0 / 6)}};
+    KG_ASSERT(n >= 1 && n <= of.size(), "a page holds six figures at most");
+    return of[n - 1];
 }
 
 void cut_at_block(Box& cell, const Box& block) {
@@ -87,32 +100,31 @@ double worth(const Wanted& wanted, const Box& cell, std::optional<double> force_
                      drawn(width - 0.5 * stack_width, height - 0.25 * stack_height) - 0.1});
 }
 
-std::vector<Split> splits(const WantedFigures& figures, std::size_t first, std::size_t count, const Box& area,
-                          const SheetFormat& format) {
+Split best_split(const WantedFigures& figures, std::size_t first, std::size_t count, const Box& area, const SheetFormat& format) {
     std::vector<std::vector<int>> all;
     std::vector<int> now;
     compositions(static_cast<int>(count), 3, now, all);
-    std::vector<Split> result;
+    Split best, split;
+    std::vector<Box> cells, best_cells;  // of a part
     for (const bool transposed : {false, true})
         for (const auto& composition : all) {
             if (transposed && (composition.size() == 1 || composition.size() == count)) continue;  // met already
             for (const auto& outer : shares(composition.size())) {
                 // Every part its own best inner shares.
-                Split split;
                 split.value = 0;
+                split.cells.clear();
                 std::size_t index = first;
                 const double whole = transposed ? area.height() : area.width();
                 double at = transposed ? area.min.y : area.min.x;
                 for (std::size_t part = 0; part < composition.size(); ++part) {
                     const double extent = outer[part] * (whole - gap * static_cast<double>(composition.size() - 1));
                     const auto parts = static_cast<std::size_t>(composition[part]);
-                    std::vector<Box> best_cells;
-                    double best = -1e300;
+                    double most = -1e300;
                     for (const auto& inner : shares(parts)) {
                         const double across = (transposed ? area.width() : area.height()) - gap * static_cast<double>(parts - 1);
                         double along = transposed ? area.min.x : area.min.y;
                         double value = 0;
-                        std::vector<Box> cells;
+                        cells.clear();
                         for (std::size_t k = 0; k < parts; ++k) {
                             const double size = inner[k] * across;
                             Box cell = transposed ? rectangle(along, at, along + size, at + extent)
@@ -122,17 +134,20 @@ std::vector<Split> splits(const WantedFigures& figures, std::size_t first, std::
                             cells.push_back(cell);
                             along += size + gap;
                         }
-                        if (value > best + 1e-9) best = value, best_cells = cells;
+                        if (value > most + 1e-9) {
+                            most = value;
+                            best_cells.swap(cells);
+                        }
                     }
-                    split.value += best;
+                    split.value += most;
                     split.cells.insert(split.cells.end(), best_cells.begin(), best_cells.end());
                     at += extent + gap;
                     index += parts;
                 }
-                result.push_back(std::move(split));
+                if (split.value > best.value + 1e-9) best = split;
             }
         }
-    return result;
+    return best;
 }
 
 }  // namespace kinegraph::render

@@ -19,8 +19,7 @@ struct Split {
 double use_of(double size);
 /// How large a figure would be drawn in a cell, and what that is worth. `force_scale`: as WantedFigures has it.
 double worth(const Wanted& wanted, const Box& cell, std::optional<double> force_scale);
-/// Splits of an area among `count` figures from `first` on, none over the title block.
-std::vector<Split> splits(const WantedFigures& figures, std::size_t first, std::size_t count, const Box& area,
-                          const SheetFormat& format);
+/// The split of an area among `count` figures from `first` on that is worth most, no cell over the title block.
+Split best_split(const WantedFigures& figures, std::size_t first, std::size_t count, const Box& area, const SheetFormat& format);
 
 }  // namespace kinegraph::render

@@ -470,6 +470,7 @@ private:
         std::vector<Spot> spots = covered(figure_.marks);
         for (Spot& spot : spots) spot = spot - origin;
         occupancy.block(spots);
+        const FreeBoxes free(occupancy);
         Spot best;
         double least = 1e300;
         constexpr double step = 2;
@@ -485,7 +486,7 @@ private:
                 if (price >= least) continue;
                 const Box wanted{Spot{x - apart_from_figure, y - apart_from_figure} - origin,
                                  far + Spot{apart_from_figure, apart_from_figure} - origin};
-                if (!occupancy.is_free(wanted)) continue;
+                if (!free.has(wanted)) continue;
                 least = price;
                 best = {x, y};
             }

@@ -19,11 +19,7 @@ class SectionWriter {
 public:
     SectionWriter(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
                   const FigurePages& pages)
-        : context_(context),
-          solution_(context.solution),
-          format_(format),
-          wanted_(figures),
-          pages_(pages) {}
+        : context_(context), solution_(context.solution), format_(format), wanted_(figures), pages_(pages) {}
 
     std::vector<Section> write() {
         write_sections();

@@ -13,7 +13,8 @@ namespace kinegraph::render {
 /// mm² that the text will take, roughly: enough to choose whether it shares a page with the figures.
 double estimated_text(const Solution& solution, const SheetFormat& format);
 
-/// All sections. What is known of a body's forces stands with its step, where the figure has it not, in rows that may be left out.
+/// All sections. What is known of a body's forces stands with its step, where the figure has it not, in rows that may be left
+/// out.
 std::vector<Section> write_sections(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
                                     const FigurePages& pages);
 std::vector<Section> without_spare_rows(std::vector<Section> sections);
