@@ -285,7 +285,7 @@ private:
             plain(name_of_centre(sketch).text),
             {},
             statement_of_centre()});
-        sketch.centres.emplace_back(disc(at, 1.15, context_.theme.paper));
+        sketch.centres.emplace_back(tinted(disc(at, 1.15, context_.theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, context_.theme.text));
         sketch.centres.emplace_back(GroupEnd{});
         LabelRequest label = name_of_centre(sketch);

@@ -189,10 +189,15 @@ Path disc(Spot centre, double radius, Colour fill) {
     return path;
 }
 
-Path ring(Spot centre, double radius, Colour fill, Pen pen) {
+Path tinted(Path path) {
+    path.tinted = true;
+    return path;
+}
+
+Path ring(Spot centre, double radius, Colour tint, Pen pen) {
     Path path = circle(centre, radius, std::move(pen));
-    path.filled = true;
-    path.fill = fill;
+    path.filled = path.tinted = true;
+    path.fill = tint;
     return path;
 }
 

@@ -36,7 +36,7 @@ void Sketch::draw_alone(BodyIndex body) {
     // Once wide in the colour, once narrower in the tint: the outline of all together.
     for (const bool outside : {true, false}) {
         const Pen pen{outside ? width + 2 * edge : width, outside ? colour : tint, {}, true};
-        if (!outside && !shape.plate.empty()) bodies.emplace_back(filled(shape.plate, tint));
+        if (!outside && !shape.plate.empty()) bodies.emplace_back(tinted(filled(shape.plate, tint)));
         draw_strokes(shape, pen, bodies);
         for (const Mark& mark : profiles)
             if (is_heavy(mark)) {
@@ -252,7 +252,7 @@ public:
                 std::vector<Spot> corners;
                 for (const int corner : face.corners) corners.push_back(spot(figure, corner));
                 if (face.body > 0 && corners.size() > 2)
-                    figure.marks.emplace_back(filled(corners, context_.theme.body(face.body).tint));
+                    figure.marks.emplace_back(tinted(filled(corners, context_.theme.body(face.body).tint)));
             }
         draw_parts(figure, context_, parts, details);
         figure.box = box_of(figure.marks);

@@ -1,4 +1,4 @@
-// How the ink map is filled and asked: convex shapes as one run of bits in each row.
+// How the ink map is filled and asked: convex shapes as one run of bits in each row; paths as chords.
 #include "render/ink_map.hpp"
 
 #include <algorithm>
@@ -49,7 +49,83 @@ int count(std::uint64_t word) {
     return static_cast<int>((word * 0x0101010101010101U) >> 56);
 }
 
+constexpr double largest_dot = 3;  // radius, mm
+
+/// Goes along a path in straight pieces: begin(at) where the pen is set down, stroke(from, to) for each piece.
+template <class Begin, class Stroke>
+void go_along(const Path& path, Begin begin, Stroke stroke) {
+    Spot pen, start;
+    bool down = false;
+    const auto stroke_to = [&](Spot to) {
+        stroke(pen, to);
+        pen = to;
+    };
+    const auto set_down = [&](Spot at) {
+        pen = start = at;
+        down = true;
+        begin(at);
+    };
+    for (const Segment& segment : path.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) {
+            set_down(m->to);
+        } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+            stroke_to(l->to);
+        } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+            const Spot p0 = pen;
+            for (int i = 1; i <= 8; ++i) {
+                const double t = i / 8.0, u = 1 - t;
+                stroke_to((u * u * u) * p0 + (3 * u * u * t) * c->control_1 + (3 * u * t * t) * c->control_2 +
+                          (t * t * t) * c->to);
+            }
+        } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+            const double sweep = a->to - a->from;
+            const double step = std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
+            const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
+            for (int i = 0; i <= parts; ++i) {
+                const double angle = a->from + sweep * i / parts;
+                const Spot at = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
+                if (i == 0 && !down) set_down(at);
+                stroke_to(at);
+            }
+        } else {
+            stroke_to(start);
+        }
+    }
+}
+
 }  // namespace
+
+std::optional<InkBox> ink_of(const TextMark& text, const Fonts& fonts) {
+    Box box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const Glyph& glyph : text.glyphs) {
+        const auto add = [&](Spot spot) {
+            const Spot at = glyph.origin + glyph.size * Spot{spot.x, -spot.y};
+            box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
+                   {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
+        };
+        for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
+            if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
+            if (const auto* c = std::get_if<CurveTo>(&segment)) add(c->control_1), add(c->control_2), add(c->to);
+        }
+    }
+    if (box.min.x > box.max.x) return std::nullopt;
+    const Spot axis{std::cos(text.angle), std::sin(text.angle)}, arm = 0.5 * (box.min + box.max) - text.pivot;
+    return InkBox{text.pivot + arm.x * axis + arm.y * turned(axis), 0.5 * (box.max - box.min), axis};
+}
+
+std::vector<Spot> outline_of(const Path& path) {
+    std::vector<Spot> outline;
+    go_along(
+        path, [&](Spot at) { outline.push_back(at); }, [&](Spot /*from*/, Spot to) { outline.push_back(to); });
+    return outline;
+}
+
+bool is_dot(const Path& path) {
+    if (!path.filled || path.segments.size() != 3) return false;
+    const auto* arc = std::get_if<ArcTo>(&path.segments[1]);
+    return arc != nullptr && arc->radius <= largest_dot;
+}
 
 Spot InkBox::local(Spot spot) const {
     const Spot d = spot - centre;
@@ -107,6 +183,18 @@ void InkMap::stroke(Spot from, Spot to, double half) {
             if (left >= 0) ink_row(row, end.x - std::sqrt(left), end.x + std::sqrt(left));
         }
     }
+}
+
+void InkMap::ink(const Path& path) {
+    const double half = path.stroked ? path.pen.width / 2 : 0;
+    if (is_dot(path)) {
+        const auto& arc = std::get<ArcTo>(path.segments[1]);
+        stroke(arc.centre, arc.centre, arc.radius + half);
+        return;
+    }
+    go_along(
+        path, [](Spot /*at*/) {}, [&](Spot from, Spot to) { stroke(from, to, half); });
+    if (path.filled && !path.tinted) fill(outline_of(path));
 }
 
 void InkMap::fill(const InkBox& box) {

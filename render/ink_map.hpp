@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/figure.hpp"
@@ -19,6 +20,13 @@ struct InkBox {
     InkBox grown(double margin) const { return {centre, {half.x + margin, half.y + margin}, axis}; }
 };
 
+/// Where the letters of a text have their ink, in the box that its turn carries along; nothing where it has no letters.
+std::optional<InkBox> ink_of(const TextMark& text, const Fonts& fonts);
+/// The corners of a path, its curves cut into chords that are 0.05 mm off at most for arcs.
+std::vector<Spot> outline_of(const Path& path);
+/// A disc no larger than a pin's, a balloon's or a dot's: the map has all of it as ink, whatever it is filled with.
+bool is_dot(const Path& path);
+
 class InkMap {
 public:
     static constexpr double pitch = 0.2;  ///< mm, of a bit; coarser for drawings larger than half a metre
@@ -29,6 +37,8 @@ public:
     /// Ink within `half` of the segment.
     void stroke(Spot from, Spot to, double half);
     void fill(const InkBox& box);
+    /// What a path inks: its stroke, and its fill unless that is a tint. A tint's edge is ink.
+    void ink(const Path& path);
     /// Takes all ink away that may lie in an upright box.
     void clear(const Box& box);
     /// The inside of a polygon, by the even-odd rule.

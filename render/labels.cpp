@@ -112,8 +112,8 @@ public:
     }
 
     bool is_free(const InkBox& box) const { return !map_.touches(box.grown(ink_margin)); }
-    /// No ink under it, however near.
-    bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.1)); }
+    /// No ink under it, however near. Grown so far that a corner which reaches into a slanting stroke does not slip between bits.
+    bool is_bare(const InkBox& box) const { return !map_.touches(box.grown(0.7 * InkMap::pitch)); }
     /// Whether a leader there would run over letters that are drawn already.
     bool covers_text(const InkBox& thread) const {
         return std::any_of(texts_.begin(), texts_.end(),
@@ -132,83 +132,24 @@ public:
 
 private:
     void add(const Path& path) {
-        const double half = path.stroked ? path.pen.width / 2 : 0;
-        // Pins, dots and balloons: one disc.
-        if (path.filled && path.segments.size() == 3)
-            if (const auto* arc = std::get_if<ArcTo>(&path.segments[1]); arc && arc->radius <= 3) {
-                map_.stroke(arc->centre, arc->centre, arc->radius + half);
-                return;
-            }
-        outline_.clear();
-        Spot pen, start;
-        const auto stroke_to = [&](Spot to) {
-            map_.stroke(pen, to, half);
-            outline_.push_back(to);
-            pen = to;
-        };
-        for (const Segment& segment : path.segments) {
-            if (const auto* m = std::get_if<MoveTo>(&segment)) {
-                pen = start = m->to;
-                outline_.push_back(pen);
-            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
-                stroke_to(l->to);
-            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
-                const Spot p0 = pen;
-                for (int i = 1; i <= 8; ++i) {
-                    const double t = i / 8.0, u = 1 - t;
-                    stroke_to((u * u * u) * p0 + (3 * u * u * t) * c->control_1 + (3 * u * t * t) * c->control_2 +
-                              (t * t * t) * c->to);
-                }
-            } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
-                const double sweep = a->to - a->from;
-                const double step = std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
-                const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
-                for (int i = 0; i <= parts; ++i) {
-                    const double angle = a->from + sweep * i / parts;
-                    const Spot at = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
-                    if (i == 0 && outline_.empty()) pen = start = at;
-                    stroke_to(at);
-                }
-            } else {
-                stroke_to(start);
-            }
-        }
-        if (!path.filled || outline_.size() < 3) return;
-        const int light = std::min({path.fill.red, path.fill.green, path.fill.blue});
-        if (light < 0xC0) {
-            map_.fill(outline_);
-            return;
-        }
-        Area area{outline_, nowhere};
+        map_.ink(path);
+        if (!path.filled || !path.tinted || is_dot(path)) return;
+        Area area{outline_of(path), nowhere};
+        if (area.corners.size() < 3) return;
         for (const Spot& spot : area.corners) enlarge(area.box, spot);
         areas_.push_back(std::move(area));
     }
 
     void add(const TextMark& text, const Fonts& fonts) {
-        Box box = nowhere;
-        for (const Glyph& glyph : text.glyphs)
-            for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
-                const auto add = [&](Spot s) {
-                    enlarge(box, Spot{glyph.origin.x + glyph.size * s.x, glyph.origin.y - glyph.size * s.y});
-                };
-                if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
-                if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
-                if (const auto* c = std::get_if<CurveTo>(&segment)) add(c->control_1), add(c->control_2), add(c->to);
-            }
-        if (box.min.x > box.max.x) return;
-        InkBox ink{0.5 * (box.min + box.max), 0.5 * (box.max - box.min), {1, 0}};
-        const double c = std::cos(text.angle), s = std::sin(text.angle);
-        const Spot arm = ink.centre - text.pivot;
-        ink.centre = text.pivot + Spot{arm.x * c - arm.y * s, arm.x * s + arm.y * c};
-        ink.axis = {c, s};
-        map_.fill(ink.grown(label_gap - ink_margin));
-        texts_.push_back(ink);
+        if (const auto ink = ink_of(text, fonts)) {
+            map_.fill(ink->grown(label_gap - ink_margin));
+            texts_.push_back(*ink);
+        }
     }
 
     InkMap map_;
     std::vector<Area> areas_;
     std::vector<InkBox> texts_;
-    std::vector<Spot> outline_;  // of the path at hand
 };
 
 /// A place a label may take.
@@ -239,7 +180,7 @@ struct Places {
     Box span = nowhere;              // what all of them take
 };
 
-/// How far the ink of a line reaches beyond its ends by more than the margin forgives: f and j lean out of their widths.
+/// How far the ink of a line reaches beyond its ends: f and J lean out of their widths.
 double overhang_of(const ShapedLine& line, const Fonts& fonts) {
     double out = 0;
     const auto look_at = [&](double x) { out = std::max({out, -x, x - line.width}); };
@@ -250,8 +191,7 @@ double overhang_of(const ShapedLine& line, const Fonts& fonts) {
                 if (const auto* l = std::get_if<LineTo>(&segment)) look_at(glyph.origin.x + glyph.size * l->to.x);
                 if (const auto* c = std::get_if<CurveTo>(&segment)) look_at(glyph.origin.x + glyph.size * c->to.x);
             }
-    constexpr double forgiven = 0.3;
-    return std::max(0.0, out - forgiven);
+    return out;
 }
 
 class Placing {
@@ -311,8 +251,7 @@ public:
     std::vector<std::size_t> placeless() const {
         std::vector<bool> gone(requests_.size());
         for (std::size_t i = 0; i < requests_.size(); ++i)
-            gone[i] = (strict_ && leaves_the_room(chosen_[i])) ||
-                      !ground_.is_bare(chosen_[i].box.grown(requests_[i].balloon > 0 ? 0.2 : 0)) ||
+            gone[i] = (strict_ && leaves_the_room(chosen_[i])) || !ground_.is_bare(inked(i, chosen_[i].box)) ||
                       (chosen_[i].leader && ground_.covers_text(chosen_[i].thread));
         std::vector<std::vector<std::size_t>> met(requests_.size());
         for (std::size_t i = 0; i < requests_.size(); ++i)
@@ -338,12 +277,20 @@ public:
 
 private:
     static constexpr double least_gain = 1e-6;
+    static constexpr double forgiven = 0.3;  // of what leans out of a box: the margin has room for it
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     InkBox box_at(std::size_t i, Spot centre, Spot axis) const {
         if (const double r = requests_[i].balloon; r > 0) return {centre, {r, r}, axis};
         const ShapedLine& s = shaped_[i];
-        return {centre, {s.width / 2 + overhang_[i], (s.ascent + s.descent) / 2}, axis};
+        return {centre, {s.width / 2 + std::max(0.0, overhang_[i] - forgiven), (s.ascent + s.descent) / 2}, axis};
+    }
+    /// The box of all ink of a label that stands in a box: what leans out of it, the pen of the circle round a number.
+    InkBox inked(std::size_t i, InkBox box) const {
+        constexpr double pen = 0.2;
+        if (requests_[i].balloon > 0) return box.grown(pen);
+        box.half.x += std::min(overhang_[i], forgiven);
+        return box;
     }
     bool beside_line(std::size_t i) const {
         return requests_[i].toward && length(*requests_[i].toward - requests_[i].anchor) > 0;

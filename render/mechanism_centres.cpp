@@ -257,9 +257,9 @@ private:
             std::vector<Mark>& marks = sketch_.centres;
             marks.emplace_back(group(d));
             // On a stroke the dot stands in a white ring, or a dark link would swallow it.
-            if (!pin_there && sketch_.crowding(at, at) > 0) marks.emplace_back(disc(at, 1.15, theme.paper));
+            if (!pin_there && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
             if (at_pin && is_primary(d))
-                marks.emplace_back(disc(at, 0.6 * sketch_.pin_radius_, theme.paper));
+                marks.emplace_back(tinted(disc(at, 0.6 * sketch_.pin_radius_, theme.paper)));
             else
                 marks.emplace_back(disc(at, at_pin ? 0.55 : 0.8, theme.text));
             marks.emplace_back(GroupEnd{});

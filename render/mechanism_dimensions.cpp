@@ -419,46 +419,6 @@ struct DimensionPath {
     std::string dimension;
 };
 
-/// The ink of a text, in the box that its turn carries along.
-InkBox ink_of(const TextMark& text, const Fonts& fonts) {
-    Box box{{1e300, 1e300}, {-1e300, -1e300}};
-    for (const Glyph& glyph : text.glyphs) {
-        const auto add = [&](Spot spot) {
-            const Spot at = glyph.origin + glyph.size * Spot{spot.x, -spot.y};
-            box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
-                   {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
-        };
-        for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
-            if (const auto* start = std::get_if<MoveTo>(&segment)) add(start->to);
-            if (const auto* straight = std::get_if<LineTo>(&segment)) add(straight->to);
-            if (const auto* curve = std::get_if<CurveTo>(&segment)) add(curve->control_1), add(curve->control_2), add(curve->to);
-        }
-    }
-    const Spot axis = polar_spot(text.angle), arm = 0.5 * (box.min + box.max) - text.pivot;
-    return {text.pivot + arm.x * axis + arm.y * Spot{-axis.y, axis.x}, 0.5 * (box.max - box.min), axis};
-}
-
-void ink(InkMap& map, const Path& path) {
-    const double half = path.stroked ? path.pen.width / 2 : 0.05;
-    Spot pen, start;
-    for (const Segment& segment : path.segments) {
-        if (const auto* move_to = std::get_if<MoveTo>(&segment)) pen = start = move_to->to;
-        if (const auto* line_to = std::get_if<LineTo>(&segment)) {
-            map.stroke(pen, line_to->to, half);
-            pen = line_to->to;
-        }
-        if (std::holds_alternative<Close>(segment)) map.stroke(pen, start, half);
-        if (const auto* arc = std::get_if<ArcTo>(&segment)) {
-            constexpr int pieces = 72;
-            const auto spot = [&](int i) {
-                return arc->centre + arc->radius * polar_spot(arc->from + (arc->to - arc->from) * i / pieces);
-            };
-            for (int i = 0; i < pieces; ++i) map.stroke(spot(i), spot(i + 1), half);
-            pen = spot(pieces);
-        }
-    }
-}
-
 }  // namespace
 
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {
@@ -479,20 +439,20 @@ std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& font
             if (dimension_depth == depth) dimension_depth = 0;
             --depth;
         }
-        if (const auto* text = std::get_if<TextMark>(&mark); text && dimension_depth > 0 && !text->glyphs.empty())
-            texts.push_back({ink_of(*text, fonts).grown(0.3), dimension});
+        if (const auto* text = std::get_if<TextMark>(&mark); text && dimension_depth > 0)
+            if (const auto ink = ink_of(*text, fonts)) texts.push_back({ink->grown(0.3), dimension});
         if (const auto* path = std::get_if<Path>(&mark)) {
             if (dimension_depth > 0)
                 paths.push_back({path, dimension});
             else
-                ink(others, *path);
+                others.ink(*path);
         }
     }
     std::set<std::string> covered;
     for (const DimensionText& text : texts) {
         InkMap of_other_dimensions(figure.box);
         for (const DimensionPath& path : paths)
-            if (path.dimension != text.dimension && !covered.contains(path.dimension)) ink(of_other_dimensions, *path.path);
+            if (path.dimension != text.dimension && !covered.contains(path.dimension)) of_other_dimensions.ink(*path.path);
         if (others.touches(text.box) || of_other_dimensions.touches(text.box)) covered.insert(text.dimension);
     }
     return covered;

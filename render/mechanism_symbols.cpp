@@ -96,7 +96,7 @@ void Sketch::draw_fixed_pin(PointIndex point) {
     const Spot across = turned(down), base = at + triangle_height_ * down;
     Path triangle = polyline({at, base + triangle_half_ * across, base - triangle_half_ * across},
                              {theme_.outline, theme_.text, {}, false}, true);
-    triangle.filled = true;
+    triangle.filled = triangle.tinted = true;
     triangle.fill = theme_.paper;
     ground.emplace_back(std::move(triangle));
     draw_wall(base + base_half_ * across, base - base_half_ * across, down);
@@ -164,7 +164,7 @@ void Sketch::draw_block(const Joint& joint, std::size_t index, std::vector<Mark>
     const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
     const Spot at = spot(joint.point), u = half * s_.guides[index], w = side * turned(s_.guides[index]);
     Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, pen_of(body, theme_.vector), true);
-    block.filled = true;
+    block.filled = block.tinted = true;
     block.fill = tint_colour(body);
     marks.emplace_back(std::move(block));
 }
@@ -175,7 +175,7 @@ void Sketch::draw_slot(const Bar& slot, BodyIndex body, std::vector<Mark>& marks
     Path path;
     path.segments = {MoveTo{slot.from + across}, ArcTo{slot.from, slot_side_, a + pi_number / 2, a + 3 * pi_number / 2},
                      LineTo{slot.to - across}, ArcTo{slot.to, slot_side_, a - pi_number / 2, a + pi_number / 2}, Close{}};
-    path.filled = true;
+    path.filled = path.tinted = true;
     path.fill = theme_.paper;
     path.stroked = true;
     path.pen = pen_of(body, theme_.vector);
@@ -193,7 +193,7 @@ void Sketch::draw_curved_slot(const Joint& joint, std::vector<Mark>& marks) {
                      ArcTo{centre, radius - slot_side_, to, from},
                      ArcTo{start, slot_side_, from + pi_number, from + 2 * pi_number},
                      Close{}};
-    path.filled = true;
+    path.filled = path.tinted = true;
     path.fill = theme_.paper;
     path.stroked = true;
     const BodyIndex body = joint.bodies[1];
@@ -268,7 +268,7 @@ void Sketch::draw_barrel(const Cylinder& cylinder, BodyIndex body, std::vector<M
     const Spot along = unit(cylinder.barrel.to - cylinder.barrel.from), w = sleeve_side_ * turned(along);
     const auto& [from, to] = cylinder.barrel;
     Path barrel = polyline({from + w, to + w, to - w, from - w}, pen_of(body, theme_.vector), true);
-    barrel.filled = true;
+    barrel.filled = barrel.tinted = true;
     barrel.fill = tint_colour(body);
     marks.emplace_back(std::move(barrel));
 }
@@ -336,7 +336,7 @@ void Sketch::draw_body(BodyIndex body, const std::vector<BodyIndex>& below) {
     std::vector<Mark> marks;
     draw_profiles(body, marks);
     draw_crossings(body, below, marks);
-    if (!shape.plate.empty() && !shape.solid) tints.emplace_back(filled(shape.plate, tint_colour(body)));
+    if (!shape.plate.empty() && !shape.solid) tints.emplace_back(tinted(filled(shape.plate, tint_colour(body))));
     draw_strokes(shape, stroke, marks);
     if (body != 0) draw_line_kind(marks, 0, 0.5 * theme_.link, theme_.body(body), theme_);
     for (const Cylinder& cylinder : cylinders_)
@@ -423,7 +423,7 @@ void Sketch::draw_dot(Spot at) {
             if (distance(at, {plate[i], plate[(i + 1) % plate.size()]}) < near) return true;
         return std::any_of(shape.bars.begin(), shape.bars.end(), [&](const Bar& bar) { return distance(at, bar) < near; });
     });
-    if (on_a_stroke) pins.emplace_back(disc(at, radius + halo, theme_.paper));
+    if (on_a_stroke) pins.emplace_back(tinted(disc(at, radius + halo, theme_.paper)));
     pins.emplace_back(disc(at, radius, theme_.text));
 }
 
@@ -514,7 +514,7 @@ void Sketch::draw_in_grey() {
             const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
             const Spot at = spot(joint.point), u = half * s_.guides[j], w = side * turned(s_.guides[j]);
             Path block = polyline({at + u + w, at + u - w, at - u - w, at - u + w}, thin, true);
-            block.filled = true;
+            block.filled = block.tinted = true;
             block.fill = theme_.paper;
             bodies.emplace_back(std::move(block));
         }

@@ -26,8 +26,8 @@ constexpr double half_space_at_root = 0.25 * pi_number - dedendum * 0.36397;  //
 constexpr double least_with_hub = 6;  // radius of a wheel with room for one, mm
 
 /// A ring-shaped area between two circles.
-Path annulus(Spot centre, double inner, double outer, Colour fill) {
-    Path path = disc(centre, outer, fill);
+Path annulus(Spot centre, double inner, double outer, Colour tint) {
+    Path path = tinted(disc(centre, outer, tint));
     path.segments.emplace_back(MoveTo{centre + Spot{inner, 0}});
     path.segments.emplace_back(ArcTo{centre, inner, 2 * pi_number, 0});
     path.segments.emplace_back(Close{});
@@ -200,7 +200,7 @@ void Sketch::draw_gear(const Rim& rim, BodyIndex body, std::vector<Mark>& marks)
     if (!fixed && !rim.hollow) {
         Path tint = contour;
         tint.stroked = false;
-        tint.filled = true;
+        tint.filled = tint.tinted = true;
         tint.fill = tint_colour(body);
         tints.emplace_back(std::move(tint));
     } else if (!fixed) {
@@ -305,7 +305,7 @@ void Sketch::draw_arc_profile(const Rim& rim, BodyIndex body, std::vector<Mark>&
         sector.segments.emplace_back(Close{});
         Path tint = sector;
         tint.stroked = false;
-        tint.filled = true;
+        tint.filled = tint.tinted = true;
         tint.fill = tint_colour(body);
         tints.emplace_back(std::move(tint));
         marks.emplace_back(std::move(sector));
@@ -330,7 +330,7 @@ void Sketch::draw_rim(const Rim& rim, BodyIndex body, std::vector<Mark>& marks) 
         marks.emplace_back(circle(rim.centre, outer, edge));
         return;
     }
-    tints.emplace_back(disc(rim.centre, rim.radius, tint_colour(body)));
+    tints.emplace_back(tinted(disc(rim.centre, rim.radius, tint_colour(body))));
     marks.emplace_back(circle(rim.centre, rim.radius, edge));
     const bool hubbed = rim.form == Rim::Form::wheel && turns_about(rim.centre, body);
     if (hubbed) draw_hub(rim, body, marks);
@@ -375,7 +375,7 @@ void Sketch::draw_rack(const Flat& flat, BodyIndex body, std::vector<Mark>& mark
     }
     contour.push_back(at(whole, behind));
     contour.push_back(at(0, behind));
-    tints.emplace_back(filled(contour, tint_colour(body)));
+    tints.emplace_back(tinted(filled(contour, tint_colour(body))));
     marks.emplace_back(polyline(contour, {0.5 * (theme_.outline + theme_.vector), line_colour(body), {}, false}, true));
 }
 

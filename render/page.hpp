@@ -64,7 +64,8 @@ struct Path {
     Colour fill;
     bool stroked = false;
     Pen pen;
-    int statement = -1;  ///< of the solution, that it is drawn by; −1: it is there from the beginning
+    int statement = -1;   ///< of the solution, that it is drawn by; −1: it is there from the beginning
+    bool tinted = false;  ///< the fill is a body's tint or the paper: no ink, letters may stand on it
 };
 
 /// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured there.

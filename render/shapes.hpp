@@ -36,8 +36,10 @@ Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed = false);
 Path filled(const std::vector<Spot>& spots, Colour fill);
 Path circle(Spot centre, double radius, Pen pen);
 Path disc(Spot centre, double radius, Colour fill);
-/// A circle filled and stroked: pins, balloons, poles.
-Path ring(Spot centre, double radius, Colour fill, Pen pen);
+/// The same, its fill a body's tint or the paper.
+Path tinted(Path path);
+/// A circle filled with a tint or the paper, and stroked: pins, balloons, poles.
+Path ring(Spot centre, double radius, Colour tint, Pen pen);
 /// Overlays the heavy strokes of `marks` (`least` wide or wider, from the mark `first` on) with the line kind of a body that has
 /// one: an edge in its colour, dashes in it on the paper's ground.
 void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme);

@@ -22,18 +22,14 @@
 namespace kinegraph::render {
 namespace {
 
+bool inks(const Path& path) { return path.stroked || (path.filled && !path.tinted); }
+
 /// A stroke or a letter in another colour; what is filled with paper or with a body's tint stays.
 struct Recolour {
-    const Theme& theme;
     Colour colour;
-    bool is_ground(Colour fill) const {
-        return fill == theme.paper ||
-               std::any_of(theme.bodies.begin(), theme.bodies.end(), [&](const BodyColour& body) { return body.tint == fill; });
-    }
-    bool inks(const Path& path) const { return path.stroked || (path.filled && !is_ground(path.fill)); }
     void operator()(Path& path) const {
         if (path.stroked) path.pen.colour = colour;
-        if (path.filled && !is_ground(path.fill)) path.fill = colour;
+        if (path.filled && !path.tinted) path.fill = colour;
     }
     void operator()(TextMark& text) const {
         text.colour = colour;
@@ -79,14 +75,13 @@ struct Contents {
     std::set<int> statements;
     std::vector<std::vector<std::string>> names;  // by label
 
-    Contents(const std::vector<Mark>& marks, const Theme& theme) {
-        const Recolour recolour{theme, theme.accent};
+    explicit Contents(const std::vector<Mark>& marks) {
         Nesting nesting;
         for (const Mark& mark : marks) {
             const int statement = nesting.enter(mark);
             const auto* text = std::get_if<TextMark>(&mark);
             const auto* path = std::get_if<Path>(&mark);
-            if (statement >= 0 && (text || (path && recolour.inks(*path)))) statements.insert(statement);
+            if (statement >= 0 && (text || (path && inks(*path)))) statements.insert(statement);
             if (text && !text->names.empty()) names.push_back(text->names);
         }
     }
@@ -240,7 +235,7 @@ private:
         double height = 0;
         for (const Block& row : rows) height += row.height;
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
-        const Contents contents(large(figure).figure.marks, context_.theme), beside(small(step).marks, context_.theme);
+        const Contents contents(large(figure).figure.marks), beside(small(step).marks);
         step.draws = contents.statements.contains(static_cast<int>(index)) ||
                      beside.statements.contains(static_cast<int>(index)) || !contents.found(cited({index})).empty();
         // Loads that act alone begin anew.
@@ -420,7 +415,7 @@ private:
         const Theme& theme = context_.theme;
         const Placed& placed = large(step.figure);
         const Figure& beside = small(step);
-        const Contents contents(placed.figure.marks, theme);
+        const Contents contents(placed.figure.marks);
         const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](std::size_t statement) {
             return contents.statements.contains(static_cast<int>(statement));
         });
@@ -429,8 +424,7 @@ private:
         std::vector<Mark> segments;
         if (!adds) {
             names = cited(step.statements);
-            const std::set<std::string> found =
-                Contents(revealed(placed.figure.marks, page_of_, index, theme), theme).found(names);
+            const std::set<std::string> found = Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
             segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
             if (found.empty() && segments.empty()) names.merge(groups_spoken_of(step.statements));
             names.insert(found.begin(), found.end());
@@ -564,7 +558,7 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
         }
         if (hidden > 0 || later) continue;
         shown.push_back(mark);
-        if (at || named) std::visit(Recolour{theme, named || *at == page ? theme.accent : theme.secondary}, shown.back());
+        if (at || named) std::visit(Recolour{named || *at == page ? theme.accent : theme.secondary}, shown.back());
     }
     return shown;
 }

@@ -104,6 +104,19 @@ TEST(Labels, beside_a_star_of_lines_stand_in_its_sectors) {
     expect_clean(figure, requests, strokes, 0.7);
 }
 
+TEST(Labels, stand_on_a_tint_however_dark_but_not_on_ink) {
+    for (const bool tint : {true, false}) {
+        Figure figure;
+        Path plate = filled({{0, 0}, {60, 0}, {60, 60}, {0, 60}}, {0x20, 0x30, 0x40});
+        plate.tinted = tint;
+        figure.marks.emplace_back(std::move(plate));
+        figure.labels = {named("A", {30, 30})};
+        place_labels(figure, fonts());
+        const Spot off = std::get<TextMark>(figure.marks.back()).pivot - Spot{30, 30};
+        EXPECT_EQ(std::max(std::abs(off.x), std::abs(off.y)) < 30, tint);
+    }
+}
+
 TEST(Labels, of_a_crowd_of_points_do_not_meet) {
     Figure figure;
     std::vector<std::pair<Spot, Spot>> strokes;
