@@ -20,6 +20,7 @@
 #include "tests/force_laws.hpp"
 #include "tests/motion_laws.hpp"
 #include "tests/random_loads.hpp"
+#include "tests/random_mechanism.hpp"
 #include "tests/told.hpp"
 
 namespace kinegraph {
@@ -138,34 +139,23 @@ void hold_text(const std::string& bare_text, std::uint64_t seed, Tally& tally) {
     if (testing::Test::HasFailure()) std::cerr << text;
 }
 
-void hold(std::uint64_t seed, Tally& tally) {
+/// True where the drivers determine the motion, so that the laws have been held.
+bool hold(std::uint64_t seed, Tally& tally) {
     const ChainMechanism random = random_chain_mechanism(seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
+    const int undetermined = tally.undetermined;
     hold_text(random.text, seed, tally);
+    return tally.undetermined == undetermined;
 }
 
-/// Under sanitizers everything takes several times as long.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int default_count = 200;
-#else
-constexpr int default_count = 2000;
-#endif
-
-/// Every fourth seed, until a quarter of the mechanisms has been held: four entries for ctest to run side by side.
 void hold_quarter(int quarter) {
     Tally tally;
-    if (const char* one = std::getenv("KINEGRAPH_SEED")) {
-        if (quarter == 0) hold(std::strtoull(one, nullptr, 10), tally);
-        return;
-    }
-    const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS");
-    const int count = (asked != nullptr ? std::atoi(asked) : default_count) / 4;
-    int seed = quarter;
-    // One mechanism with all the laws it breaks reads better than many.
-    for (; tally.held + tally.motion_only < count && !testing::Test::HasFailure(); seed += 4)
-        hold(static_cast<std::uint64_t>(seed), tally);
-    EXPECT_LE(tally.undetermined, count / 5) << "too few draws that the drivers determine";
-    EXPECT_LE(tally.motion_only, count / 20 + 1);
+    EXPECT_TRUE(kinegraph::hold_quarter(
+        quarter, unless_sanitized(2000, 200), [&](std::uint64_t seed) { return hold(seed, tally); }, testing::Test::HasFailure))
+        << "too few draws counted";
+    const int counted = tally.held + tally.motion_only;
+    EXPECT_LE(tally.undetermined, counted / 5 + 1) << "too few draws that the drivers determine";
+    EXPECT_LE(tally.motion_only, counted / 20 + 1);
     std::cout << tally.held << " held, " << tally.motion_only << " in their motion only, " << tally.undetermined
               << " undetermined\n";
 }

@@ -68,7 +68,8 @@ bool hold(std::uint64_t seed) {
 }
 
 void hold_quarter(int quarter) {
-    EXPECT_TRUE(kinegraph::hold_quarter(quarter, hold, testing::Test::HasFailure)) << "too few draws counted";
+    EXPECT_TRUE(kinegraph::hold_quarter(quarter, default_random_count, hold, testing::Test::HasFailure))
+        << "too few draws counted";
 }
 
 TEST(RandomForces1, ObeyTheLaws) { hold_quarter(0); }

@@ -98,10 +98,21 @@ std::vector<Stroke> strokes_of(const Path& path) {
     return strokes;
 }
 
-/// Whether a segment comes nearer than `half` to a box (a chord of the box grown by that much).
+double distance_to_segment(Spot spot, Spot from, Spot to) {
+    const Spot d = to - from, there = spot - from;
+    const double t = std::clamp(dot(there, d) / std::max(dot(d, d), 1e-12), 0.0, 1.0);
+    return length(there - t * d);
+}
+
+/// Whether a stroke, its ends round, has ink within a box.
 bool meets(const TurnedBox& box, const Stroke& stroke) {
     const auto local = [&](Spot spot) { return Spot{dot(spot - box.centre, box.axis), cross(box.axis, spot - box.centre)}; };
-    const Spot from = local(stroke.from), d = local(stroke.to) - from;
+    const Spot from = local(stroke.from), to = local(stroke.to), d = to - from;
+    // What misses the box by more than the pen on one side is most of all strokes.
+    const Spot far = box.half + Spot{stroke.half, stroke.half};
+    if (std::min(from.x, to.x) >= far.x || std::max(from.x, to.x) <= -far.x || std::min(from.y, to.y) >= far.y ||
+        std::max(from.y, to.y) <= -far.y)
+        return false;
     double enter = 0, leave = 1;
     const auto clip = [&](double start, double step, double limit) {
         if (step == 0) return std::abs(start) < limit;
@@ -110,14 +121,19 @@ bool meets(const TurnedBox& box, const Stroke& stroke) {
         enter = std::max(enter, low), leave = std::min(leave, high);
         return enter < leave;
     };
-    return clip(from.x, d.x, box.half.x + stroke.half) && clip(from.y, d.y, box.half.y + stroke.half);
+    if (clip(from.x, d.x, box.half.x) && clip(from.y, d.y, box.half.y)) return true;
+    const auto end_is_near = [&](Spot end) {
+        return length({std::max(std::abs(end.x) - box.half.x, 0.0), std::max(std::abs(end.y) - box.half.y, 0.0)}) < stroke.half;
+    };
+    if (end_is_near(from) || end_is_near(to)) return true;
+    return std::ranges::any_of(std::array{Spot{1, 1}, Spot{1, -1}, Spot{-1, 1}, Spot{-1, -1}}, [&](Spot corner) {
+        return distance_to_segment({corner.x * box.half.x, corner.y * box.half.y}, from, to) < stroke.half;
+    });
 }
 
 bool meets(const Label& label, const Stroke& stroke) {
     if (label.ring <= 0) return meets(label.ink, stroke);
-    const Spot d = stroke.to - stroke.from, to_centre = label.ink.centre - stroke.from;
-    const double t = std::clamp(dot(to_centre, d) / std::max(dot(d, d), 1e-12), 0.0, 1.0);
-    return length(to_centre - t * d) < label.ring + stroke.half;
+    return distance_to_segment(label.ink.centre, stroke.from, stroke.to) < label.ring + stroke.half;
 }
 
 bool overlap(const TurnedBox& a, const TurnedBox& b) {

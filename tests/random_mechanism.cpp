@@ -323,17 +323,16 @@ RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed) {
     return {drawing.text(), drawing.body_count(), 1, false, "chain"};
 }
 
-bool hold_quarter(int quarter, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed) {
+bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed) {
     if (const char* one = std::getenv("KINEGRAPH_SEED")) {
         if (quarter == 0) hold(std::strtoull(one, nullptr, 10));
         return true;
     }
-    const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS");
-    const int count = (asked != nullptr ? std::atoi(asked) : default_random_count) / 4;
+    if (const char* asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS")) count = std::atoi(asked);
     int held = 0;
-    for (int seed = quarter; held < count && !failed(); seed += 4) {
+    for (int seed = quarter; held < count / 4 && !failed(); seed += 4) {
         // Most draws count; four times as many are plenty.
-        if (seed >= 16 * count + 400) return false;
+        if (seed >= 4 * count + 400) return false;
         held += hold(static_cast<std::uint64_t>(seed)) ? 1 : 0;
     }
     return true;

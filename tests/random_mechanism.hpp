@@ -34,18 +34,21 @@ struct RandomMechanism {
 /// The mechanism of a seed.
 RandomMechanism random_mechanism(std::uint64_t seed);
 
-/// Under sanitizers everything takes several times as long.
+/// As many as that; under sanitizers, where everything takes several times as long, fewer.
+constexpr int unless_sanitized(int count, [[maybe_unused]] int sanitized) {
 #ifdef __SANITIZE_ADDRESS__
-constexpr int default_random_count = 200;
+    return sanitized;
 #else
-constexpr int default_random_count = 1000;
+    return count;
 #endif
+}
+constexpr int default_random_count = unless_sanitized(1000, 200);
 
-/// Calls `hold` with every fourth seed from `quarter` on, as often as it says that the draw counted: a quarter of
-/// KINEGRAPH_RANDOM_MECHANISMS, else of the default; four entries for ctest to run side by side. Stops when `failed` says so: one
-/// mechanism with all the laws it breaks reads better than many. KINEGRAPH_SEED=n runs that one alone. False: too few draws
-/// counted.
-bool hold_quarter(int quarter, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed);
+/// Calls `hold` with every fourth seed from `quarter` on, until it has said a quarter of `count` times (of
+/// KINEGRAPH_RANDOM_MECHANISMS, where that is set) that the draw counted; four entries for ctest to run side by side. Stops when
+/// `failed` says so: one mechanism with all the laws it breaks reads better than many. KINEGRAPH_SEED=n runs that one alone.
+/// False: too few draws counted.
+bool hold_quarter(int quarter, int count, const std::function<bool(std::uint64_t)>& hold, const std::function<bool()>& failed);
 
 /// Frame, crank, and `dyads` RRR dyads one after the other, every point a decimal: 2 + 2·dyads bodies. For benchmarks.
 RandomMechanism chain_of_dyads(int dyads, std::uint64_t seed);

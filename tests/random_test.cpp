@@ -35,7 +35,7 @@ void hold(std::uint64_t seed) {
 
 void hold_quarter(int quarter) {
     EXPECT_TRUE(kinegraph::hold_quarter(
-        quarter, [](std::uint64_t seed) { return hold(seed), true; }, testing::Test::HasFailure))
+        quarter, default_random_count, [](std::uint64_t seed) { return hold(seed), true; }, testing::Test::HasFailure))
         << "too few draws counted";
 }
 
