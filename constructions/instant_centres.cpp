@@ -256,17 +256,17 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
 
 /// Places at which two bodies' relative velocity may be drawn: their nodes, and one beside them, for nodes that lie all on one
 /// line with the centre sought.
-std::vector<std::pair<PointOn<Plane::drawing>, std::string>> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
-    std::vector<std::pair<Drawing, std::string>> places;
+std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, BodyIndex second) {
+    std::vector<Place> places;
     for (const BodyIndex body : {first, second}) {
         for (const NodeIndex node : structure_.nodes_of(body))
-            places.emplace_back(structure_.node(node).place, structure_.node(node).label);
+            places.push_back({structure_.node(node).place, structure_.node(node).label, structure_.node(node).point});
     }
     for (const Node& other : structure_.nodes()) {
-        if (places.empty() || board_.coincide(places.front().first, other.place)) continue;
-        places.emplace_back(other.place, other.label);
-        const auto aside = board_.turn(board_.vector(places.front().first, other.place));
-        places.emplace_back(board_.carry(places.front().first, aside), places.front().second);
+        if (places.empty() || board_.coincide(places.front().at, other.place)) continue;
+        places.push_back({other.place, other.label, other.point});
+        const auto aside = board_.turn(board_.vector(places.front().at, other.place));
+        places.push_back({board_.carry(places.front().at, aside), places.front().name, -1});
         break;
     }
     return places;
@@ -275,18 +275,23 @@ std::vector<std::pair<PointOn<Plane::drawing>, std::string>> InstantCentres::pla
 void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
     const BodyIndex i = entry.centre.first, j = entry.centre.second;
     const auto& track = motion.velocity;
-    std::vector<std::pair<LineOn<Plane::drawing>, std::string>> lines;
+    std::vector<std::pair<LineOn<Plane::drawing>, Place>> lines;
     const int statement = say(Sentence::centre_from_velocities, {});
-    const auto settle_here = [&](Drawing point, const std::string& first, const std::string& second) {
+    const auto settle_here = [&](Drawing point, const Place& first, const Place& second) {
         settle(entry, point, InstantCentre::How::velocities);
         entry.centre.statement = statement;
-        board_.statement(statement).message = {Sentence::centre_from_velocities,
-                                               {symbol(i, j), PointName{first}, PointName{second}}};
+        const bool two = first.name != second.name;
+        board_.statement(statement).message = {
+            Sentence::centre_from_velocities,
+            {symbol(i, j), PointName{two ? first.name : std::string()}, PointName{two ? second.name : std::string()}}};
+        if (first.point < 0 || second.point < 0) return;
+        entry.centre.normals = {first.point};
+        if (two) entry.centre.normals.push_back(second.point);
     };
-    const std::vector<std::pair<Drawing, std::string>> places = places_of(j, i);
+    const std::vector<Place> places = places_of(j, i);
     const bool equal_spins = board_.is_zero(board_.difference(track.spin(i), track.spin(j)));
-    for (const auto& [place, name] : places) {
-        const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
+    for (const Place& place : places) {
+        const auto on_i = tip_on(structure_, board_, track, i, place.at), on_j = tip_on(structure_, board_, track, j, place.at);
         if (!on_i || !on_j) return;
         const auto relative = board_.vector(*on_i, *on_j);
         const bool still = board_.is_zero(relative);
@@ -297,16 +302,16 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
                 entry.centre.statement = statement;
                 board_.statement(statement).message = {Sentence::centre_by_rigidity, {symbol(i, j), symbol(i, j)}};
             } else {
-                settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), name, name);
+                settle_here(board_.at_infinity(board_.perpendicular(board_.direction(relative))), place, place);
             }
             return;
         }
-        if (still) return settle_here(place, name, name);
-        const auto line = board_.through(place, board_.perpendicular(board_.direction(relative)));
+        if (still) return settle_here(place.at, place, place);
+        const auto line = board_.through(place.at, board_.perpendicular(board_.direction(relative)));
         for (const auto& [earlier, other] : lines) {
-            if (const auto met = board_.meet(earlier, line)) return settle_here(*met, other, name);
+            if (const auto met = board_.meet(earlier, line)) return settle_here(*met, other, place);
         }
-        lines.emplace_back(line, name);
+        lines.emplace_back(line, place);
     }
 }
 

@@ -51,7 +51,13 @@ private:
     bool by_coincidence(BodyIndex i, BodyIndex j);
     std::vector<BodyIndex> intermediates(BodyIndex i, BodyIndex j);
     LineOn<Plane::drawing> line_over(BodyIndex i, BodyIndex k, BodyIndex j);
-    std::vector<std::pair<PointOn<Plane::drawing>, std::string>> places_of(BodyIndex first, BodyIndex second);
+    /// Where a relative velocity may be drawn; `point` −1: at no point of the file's.
+    struct Place {
+        PointOn<Plane::drawing> at;
+        std::string name;
+        PointIndex point = -1;
+    };
+    std::vector<Place> places_of(BodyIndex first, BodyIndex second);
     void from_velocities(Pair& pair, const Motion& motion);
     bool at_relative_rest(const Pair& pair, const Motion& motion);
 

@@ -81,7 +81,14 @@ private:
     const Node& node(NodeIndex index) const { return structure_.node(index); }
     bool at_rest(NodeIndex index) const { return node(index).bodies.front() == frame; }
     /// The body whose colour a node's vector has.
-    BodyIndex colour_of(NodeIndex index) const { return node(index).bodies.front(); }
+    BodyIndex colour_of(NodeIndex index) const {
+        const std::vector<BodyIndex>& bodies = node(index).bodies;
+        if (at_rest(index)) return frame;
+        // Of several the one that the frame guides: its locus of the velocity has that colour, so the acceleration has it too.
+        const auto guided =
+            std::find_if(bodies.begin(), bodies.end(), [&](BodyIndex each) { return structure_.is_guided_by_frame(each); });
+        return guided == bodies.end() ? bodies.front() : *guided;
+    }
     BodyName body(BodyIndex index) const { return {structure_.body_name(index)}; }
 
     template <Plane plane>
@@ -248,9 +255,13 @@ private:
     template <Plane plane>
     void spin_by_joint(Track<plane>& track, const Step& step) {
         if (!track.turns(step.other)) return;
-        begin<plane>(either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
-                     {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other), place_of(mechanism_.joints[at(step.joint)])},
-                     "");
+        const Joint& joint = mechanism_.joints[at(step.joint)];
+        if (joint.kind == JointKind::prismatic && joint.bodies[1] == frame)
+            begin<plane>(either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
+                         {spin_symbol<plane>(step.body), body(step.body), place_of(joint)}, "");
+        else
+            begin<plane>(either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
+                         {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other), place_of(joint)}, "");
         track.spins[at(step.body)] = track.spin(step.other);
     }
 
@@ -397,15 +408,25 @@ private:
         } else {
             if (!rolls_known(step.joint)) return;
             const Symbol normal = rest ? absolute<plane>(step.node) : relative<plane>(step.node, step.base, "n");
-            begin<plane>(
-                rest ? Sentence::rolling_point_on_rest_acceleration : Sentence::rolling_acceleration,
-                {contact, body(step.body), body(step.other), absolute<plane>(step.node), absolute<plane>(step.base), normal},
-                "Euler–Savary");
+            begin<plane>(rest ? Sentence::rolling_point_on_rest_acceleration : Sentence::rolling_acceleration,
+                         {contact, body(step.body), body(step.other), absolute<plane>(step.node), absolute<plane>(step.base),
+                          normal, rolling_lever(mechanism_.joints[at(step.joint)])},
+                         "Euler–Savary");
             const PointOn<plane> from = track.tip(step.base);
             const PointOn<plane> tip = board_.carry(from, rolling_offset(step.joint, step.body));
             if (!rest) draw_vector(track, normal, from, tip, colour_of(step.node), DrawnVector::Role::normal);
             set_tip(track, step.node, tip, true);
         }
+    }
+
+    /// Two circles curve apart where their centres are on different sides of the contact.
+    RollingLever rolling_lever(const Joint& joint) const {
+        std::vector<Vector> radii;
+        for (const BodyIndex each : joint.bodies)
+            if (const auto* circle = std::get_if<CircleProfile>(&joint.profiles.at(each)))
+                radii.push_back(board_.pose().at(circle->centre) - board_.pose().at(joint.point));
+        if (radii.size() < 2) return RollingLever::on_straight;
+        return dot(radii[0], radii[1]).sign() < 0 ? RollingLever::outside : RollingLever::inside;
     }
 
     bool rolls_known(JointIndex index) const {

@@ -173,15 +173,20 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
         Sliding result;
         result.joint = static_cast<JointIndex>(j);
         const Symbol relative{Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
+        const bool on_rest = joint.bodies[1] == frame;
         const auto say = [&](Sentence sentence, const Symbol& symbol, const char* section) {
             Statement statement;
-            statement.message = {sentence,
-                                 {symbol, PointName{structure.node(slider).label}, BodyName{structure.body_name(joint.bodies[0])},
-                                  BodyName{structure.body_name(joint.bodies[1])}}};
+            statement.message = {sentence, {symbol, PointName{structure.node(slider).label}}};
+            if (on_rest) {
+                statement.message.arguments.emplace_back(Symbol{symbol.letter, structure.node(slider).label, {}});
+            } else {
+                for (const BodyIndex body : joint.bodies)
+                    statement.message.arguments.emplace_back(BodyName{structure.body_name(body)});
+            }
             statement.section = section;
             board.state(std::move(statement));
         };
-        say(Sentence::slide_velocity, relative, "velocity");
+        say(on_rest ? Sentence::slide_velocity_on_rest : Sentence::slide_velocity, relative, "velocity");
         const auto velocity = board.vector(motion.velocity.tip(guide), motion.velocity.tip(slider));
         result.velocity = board.value(velocity);
         if (with_accelerations && motion.acceleration.has(slider) && motion.acceleration.has(guide) &&
@@ -189,7 +194,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
             Symbol symbol = relative;
             symbol.letter = Symbol::Letter::a;
             symbol.term = "rel";
-            say(Sentence::slide_acceleration, symbol, "acceleration");
+            say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol, "acceleration");
             const ScalarHandle twice = board.product(board.given(2), motion.velocity.spin(joint.bodies[1]));
             const auto coriolis = board.scale<Plane::acceleration>(twice, board.turn(velocity));
             const auto difference = board.vector(motion.acceleration.tip(guide), motion.acceleration.tip(slider));

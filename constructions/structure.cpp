@@ -83,7 +83,11 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
       sleeves_(mechanism.bodies.size()),
       passages_(mechanism.bodies.size()),
       rollings_(mechanism.bodies.size()),
-      same_spin_(mechanism.bodies.size()) {
+      same_spin_(mechanism.bodies.size()),
+      guided_(mechanism.bodies.size()) {
+    for (const Joint& joint : mechanism.joints)
+        if (std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end())
+            for (const BodyIndex body : joint.bodies) guided_[static_cast<std::size_t>(body)] = body != 0;
     const Carriers carriers(mechanism);
     for (std::size_t point = 0; point < mechanism.points.size(); ++point) {
         auto groups = carriers.groups(point);

@@ -84,6 +84,8 @@ public:
     const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const {
         return same_spin_[static_cast<std::size_t>(body)];
     }
+    /// Whether a joint holds the body to the frame.
+    bool is_guided_by_frame(BodyIndex body) const { return guided_[static_cast<std::size_t>(body)]; }
     const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].name; }
 
 private:
@@ -102,6 +104,7 @@ private:
     std::vector<std::vector<Rolling>> rollings_;
     std::vector<bool> curvatures_;  ///< by JointIndex
     std::vector<std::vector<std::pair<BodyIndex, JointIndex>>> same_spin_;
+    std::vector<bool> guided_;  ///< by BodyIndex: a joint holds it to the frame
     int auxiliaries_ = 0;
 };
 

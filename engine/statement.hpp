@@ -34,10 +34,14 @@ enum class Sentence {
     alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body
     omega_by_sleeve,  ///< {0} omega of body, {1} omega of the other, {2} joint's point: a sleeve lets no relative rotation
     alpha_by_sleeve,
+    omega_by_fixed_guide,  ///< {0} omega, {1} body, {2} joint's point: the sleeve's guide is at rest, so it does not turn
+    alpha_by_fixed_guide,
     omega_by_driver,  ///< {0} omega, {1} omega of the reference body
     alpha_by_driver,
     slide_velocity,  ///< {0} v_rel read off once both ends are known: {1} point, {2} body i, {3} body j
     slide_acceleration,
+    slide_velocity_on_rest,  ///< {0} v_rel, {1} point, {2} v of the slider: the guide is at rest, so they are one
+    slide_acceleration_on_rest,
     driven_point_velocity,  ///< {0} v of a point fully known from a slide driver, {1} joint
     driven_point_acceleration,
     auxiliary_point,       ///< {0} S, {1} body: the perpendiculars to two loci meet in S
@@ -46,8 +50,8 @@ enum class Sentence {
     alpha_from_parallels,
     rolling_point_at_rest,  ///< {0} contact, {1} body, {2} body at rest, {3} v_P: rolls on what stands still, so P stands still
     rolling_velocity,       ///< {0} contact, {1} body, {2} other body, {3} v_P, {4} v_P*: one velocity
-    rolling_point_on_rest_acceleration,  ///< {0} contact, {1} body, {2} body at rest, {3} a_P: along the normal
-    rolling_acceleration,                ///< {0} contact, {1} body, {2} other body, {3} a_P, {4} a_P*, {5} a_PP*^n
+    rolling_point_on_rest_acceleration,  ///< {0} contact, {1} body, {2} body at rest, {3} a_P, {6} lever: along the normal
+    rolling_acceleration,                ///< {0} contact, {1} body, {2} other body, {3} a_P, {4} a_P*, {5} a_PP*^n, {6} lever
     equivalent_link,         ///< {0} {1} bodies, {2} contact, {3} join of the centres of curvature: replaced by a link
     equivalent_slot,         ///< {0} round body, {1} straight body, {2} contact, {3} centre: replaced by a pin in a slot
     equivalent_tip,          ///< {0} body with the tip, {1} straight body, {2} contact
@@ -202,6 +206,8 @@ struct LineReason {
     std::string from, to;  ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
     friend bool operator==(const LineReason&, const LineReason&) = default;
 };
+/// What ω² is multiplied by at a rolling contact: of the radii R and r, or of r alone on a straight line.
+enum class RollingLever { on_straight, outside, inside };
 /// A value to be said, with its unit; rounded only then.
 struct Amount {
     double value = 0;
@@ -220,8 +226,8 @@ using Ratios = std::vector<Ratio>;
 /// Of points, joints or bodies, in a row.
 using Names = std::vector<std::string>;
 using Symbols = std::vector<Symbol>;
-using Argument =
-    std::variant<PointName, BodyName, Segment, LineReason, Symbol, Amount, Count, Ratios, Names, Symbols, std::string>;
+using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, RollingLever, Amount, Count, Ratios, Names,
+                              Symbols, std::string>;
 
 struct Message {
     Sentence sentence = Sentence::count_;

@@ -103,9 +103,11 @@ int lines_through(const FreeBody& body, Spot place, double near) {
     return count;
 }
 
+using Meets = std::vector<std::pair<std::string, Vector>>;
+
 /// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
-std::vector<std::pair<std::string, Vector>> shown_meets(const Solution& solution, const FreeBody& body) {
-    std::vector<std::pair<std::string, Vector>> shown;
+Meets shown_meets(const Solution& solution, const FreeBody& body) {
+    Meets shown;
     const double near = 1e-7 * solution.pose.size.to_double();
     for (const auto& meet : body.meets)
         if (lines_through(body, paper_spot(meet.second), near) >= 2) shown.push_back(meet);
@@ -504,17 +506,33 @@ private:
 struct ActionLine {
     Spot at, along;
     std::vector<Spot> marks;
-    int statement = -1;  // that knows it first
+    int statement = -1;                  // that knows it first
+    std::vector<std::string> far_meets;  // points of concurrency outside of the drawing that it leads to
 };
 
-void add_line(std::vector<ActionLine>& lines, Spot at, Spot along, const std::vector<Spot>& marks, int statement = -1) {
+void add_line(std::vector<ActionLine>& lines, ActionLine added) {
     for (ActionLine& known : lines)
-        if (std::abs(cross(known.along, along)) < 1e-6 && std::abs(cross(known.along, at - known.at)) < 0.05) {
-            known.marks.insert(known.marks.end(), marks.begin(), marks.end());
-            known.statement = std::min(known.statement, statement);
+        if (std::abs(cross(known.along, added.along)) < 1e-6 && std::abs(cross(known.along, added.at - known.at)) < 0.05) {
+            known.marks.insert(known.marks.end(), added.marks.begin(), added.marks.end());
+            known.far_meets.insert(known.far_meets.end(), added.far_meets.begin(), added.far_meets.end());
+            known.statement = std::min(known.statement, added.statement);
             return;
         }
-    lines.push_back({at, along, marks, statement});
+    lines.push_back(std::move(added));
+}
+
+/// The line of a force with the points of concurrency on it, as far as there are any.
+ActionLine line_of(const Sketch& sketch, const AppliedForce& applied, const Meets& meets, const Box& view, int statement = -1) {
+    ActionLine action{sketch.spot(applied.at), paper_direction(applied.force), {sketch.spot(applied.at)}, statement, {}};
+    for (const auto& [letter, place] : meets) {
+        const Spot meet = sketch.spot(place);
+        if (std::abs(cross(action.along, meet - action.at)) > 0.05 + 1e-9 * length(meet - action.at)) continue;
+        if (contains(view, meet))
+            action.marks.push_back(meet);
+        else
+            action.far_meets.push_back(letter);
+    }
+    return action;
 }
 
 void draw_action_line(std::vector<Mark>& marks, const Theme& theme, const ActionLine& action, const Box& view) {
@@ -553,6 +571,49 @@ void draw_meet(Sketch& sketch, const DrawingContext& context, const std::string&
     label.anchor = at;
     label.clearance = 2.0;
     sketch.labels.push_back(std::move(label));
+}
+
+/// A point of concurrency outside of the drawing: the lines that meet there run to the edge of the view and point to it, and one
+/// says how far it is.
+void draw_far_meet(Sketch& sketch, const DrawingContext& context, const std::string& name, const Vector& place,
+                   std::vector<ActionLine>& lines, const Box& view, int statement = -1) {
+    constexpr double broken_end = 9;
+    const Theme& theme = context.theme;
+    const Spot meet = sketch.spot(place);
+    if (!std::isfinite(meet.x) || !std::isfinite(meet.y)) return;  // past the range of doubles
+    bool named = false;
+    for (ActionLine& action : lines) {
+        if (std::find(action.far_meets.begin(), action.far_meets.end(), name) == action.far_meets.end()) continue;
+        const Interval seen = within(view, action.at, action.along);
+        const double sense = dot(meet - action.at, action.along) > 0 ? 1 : -1;
+        const Spot edge = action.at + (sense > 0 ? seen.to : seen.from) * action.along;
+        const Spot tip = edge + sense * broken_end * action.along;
+        action.marks.push_back(edge);
+        draw_arrow(sketch.construction, edge, tip, theme.thin, theme.secondary, dashes());
+        belong(sketch.construction, sketch.construction.size() - 2, std::max(statement, action.statement));
+        if (named) continue;
+        named = true;
+        LabelRequest label;
+        label.statement = statement;
+        label.names = {name};
+        label.text = typeset(Symbol{Symbol::Letter::point, name, ""}, context.language);
+        if (const auto from = sketch.name_of_point_at(action.at)) {
+            // "H (AH = 2.31 m)": what the drawing cannot hold.
+            const Unit& unit = context.solution.mechanism.units.length;
+            const double metres = length(meet - action.at) * sketch.scale();
+            const RichText letter = label.text;
+            append(label.text, one_piece("  ("));
+            append(label.text, *from);
+            append(label.text, letter);
+            append(label.text,
+                   with_powers(" = " + number(metres / unit.si.to_double(), 3, context.language) + " " + unit.symbol + ")"));
+        }
+        label.size = theme.label;
+        label.colour = theme.text;
+        label.anchor = tip;
+        label.clearance = 1.2;
+        sketch.labels.push_back(std::move(label));
+    }
 }
 
 void draw_couple(Sketch& sketch, const DrawingContext& context, Clutter& clutter, const RichText& text, Spot at, bool positive,
@@ -794,8 +855,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             if (applied.force.is_zero()) continue;
             const Spot along = paper_direction(applied.force);
             const double value = kinegraph::length(Vector{applied.force.x / unit.si, applied.force.y / unit.si});
-            const double whole = value / force_scale;
-            const Spot d = whole * along;
+            // Too small for its own arrowhead, a force shows its sense by a thin arrow and says its size.
+            constexpr double least_to_scale = 4, only_sense = 9;
+            const bool to_scale = value / force_scale >= least_to_scale;
+            const Spot d = (to_scale ? value / force_scale : only_sense) * along;
             // Tail or tip at its place; slid along its line where another arrow is there already.
             const bool at_centre = applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
             const bool outwards = at_centre || dot(along, at - middle) >= -1e-6;
@@ -833,15 +896,16 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             const std::string base = name_of(applied.symbol);
             std::string unique = base;
             for (int n = 2; !names.insert(unique).second; ++n) unique = base + "-" + std::to_string(n);
-            sketch.arrows.emplace_back(GroupBegin{"vector",
+            sketch.arrows.emplace_back(GroupBegin{to_scale ? "vector" : "sense",
                                                   sketch.id("", unique),
                                                   unique + " = " + shortest(value) + " " + unit.symbol,
                                                   {{"data-name", unique}, {"data-value", shortest(value)}}});
-            sketch.arrows.emplace_back(Axis{best.tail, best.tip});
-            draw_arrow(sketch.arrows, best.tail, best.tip, theme.vector, colour.line, colour.dashes);
+            if (to_scale) sketch.arrows.emplace_back(Axis{best.tail, best.tip});
+            draw_arrow(sketch.arrows, best.tail, best.tip, to_scale ? theme.vector : theme.outline, colour.line, colour.dashes);
             sketch.arrows.emplace_back(GroupEnd{});
             LabelRequest label;
             label.text = typeset(applied.symbol, context.language);
+            if (!to_scale) append(label.text, with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol));
             label.size = theme.equation;
             label.colour = colour.letter;
             label.anchor = 0.5 * (best.tail + best.tip);
@@ -849,11 +913,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             label.clearance = 1.5;
             sketch.labels.push_back(std::move(label));
 
-            std::vector<Spot> marks{at};
-            for (const auto& [letter, place] : meets)
-                if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
-            if (marks.size() > 1 || two_forces || (applied.joint >= 0 && applied.line_by_construction))
-                add_line(lines, at, along, marks);
+            ActionLine action = line_of(sketch, applied, meets, view);
+            if (action.marks.size() > 1 || !action.far_meets.empty() || two_forces ||
+                (applied.joint >= 0 && applied.line_by_construction))
+                add_line(lines, std::move(action));
             if (applied.joint >= 0 && joints_remarked.insert(applied.joint).second) {
                 const RichText words = beside_guide(context, body, applied);
                 if (!words.empty()) {
@@ -867,9 +930,12 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                 }
             }
         }
-        for (const ActionLine& action : lines) draw_action_line(sketch.over_bodies, theme, action, view);
         for (const auto& [letter, place] : meets)
-            if (const Spot meet = sketch.spot(place); contains(view, meet)) draw_meet(sketch, context, letter, meet);
+            if (const Spot meet = sketch.spot(place); contains(view, meet))
+                draw_meet(sketch, context, letter, meet);
+            else
+                draw_far_meet(sketch, context, letter, place, lines, view);
+        for (const ActionLine& action : lines) draw_action_line(sketch.over_bodies, theme, action, view);
 
         Figure figure = sketch.finish("body", id, unit.symbol);
         figure.scale = force_scale;
@@ -889,10 +955,11 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const Subject subject(solution);
     const ForceStatements statements(solution);
     const auto asked = asked_scale(mechanism, "mechanism");
-    const Box near = grown(subject.box, 0.45 * subject.size());
+    // A point of concurrency is what the figure is for: it may make the mechanism smaller.
+    const Box near = grown(subject.box, 0.7 * subject.size());
     Box extent = subject.box;
     // A meet of bodies taken together has lines on several of them.
-    std::vector<std::pair<std::string, Vector>> shown;
+    Meets shown;
     for (const FreeBody& body : solution.free_bodies)
         for (const auto& meet : body.meets) {
             const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.first == meet.first; });
@@ -924,18 +991,17 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         for (const FreeBody& body : solution.free_bodies) {
             for (const AppliedForce& applied : body.forces) {
                 if (applied.force.is_zero()) continue;
-                const Spot at = sketch.spot(applied.at), along = paper_direction(applied.force);
-                std::vector<Spot> marks{at};
-                for (const auto& [letter, place] : shown_meets(solution, body))
-                    if (const Spot meet = sketch.spot(place); std::abs(cross(along, meet - at)) < 0.05) marks.push_back(meet);
-                if (marks.size() > 1 || applied.line_by_construction)
-                    add_line(lines, at, along, marks, statements.line(body, applied));
+                ActionLine action = line_of(sketch, applied, shown_meets(solution, body), view, statements.line(body, applied));
+                if (action.marks.size() > 1 || !action.far_meets.empty() || applied.line_by_construction)
+                    add_line(lines, std::move(action));
             }
         }
-        for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
         for (const auto& [letter, place] : shown)
             if (const Spot at = sketch.spot(place); contains(view, at))
                 draw_meet(sketch, context, letter, at, statements.meet(letter));
+            else
+                draw_far_meet(sketch, context, letter, place, lines, view, statements.meet(letter));
+        for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
 
         // Loads, efforts and what the frame gives: their sense only.
         for (const FreeBody& body : solution.free_bodies) {

@@ -211,10 +211,7 @@ private:
     }
 
     std::optional<Named> name_at(Spot at) const {
-        for (std::size_t p = 0; p < sketch_.spots_.size(); ++p)
-            if (sketch_.s_.shown[p] && length(sketch_.spots_[p] - at) < same_place)
-                return Named{typeset(Symbol{Symbol::Letter::point, sketch_.m_.points[p].name, ""}, sketch_.context_.language),
-                             at};
+        if (const auto name = sketch_.name_of_point_at(at)) return Named{*name, at};
         for (std::size_t c = 0; c < all_.size(); ++c)
             if (where_[c] == Where::here && length(place_[c] - at) < same_place) return Named{name_of_centre(c), at};
         return std::nullopt;
@@ -353,6 +350,13 @@ Symbol Sketch::symbol_of(const InstantCentre& centre) const {
     const std::string& j = m_.bodies[at_index(centre.second)].name;
     const bool short_names = i.size() == 1 && j.size() == 1;
     return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j, centre.at && centre.at->at_infinity() ? "∞" : ""};
+}
+
+std::optional<RichText> Sketch::name_of_point_at(Spot at) const {
+    for (std::size_t p = 0; p < spots_.size(); ++p)
+        if (s_.shown[p] && length(spots_[p] - at) < same_place)
+            return typeset(Symbol{Symbol::Letter::point, m_.points[p].name, ""}, context_.language);
+    return std::nullopt;
 }
 
 /// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.

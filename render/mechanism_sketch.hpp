@@ -156,6 +156,8 @@ public:
     void draw_dimensions(Spot room, bool all, const std::set<std::string>& left_out);
     void draw_pole(const InstantCentre& centre);
     Symbol symbol_of(const InstantCentre& centre) const;
+    /// The name of a point that is shown at a place (mm).
+    std::optional<RichText> name_of_point_at(Spot at) const;
     Figure finish(std::string kind, std::string figure_id, std::string unit_name);
     void close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict = false);
 

@@ -567,7 +567,8 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
         append(text, in_a_line(solution.centres[static_cast<std::size_t>(first)], mechanism, language));
         append(text, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
     }
-    for (const PointIndex p : centre.normals) {
+    const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != 0;
+    for (const PointIndex p : to_relative_velocities ? std::vector<PointIndex>{} : centre.normals) {
         join();
         append(text, word("normal at", language) + " ");
         append(text, point(p));

@@ -2,7 +2,8 @@
 // and numbers are typeset. Knows no page; what a sentence means is said in engine/statement.hpp.
 //
 // A pattern holds the places {0} … of its arguments; {0|one|several} chooses by the number of what {0} is; what stands in [square
-// brackets] is said only when all its arguments are given; ω and α are set as symbols (α is ω̇ in Italian), × is ∧ there.
+// brackets] is said only when all its arguments are given; ~ is a blank at which no line ends; ω and α are set as symbols (α is ω̇
+// in Italian), × is ∧ there.
 #include "render/words.hpp"
 
 #include <algorithm>
@@ -23,17 +24,17 @@ struct Row {
 };
 
 constexpr std::array sentences{
-    Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4} {1}{2}.",
-        "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4} {1}{2}."},
+    Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4}~{1}{2}.",
+        "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4}~{1}{2}."},
     Row{Sentence::crank_acceleration,
-        "Body {0} turns about {1}: {3} is made of ω² {1}{2}, from {2} to {1}, and α {1}{2}, normal to it.",
-        "Il corpo {0} ruota attorno a {1}: {3} si compone di ω² {1}{2}, da {2} a {1}, e di α {1}{2}, normale a {1}{2}."},
+        "Body {0} turns about {1}: {3} is made of ω²~{1}{2}, from {2} to {1}, and α~{1}{2}, normal to it.",
+        "Il corpo {0} ruota attorno a {1}: {3} si compone di ω²~{1}{2}, da {2} a {1}, e di α~{1}{2}, normale a {1}{2}."},
     Row{Sentence::image_velocity,
-        "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω {3}{0}, normal to {3}{0}].",
-        "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω {3}{0}, normale a {3}{0}]."},
+        "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω~{3}{0}, normal to {3}{0}].",
+        "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω~{3}{0}, normale a {3}{0}]."},
     Row{Sentence::image_acceleration,
-        "{2} follows from the image of body {1}[: from {3} step ω² {3}{0} from {0} towards {3}, then α {3}{0} normal to it].",
-        "{2} segue dall’immagine del corpo {1}[: da {3} si porta ω² {3}{0} da {0} verso {3}, poi α {3}{0} normale a {3}{0}]."},
+        "{2} follows from the image of body {1}[: from {3} step ω²~{3}{0} from {0} towards {3}, then α~{3}{0} normal to it].",
+        "{2} segue dall’immagine del corpo {1}[: da {3} si porta ω²~{3}{0} da {0} verso {3}, poi α~{3}{0} normale a {3}{0}]."},
     Row{Sentence::translating_velocity, "Body {0} translates, so {1} moves as all its points do: {2}.",
         "Il corpo {0} trasla, quindi {1} si muove come tutti i suoi punti: {2}."},
     Row{Sentence::two_lines_velocity, "From the known ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
@@ -45,10 +46,13 @@ constexpr std::array sentences{
         "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
     Row{Sentence::alpha_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
         "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
-    Row{Sentence::omega_by_sleeve, "The sleeve at {2} allows no relative turning: {0} = {1}.",
-        "Il manicotto in {2} non consente rotazione relativa: {0} = {1}."},
-    Row{Sentence::alpha_by_sleeve, "The sleeve at {2} keeps the two bodies parallel: {0} = {1}.",
-        "Il manicotto in {2} mantiene paralleli i due corpi: {0} = {1}."},
+    Row{Sentence::omega_by_sleeve, "The sleeve at {2} allows no relative turning: {0}~=~{1}.",
+        "Il manicotto in {2} non consente rotazione relativa: {0}~=~{1}."},
+    Row{Sentence::alpha_by_sleeve, "The sleeve at {2} keeps the two bodies parallel: {0}~=~{1}.",
+        "Il manicotto in {2} mantiene paralleli i due corpi: {0}~=~{1}."},
+    Row{Sentence::omega_by_fixed_guide, "The guide at {2} is fixed, so body {1} does not turn: {0}~=~0.",
+        "La guida in {2} è fissa, quindi il corpo {1} non ruota: {0}~=~0."},
+    Row{Sentence::alpha_by_fixed_guide, "Body {1} never turns: {0}~=~0.", "Il corpo {1} non ruota mai: {0}~=~0."},
     Row{Sentence::omega_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
     Row{Sentence::alpha_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
     Row{Sentence::slide_velocity, "At {1} both ends are known: {0} joins them, the sliding of body {2} on body {3}.",
@@ -56,6 +60,10 @@ constexpr std::array sentences{
     Row{Sentence::slide_acceleration,
         "At {1}, once the Coriolis term is set off, {0} closes: the relative acceleration of body {2} on body {3}.",
         "In {1}, portato il termine di Coriolis, chiude {0}: accelerazione relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::slide_velocity_on_rest, "The guide at {1} is at rest: {0}, the velocity along it, is {2} itself.",
+        "La guida in {1} è ferma: {0}, velocità lungo la guida, coincide con {2}."},
+    Row{Sentence::slide_acceleration_on_rest, "The guide at {1} is at rest: {0} is {2} itself, without a Coriolis term.",
+        "La guida in {1} è ferma: {0} coincide con {2}, senza termine di Coriolis."},
     Row{Sentence::driven_point_velocity, "The drive at {1} gives {0} in length and direction.",
         "Il movente in {1} assegna {0} in modulo e direzione."},
     Row{Sentence::driven_point_acceleration, "The drive at {1} gives {0} in length and direction.",
@@ -63,23 +71,23 @@ constexpr std::array sentences{
     Row{Sentence::auxiliary_point, "On body {1} the normals to the two known directions meet in the auxiliary point {0}.",
         "Sul corpo {1} le normali alle due direzioni note si incontrano nel punto ausiliario {0}."},
     Row{Sentence::omega_from_parallels,
-        "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δv/{1}.",
-        "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0} = Δv/{1}."},
+        "The two directions known on body {2} are parallel: their distance in the polygon gives {0}~=~Δv/{1}.",
+        "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0}~=~Δv/{1}."},
     Row{Sentence::alpha_from_parallels,
-        "The two directions known on body {2} are parallel: their distance in the polygon gives {0} = Δa/{1}.",
-        "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0} = Δa/{1}."},
+        "The two directions known on body {2} are parallel: their distance in the polygon gives {0}~=~Δa/{1}.",
+        "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0}~=~Δa/{1}."},
     Row{Sentence::rolling_point_at_rest,
-        "Body {1} rolls without slip on body {2}, which is at rest: its point at the contact {0} stands still, {3} = 0.",
-        "Il corpo {1} rotola senza strisciare sul corpo {2}, che è fermo: il suo punto di contatto {0} ha velocità nulla, {3} = 0."},
+        "Body {1} rolls without slip on body {2}, which is at rest: its point at the contact {0} stands still, {3}~=~0.",
+        "Il corpo {1} rotola senza strisciare sul corpo {2}, che è fermo: il suo punto di contatto {0} ha velocità nulla, {3}~=~0."},
     Row{Sentence::rolling_velocity,
-        "Bodies {1} and {2} roll without slip at {0}: the points in contact have one velocity, {3} = {4}.",
-        "I corpi {1} e {2} rotolano senza strisciare in {0}: i punti a contatto hanno la stessa velocità, {3} = {4}."},
+        "Bodies {1} and {2} roll without slip at {0}: the points in contact have one velocity, {3}~=~{4}.",
+        "I corpi {1} e {2} rotolano senza strisciare in {0}: i punti a contatto hanno la stessa velocità, {3}~=~{4}."},
     Row{Sentence::rolling_point_on_rest_acceleration,
-        "At {0} body {1} rolls on body {2}, which is at rest: {3} has no tangential part; along the normal it is ω² R r/(R ± r), on a straight line ω² r.",
-        "In {0} il corpo {1} rotola sul corpo {2}, che è fermo: {3} non ha componente tangenziale; lungo la normale vale ω² R r/(R ± r), su una retta ω² r."},
+        "At {0} body {1} rolls on body {2}, which is at rest: {3} has no tangential part; along the normal it is ω²~{6}.",
+        "In {0} il corpo {1} rotola sul corpo {2}, che è fermo: {3} non ha componente tangenziale; lungo la normale vale ω²~{6}."},
     Row{Sentence::rolling_acceleration,
-        "At {0} bodies {1} and {2} roll on each other: {3} differs from {4} by {5} alone, along the normal: ω² R r/(R ± r) (on a straight line ω² r) with the relative ω.",
-        "In {0} i corpi {1} e {2} rotolano l’uno sull’altro: {3} differisce da {4} solo per {5}, lungo la normale: ω² R r/(R ± r) (su una retta ω² r) con la ω relativa."},
+        "At {0} bodies {1} and {2} roll on each other: {3} differs from {4} by {5} alone, along the normal: ω²~{6} with the relative ω.",
+        "In {0} i corpi {1} e {2} rotolano l’uno sull’altro: {3} differisce da {4} solo per {5}, lungo la normale: ω²~{6} con la ω relativa."},
     Row{Sentence::equivalent_link,
         "At the contact {2} bodies {0} and {1} slide along the common tangent; up to accelerations they move as if a link joined their centres of curvature, {3}.",
         "Nel contatto {2} i corpi {0} e {1} strisciano lungo la tangente comune; fino alle accelerazioni si muovono come se un’asta congiungesse i centri di curvatura, {3}."},
@@ -191,14 +199,14 @@ constexpr std::array sentences{
         "{3} and {1} project alike on {2}: the normal to {2} at the tip of {3} meets the given line of {1} in {0}.",
         "{3} e {1} hanno uguale proiezione su {2}: la normale a {2} per l’estremo di {3} incontra la retta assegnata di {1} in {0}."},
     Row{Sentence::act_direction_acceleration,
-        "From the tip of {3} set off ω² {2} along {2}, then the normal to {2}: it meets the given line of {1} in {0}.",
-        "Dall’estremo di {3} si porta ω² {2} lungo {2}, poi la normale a {2}: incontra la retta assegnata di {1} in {0}."},
+        "From the tip of {3} set off ω²~{2} along {2}, then the normal to {2}: it meets the given line of {1} in {0}.",
+        "Dall’estremo di {3} si porta ω²~{2} lungo {2}, poi la normale a {2}: incontra la retta assegnata di {1} in {0}."},
     Row{Sentence::act_unequal_projections,
         "On {0} {1} projects to {3}, {2} to {4}: the length of {0} would change. No rigid body moves so.",
         "Su {0} la proiezione di {1} è {3}, quella di {2} è {4}: la lunghezza di {0} cambierebbe. Nessun corpo rigido si muove così."},
     Row{Sentence::act_unequal_projections_acceleration,
-        "On {0} the projections of {1} and {2} do not differ by ω² {0}: no rigid body has these accelerations.",
-        "Su {0} le proiezioni di {1} e {2} non differiscono di ω² {0}: nessun corpo rigido ha queste accelerazioni."},
+        "On {0} the projections of {1} and {2} do not differ by ω²~{0}: no rigid body has these accelerations.",
+        "Su {0} le proiezioni di {1} e {2} non differiscono di ω²~{0}: nessun corpo rigido ha queste accelerazioni."},
     Row{Sentence::act_misses, "{0} is given otherwise than the rest lets it be: no rigid body moves so.",
         "{0} è assegnata diversa da quella che il resto impone: nessun corpo rigido si muove così."},
     Row{Sentence::act_agrees, "{0} is given too, and is the one that follows from the others.",
@@ -674,6 +682,9 @@ std::string lower_case(std::string_view name) {
     return out;
 }
 
+/// At which no line ends.
+constexpr const char* unbroken_blank = "\u00A0";
+
 /// As symbols are set in the figures, or with names as files and commands spell them.
 enum class Setting { typeset, spelt };
 
@@ -688,6 +699,7 @@ RichText in_a_row(const std::vector<RichText>& members) {
 
 RichText argument(const Argument& arg, Language language, Setting setting) {
     const auto name = [&](const std::string& of) { return setting == Setting::spelt ? RichText{piece(of)} : point_name(of); };
+    const std::string blank = setting == Setting::typeset ? unbroken_blank : " ";
     const auto symbol = [&](const Symbol& of) {
         return setting == Setting::spelt ? RichText{piece(name_of(of))} : typeset(of, language);
     };
@@ -728,9 +740,19 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
             } else if constexpr (std::is_same_v<T, std::string>) {
                 return {piece(value)};
             } else if constexpr (std::is_same_v<T, Amount>) {
-                return {piece(number(value.value, 3, language) + " " + value.unit)};
+                return {piece(number(value.value, 3, language) + blank + value.unit)};
+            } else if constexpr (std::is_same_v<T, RollingLever>) {
+                if (value == RollingLever::on_straight) return {piece("r", Face::italic)};
+                RichText text{piece("R" + blank + "r", Face::italic), piece("/("), piece("R", Face::italic)};
+                text.push_back(piece(blank + (value == RollingLever::outside ? "+" : "−") + blank));
+                text.push_back(piece("r", Face::italic));
+                text.push_back(piece(")"));
+                return text;
             } else {
-                return typeset(value, language);
+                RichText text = typeset(value, language);
+                if (!text.empty() && text.front().text.ends_with(' '))
+                    text.front().text.replace(text.front().text.size() - 1, 1, blank);
+                return text;
             }
         },
         arg);
@@ -803,6 +825,9 @@ bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Lang
             RichText optional_part;
             if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, setting, optional_part)) append(to, optional_part);
             i = end + 1;
+        } else if (pattern[i] == '~') {
+            plain_text += setting == Setting::typeset ? unbroken_blank : " ";
+            ++i;
         } else if (pattern.substr(i).starts_with("ω")) {
             flush();
             to.push_back(piece("ω", Face::italic));
