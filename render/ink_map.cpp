@@ -297,17 +297,19 @@ int InkMap::crossings(Spot from, Spot to, int most) const {
     };
     std::int64_t x = place(from.x, origin_.x), y = place(from.y, origin_.y);
     const std::int64_t dx = (place(to.x, origin_.x) - x) / steps, dy = (place(to.y, origin_.y) - y) / steps;
-    bool own = true;  // what it starts in is its own object's
+    bool own = true;            // what it starts in is its own object's, but it must soon get out of it
+    constexpr double soon = 3;  // mm
     int count = 0;
     int run = 0;                   // of ink, in steps
-    constexpr double broad = 0.5;  // mm; a link is worse to cross than a thin line
+    constexpr double broad = 0.8;  // mm; a link is worse to cross than a thin line
     const int broad_run = std::max(1, static_cast<int>(broad / pitch_));
     for (int i = 0; i <= steps && count < most; ++i, x += dx, y += dy) {
         const auto column = static_cast<std::uint64_t>(x >> 32), row = static_cast<std::uint64_t>(y >> 32);
         const bool inked = column < static_cast<std::uint64_t>(columns_) && row < static_cast<std::uint64_t>(rows_) &&
                            ((bits_[row * words_ + column / 64] >> (column % 64)) & 1U) != 0;
-        run = inked ? run + 1 : 0;
-        own = own && inked;
+        const bool left = own && !(inked && i * pitch_ < soon);
+        own = own && !left;
+        run = inked ? (left ? 1 : run + 1) : 0;
         count += inked && !own && (run == 1 || run % broad_run == 0);
     }
     return count;

@@ -50,8 +50,8 @@ public:
     double inked(const InkBox& box, double most = 1e300) const;
     /// inked(box) > 0, found sooner.
     bool touches(const InkBox& box) const;
-    /// How often a thin line from a spot to another meets ink, counted up to `most`, a broad stroke once more for each half
-    /// millimetre across it; the ink that it starts in is not counted.
+    /// How often a thin line from a spot to another meets ink, counted up to `most`, a broad stroke several times; the ink that
+    /// it starts in is not counted.
     int crossings(Spot from, Spot to, int most = all) const;
 
 private:

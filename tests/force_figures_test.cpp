@@ -137,7 +137,11 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
             expect_true_and_clean(figure);
             std::size_t forces = 0;
             for (const AppliedForce& applied : solution.free_bodies[i].forces) forces += applied.force.is_zero() ? 0 : 1;
-            EXPECT_EQ(vectors_of(figure.marks).size(), forces) << "every force is in place";
+            const auto shown = std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+                const auto* group = std::get_if<GroupBegin>(&mark);
+                return group && (group->cls == "vector" || group->cls == "sense");
+            });
+            EXPECT_EQ(static_cast<std::size_t>(shown), forces) << "every force is in place";
         }
     }
 }
@@ -227,6 +231,28 @@ TEST(ForceSheet, SaysWhereASliderTips) {
             if (const auto* text = std::get_if<TextMark>(&mark))
                 said = said || text->words.find("passes outside") != std::string::npos;
     EXPECT_TRUE(said);
+}
+
+bool says(const Figure& figure, std::string_view words) {
+    return std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        return text && text->words.find(words) != std::string::npos;
+    });
+}
+
+TEST(ForceSheet, PointsToAConcurrencyOutsideOfTheDrawing) {
+    const Solution solution = example("beam");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    for (const Figure& figure : {mechanism_with_forces(context, 180, 130), free_body_figure(context, 0, 120, 90)})
+        EXPECT_TRUE(says(figure, "H  (AH = 11.5")) << figure.id;
+}
+
+TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {
+    const Solution solution = example("pliers");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::it};
+    EXPECT_TRUE(says(free_body_figure(context, 1, 160, 90), "F_hand = 100,0 N"));
 }
 
 TEST(ForceSheet, KeepsTheNamesOfTheFile) {

@@ -67,7 +67,7 @@ TEST_P(EverySentence, IsSaidInBothLanguages) {
     const std::string english = plain(say(message, Language::en)), italian = plain(say(message, Language::it));
     for (const std::string& text : {english, italian}) {
         EXPECT_GE(text.size(), 5u);
-        EXPECT_EQ(text.find_first_of("{}[]|"), std::string::npos) << text;
+        EXPECT_EQ(text.find_first_of("{}[]|~"), std::string::npos) << text;
         if (is_phrase(message.sentence)) {
             EXPECT_NE(text.back(), '.') << text;
             continue;
@@ -81,7 +81,7 @@ TEST_P(EverySentence, IsSaidInBothLanguages) {
 
 TEST_P(EverySentence, LeavesOutWhatItIsNotTold) {
     const std::string text = plain(say({static_cast<Sentence>(GetParam()), {}}, Language::en));
-    EXPECT_EQ(text.find_first_of("{}[]|"), std::string::npos) << text;
+    EXPECT_EQ(text.find_first_of("{}[]|~"), std::string::npos) << text;
 }
 
 INSTANTIATE_TEST_SUITE_P(Words, EverySentence, testing::Range(0, static_cast<int>(Sentence::count_)));
@@ -98,6 +98,25 @@ TEST(Words, SpeakOfOneOtherwiseThanOfSeveral) {
     EXPECT_EQ(tell(repeated(2), Language::it),
               "La coppia O2 ripete 2 vincoli che le altre impongono già in questa configurazione.");
     EXPECT_NE(plain(say(repeated(1), Language::en)).find("Joint O_2 repeats 1 constraint that"), std::string::npos);
+}
+
+TEST(Words, OfRollingSayTheTermOfTheirCase) {
+    const auto rolls = [](RollingLever lever) {
+        return tell({Sentence::rolling_point_on_rest_acceleration,
+                     {PointName{"P"}, BodyName{"2"}, BodyName{"1"}, Symbol{Symbol::Letter::a, "P", ""}, PointName{"P*"},
+                      Symbol{Symbol::Letter::a, "P", ""}, lever}},
+                    Language::en);
+    };
+    EXPECT_NE(rolls(RollingLever::on_straight).find("ω^2 r."), std::string::npos) << rolls(RollingLever::on_straight);
+    EXPECT_NE(rolls(RollingLever::outside).find("R r/(R + r)"), std::string::npos);
+    EXPECT_NE(rolls(RollingLever::inside).find("R r/(R − r)"), std::string::npos);
+}
+
+TEST(Words, HoldAnEquationTogether) {
+    const Message message{Sentence::omega_by_sleeve,
+                          {Symbol{Symbol::Letter::omega, "3", ""}, Symbol{Symbol::Letter::omega, "4", ""}, PointName{"D"}}};
+    EXPECT_NE(plain(say(message, Language::en)).find("\u00A0=\u00A0"), std::string::npos);
+    EXPECT_EQ(tell(message, Language::en).find("\u00A0"), std::string::npos) << "files have plain blanks";
 }
 
 TEST(Words, RowsAreSeparatedAndLeftOutWhereTheyAreEmpty) {
