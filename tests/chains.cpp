@@ -140,7 +140,7 @@ namespace {
 class ChainBuilder {
 public:
     ChainBuilder(std::uint64_t seed, const Inversion& inversion)
-        : random_(seed), inversion_(inversion), chain_(all_chains()[at(inversion.chain)]) {}
+        : random_(seed), gears_(seed + gears_apart), inversion_(inversion), chain_(all_chains()[at(inversion.chain)]) {}
 
     ChainMechanism run() {
         for (int attempt = 0; attempt < 100; ++attempt) {
@@ -151,6 +151,7 @@ public:
             bodies_.assign(at(chain_.links), -1);
             slides_.clear();
             choose_dissolved();
+            choose_meshes();
             if (!draw_joints()) continue;
             drive();
             return {drawing.text(), recipe_, inversion_};
@@ -159,6 +160,12 @@ public:
     }
 
 private:
+    /// Links whose joints are drawn as gears.
+    struct Mesh {
+        int dissolved = -1;  ///< whose place the gears take
+        int arm = -1, wheel = -1, mate = -1;
+    };
+
     Drawing& draw() { return *drawing_; }
     void note(const std::string& what) { recipe_ += ", " + what; }
     static std::string between(int a, int b) { return std::to_string(a) + "-" + std::to_string(b); }
@@ -174,6 +181,31 @@ private:
             const std::vector<int> ends = chain_.neighbours(link);
             if (std::none_of(ends.begin(), ends.end(), [&](int end) { return dissolved(end); })) dissolved_.push_back(link);
         }
+    }
+
+    /// Where the neighbours of a link that gives way have one more in common, that may be the arm of two gears.
+    void choose_meshes() {
+        meshes_.clear();
+        for (const int link : dissolved_) {
+            const std::vector<int> ends = chain_.neighbours(link);
+            for (const int arm : chain_.neighbours(ends[0])) {
+                const std::vector<int> held = chain_.neighbours(arm);
+                if (arm == link || dissolved(arm) || std::find(held.begin(), held.end(), ends[1]) == held.end()) continue;
+                if (joins(arm, ends[0]) || joins(arm, ends[1]) || !gears_.chance(60)) continue;
+                meshes_.push_back({link, arm, ends[0], ends[1]});
+                break;
+            }
+        }
+    }
+    bool is_geared(int link) const {
+        return std::any_of(meshes_.begin(), meshes_.end(), [&](const Mesh& mesh) { return mesh.dissolved == link; });
+    }
+    /// Whether the joint of two links is drawn with gears.
+    bool joins(int a, int b) const {
+        return std::any_of(meshes_.begin(), meshes_.end(), [&](const Mesh& mesh) {
+            const int other = a == mesh.arm ? b : b == mesh.arm ? a : -1;
+            return other >= 0 && (other == mesh.wheel || other == mesh.mate);
+        });
     }
 
     /// The body of a link, made when it is first needed: the frame is there already.
@@ -193,7 +225,7 @@ private:
             if (!dissolved(link)) body(link);
         std::vector<std::optional<int>> shared(at(chain_.links));
         for (const auto& [a, b] : chain_.joints) {
-            if (dissolved(a) || dissolved(b)) continue;
+            if (dissolved(a) || dissolved(b) || joins(a, b)) continue;
             const int kind = random_.whole(1, 100);
             if (kind <= 15) {
                 if (!slide(a, b)) return false;
@@ -203,7 +235,10 @@ private:
                 return false;
             }
         }
+        for (const Mesh& mesh : meshes_)
+            if (!gear(mesh)) return false;
         for (const int link : dissolved_) {
+            if (is_geared(link)) continue;
             const std::vector<int> ends = chain_.neighbours(link);
             const bool swap = random_.chance(50);
             const int a = ends[swap ? 1 : 0], b = ends[swap ? 0 : 1];
@@ -296,6 +331,36 @@ private:
         return true;
     }
 
+    /// Two links that the arm carries, geared: a wheel with a wheel, one maybe in the other, or with a rack.
+    bool gear(const Mesh& mesh) {
+        const auto centre = draw().given_anywhere(), other = draw().given_anywhere();
+        if (!centre || !other) return false;
+        const int wheel = body(mesh.wheel), mate = body(mesh.mate), arm = body(mesh.arm);
+        hold(mesh.arm, mesh.wheel, *centre);
+        if (gears_.chance(25)) {
+            const auto pitch = draw().given_anywhere();
+            if (!pitch) return false;
+            carry(mesh.mate, *other);
+            slides_.push_back({mesh.mate, mesh.arm, draw().prismatic(*other, mate, arm, draw().tangent(*pitch, *centre))});
+            draw().gear(*pitch, wheel, mate, *centre, std::nullopt, arm);
+            note(between(mesh.wheel, mesh.mate) + " rack and pinion");
+            return true;
+        }
+        // Between the centres the wheels touch from outside, beyond them one lies in the other.
+        constexpr std::array ratios{-0.8, 0.3, 0.4, 0.5, 0.7, 1.6};
+        const auto pitch = draw().on_line(*centre, *other, ratios[at(gears_.whole(0, 5))]);
+        if (!pitch) return false;
+        hold(mesh.arm, mesh.mate, *other);
+        draw().gear(*pitch, wheel, mate, *centre, *other, arm);
+        note(between(mesh.wheel, mesh.mate) + " geared on " + std::to_string(mesh.arm));
+        return true;
+    }
+    void hold(int arm, int link, int point) {
+        carry(arm, point);
+        carry(link, point);
+        draw().revolute(point, body(arm), body(link));
+    }
+
     /// One driver and, mostly where it acts, one effort: equilibrium is then determined where the motion is.
     void drive() {
         const int driven = body(inversion_.driven);
@@ -332,12 +397,15 @@ private:
         int slider = -1, guide = -1;  ///< links
         std::string joint;
     };
+    static constexpr std::uint64_t gears_apart = 1'000'003;
     Random random_;
+    Random gears_;  ///< of its own, so that what has no gears is drawn as if there were none
     Inversion inversion_;
     const Chain& chain_;
     Drawing* drawing_ = nullptr;
     std::vector<int> dissolved_;  ///< links
-    std::vector<int> bodies_;     ///< of each link: its body in the drawing
+    std::vector<Mesh> meshes_;
+    std::vector<int> bodies_;  ///< of each link: its body in the drawing
     std::vector<Slide> slides_;
     std::string recipe_;
 };

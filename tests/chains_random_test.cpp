@@ -62,6 +62,14 @@ TEST(Chains, OfEightLinksHaveTheDegreesOfTheAtlas) {
     EXPECT_EQ(count, (std::map<std::vector<int>, int>{{{3, 3, 3, 3}, 9}, {{3, 3, 4}, 5}, {{4, 4}, 2}}));
 }
 
+TEST(Chains, AreDrawnWithEveryPair) {
+    std::map<std::string, int> count;
+    for (std::uint64_t seed = 0; seed < all_inversions().size(); ++seed)
+        for (const char* pair : {"slides", "slot", "arc", "rolls", "touches", "geared", "rack"})
+            count[pair] += random_chain_mechanism(seed).recipe.find(pair) != std::string::npos ? 1 : 0;
+    for (const auto& [pair, drawn] : count) EXPECT_GE(drawn, 20) << pair;
+}
+
 // --- mechanisms --------------------------------------------------------------------------------------------------------------
 
 struct Tally {

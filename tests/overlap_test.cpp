@@ -1,7 +1,8 @@
-// Nothing on a sheet covers anything: counted over all examples, languages and papers, from the display lists of finished pages
-// and in their pixels.
+// Nothing on a sheet covers anything: counted over all examples, languages, papers and orientations, from the display lists of
+// finished pages and in their pixels. The theme changes from one example to the next; KINEGRAPH_ALL_PAPERS=1 takes all three.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <tuple>
@@ -17,19 +18,21 @@ namespace {
 
 using tests::fonts;
 
-class OverlapOnPaper : public testing::TestWithParam<std::tuple<Language, Paper>> {};
+class OverlapOnPaper : public testing::TestWithParam<std::tuple<Language, Paper, Orientation>> {};
 
 TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
     SheetOptions options;
     options.language = std::get<0>(GetParam());
     options.paper = std::get<1>(GetParam());
+    options.orientation = std::get<2>(GetParam());
     // From one example to the next the theme changes, so that over the papers each is seen in all of them.
-    std::size_t turn = static_cast<std::size_t>(options.language) + static_cast<std::size_t>(options.paper);
+    std::size_t turn = static_cast<std::size_t>(options.language) + static_cast<std::size_t>(options.paper) +
+                       static_cast<std::size_t>(options.orientation);
+    const std::size_t themes = std::getenv("KINEGRAPH_ALL_PAPERS") != nullptr ? theme_names().size() : 1;
     std::map<Fault::Kind, int> counts;
     std::size_t pixels = 0;
     std::string first;
-    for (const std::string& name : tests::example_names()) {
-        options.theme = built_in_theme(theme_names()[turn++ % theme_names().size()]).value();
+    const auto look_at = [&](const std::string& name) {
         for (const Page& page : lay_out(tests::example(name), options, fonts())) {
             for (const Fault& fault : faults_of(page, fonts())) {
                 ++counts[fault.kind];
@@ -39,6 +42,13 @@ TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
             if (common > 0) first += name + ", " + std::to_string(common) + " pixels in common\n";
             pixels += common;
         }
+    };
+    for (const std::string& name : tests::example_names()) {
+        ++turn;
+        for (std::size_t more = 0; more < themes; ++more) {
+            options.theme = built_in_theme(theme_names()[(turn + more) % theme_names().size()]).value();
+            look_at(name);
+        }
     }
     EXPECT_EQ(counts, (std::map<Fault::Kind, int>{})) << first;
     EXPECT_EQ(pixels, 0U) << first;
@@ -46,7 +56,8 @@ TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
 
 INSTANTIATE_TEST_SUITE_P(Sheets, OverlapOnPaper,
                          testing::Combine(testing::Values(Language::en, Language::it),
-                                          testing::Values(Paper::a4, Paper::a3, Paper::letter)));
+                                          testing::Values(Paper::a4, Paper::a3, Paper::letter),
+                                          testing::Values(Orientation::landscape, Orientation::portrait)));
 
 }  // namespace
 }  // namespace kinegraph::render

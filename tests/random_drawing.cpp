@@ -218,20 +218,29 @@ void Drawing::drive_point(int body, int point, const Guide& along) {
                        ", \"along\": " + along.text + ", \"speed\": " + speed(2) + ", \"acceleration\": " + speed(5) + "}");
 }
 
-void Drawing::higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j) {
+Guide Drawing::tangent(int point, int centre) const {
+    const Spot radius = at(point) - at(centre);
+    return {pair(tenths(-radius.y), tenths(radius.x)), {-radius.y, radius.x}};
+}
+
+void Drawing::higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j,
+                          const std::string& more) {
     const auto circle = [&](int centre) { return "{\"circle\": " + quoted(name(centre)) + "}"; };
-    // The tangent, a quarter turn from the radius: places are in tenths, so this is exact.
-    const Spot radius = at(point) - at(centre_i);
-    const std::string other = centre_j ? circle(*centre_j) : "{\"line\": " + pair(tenths(-radius.y), tenths(radius.x)) + "}";
+    const std::string other = centre_j ? circle(*centre_j) : "{\"line\": " + tangent(point, centre_i).text + "}";
     joints_.push_back("{\"" + std::string(kind) + "\": " + quoted(name(point)) + ", \"bodies\": " + body_pair(i, j) +
                       ", \"profiles\": {" + quoted(body_name(i)) + ": " + circle(centre_i) + ", " + quoted(body_name(j)) + ": " +
-                      other + "}, \"name\": " + quoted("h" + std::to_string(joints_.size())) + "}");
+                      other + "}" + more + ", \"name\": " + quoted("h" + std::to_string(joints_.size())) + "}");
 }
 void Drawing::rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
     higher_pair("rolling", point, i, j, centre_i, centre_j);
 }
 void Drawing::contact(int point, int i, int j, int centre_i, std::optional<int> centre_j) {
     higher_pair("contact", point, i, j, centre_i, centre_j);
+}
+
+void Drawing::gear(int point, int i, int j, int centre_i, std::optional<int> centre_j, int arm) {
+    higher_pair("gear", point, i, j, centre_i, centre_j,
+                (arm != 0 ? ", \"arm\": " + quoted(body_name(arm)) : std::string()) + ", \"pressure angle\": 20");
 }
 
 void Drawing::balance(const char* kind, const std::string& where) {

@@ -77,6 +77,10 @@ public:
     /// profile of j where `centre_j` is none.
     void rolling(int point, int i, int j, int centre_i, std::optional<int> centre_j);
     void contact(int point, int i, int j, int centre_i, std::optional<int> centre_j);
+    /// Gears with these centres that the arm carries, or a gear and a rack, with the pitch point at a place.
+    void gear(int point, int i, int j, int centre_i, std::optional<int> centre_j, int arm);
+    /// The tangent of a circle at a place: exactly, of places in tenths.
+    Guide tangent(int point, int centre) const;
 
     // --- drivers -----------------------------------------------------------------------------------------------------------
     /// A decimal of few digits, not zero.
@@ -98,7 +102,8 @@ private:
     int add(Spot spot, std::string placement);
     std::string body_pair(int i, int j) const;
     std::string slide(const char* kind, int point, int i, int j, const std::string& along);
-    void higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j);
+    void higher_pair(const char* kind, int point, int i, int j, int centre_i, std::optional<int> centre_j,
+                     const std::string& more = "");
     void balance(const char* kind, const std::string& where);
     std::string joint_text(std::size_t index) const;
 
