@@ -87,12 +87,8 @@ int ForceStatements::force(const FreeBody& body, const AppliedForce& applied) co
 
 int ForceStatements::meet(const std::string& name) const {
     const std::vector<Statement>& statements = solution_.protocol.statements;
-    for (std::size_t i = 0; i < statements.size(); ++i) {
-        const Sentence sentence = statements[i].message.sentence;
-        const bool meets = sentence == Sentence::three_force_line || sentence == Sentence::triangle_at ||
-                           sentence == Sentence::culmann || sentence == Sentence::culmann_line;
-        if (meets && names_point(statements[i].message, name)) return static_cast<int>(i);
-    }
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        if (finds_a_meet(statements[i].message.sentence) && names_point(statements[i].message, name)) return static_cast<int>(i);
     return -1;
 }
 

@@ -115,7 +115,7 @@ private:
             }
             for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
                 const Statement& statement = s.protocol.statements[i];
-                if (section_of(statement) != name || told_by_list(statement)) continue;
+                if (section_of(statement) != name || told_by_list(statement.message.sentence)) continue;
                 if (section.rows.empty())
                     set_heading(section, word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ||
                                                       (name == "forces" && is_mixed(solution_))
@@ -284,7 +284,7 @@ double estimated_text(const Solution& s, const SheetFormat& format) {
     rows += 2.0 * static_cast<double>(s.bodies.size());
     double lines = 12;
     for (const Statement& statement : s.protocol.statements)
-        if (!told_by_list(statement)) lines += 2.2;
+        if (!told_by_list(statement.message.sentence)) lines += 2.2;
     const double heights = rows * 4.4 + lines * 4.1 + static_cast<double>(s.centres.size() + s.bodies.size()) * 4.7 +
                            4.1 * static_cast<double>(s.remarks.size() + s.unsolved.size()) * 2 + 5 * section_gap;
     double figures = 0;

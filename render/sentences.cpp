@@ -23,20 +23,9 @@ bool names_a_pair(Sentence sentence) {
     }
 }
 
-bool told_by_list(const Statement& statement) {
-    switch (statement.message.sentence) {
-        case Sentence::primary_revolute:
-        case Sentence::primary_prismatic:
-        case Sentence::primary_rolling:
-        case Sentence::primary_gear:
-        case Sentence::primary_weld:
-        case Sentence::kennedy:
-        case Sentence::kennedy_line:
-        case Sentence::kennedy_two_normals:
-            return true;
-        default:
-            return false;
-    }
+bool told_by_list(Sentence sentence) {
+    return names_a_pair(sentence) || sentence == Sentence::kennedy || sentence == Sentence::kennedy_line ||
+           sentence == Sentence::kennedy_two_normals;
 }
 
 const Symbol* turning_found(const Message& message) {
@@ -69,6 +58,11 @@ const Symbol* turning_found(const Message& message) {
 bool joins_two_forces(Sentence sentence) {
     return sentence == Sentence::two_force_body || sentence == Sentence::two_force_guide ||
            sentence == Sentence::two_force_group || sentence == Sentence::two_forces_and_couple;
+}
+
+bool finds_a_meet(Sentence sentence) {
+    return sentence == Sentence::three_force_line || sentence == Sentence::triangle_at || sentence == Sentence::culmann ||
+           sentence == Sentence::culmann_line;
 }
 
 bool closes_a_polygon(Sentence sentence) {

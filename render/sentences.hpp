@@ -6,15 +6,17 @@
 
 namespace kinegraph::render {
 
-/// Statements that only name the pair a centre lies at.
+/// It only names the pair that a centre lies at.
 bool names_a_pair(Sentence sentence);
-/// Sentences that the list of centres says as well.
-bool told_by_list(const Statement& statement);
+/// The list of centres says it as well.
+bool told_by_list(Sentence sentence);
 /// The ω or α that a sentence ends with; none: it finds no turning.
 const Symbol* turning_found(const Message& message);
-/// Sentences by which two forces, or two and a couple, take their line.
+/// By it two forces, or two and a couple, take their line.
 bool joins_two_forces(Sentence sentence);
-/// Whether a body's polygon is closed by this sentence.
+/// It finds points of concurrency.
+bool finds_a_meet(Sentence sentence);
+/// It closes the polygon of a body's forces.
 bool closes_a_polygon(Sentence sentence);
 /// Whether the sentence speaks of this body, alone or among others that are taken together.
 bool speaks_of(const Solution& solution, const Message& message, const FreeBody& body);
