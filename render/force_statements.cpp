@@ -94,16 +94,30 @@ int ForceStatements::meet(const std::string& name) const {
 
 int ForceStatements::polygon(const FreeBody& body) const {
     if (sum_ >= 0) return sum_;
+    int last = last_that_closes(body);
+    if (last >= 0) return last;
+    // Known from its neighbours, at the latest with the last sentence.
+    const std::vector<Statement>& statements = solution_.protocol.statements;
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        if (statements[i].section == "forces") last = static_cast<int>(i);
+    return last;
+}
+
+std::vector<const FreeBody*> ForceStatements::closed_by(std::size_t statement) const {
+    std::vector<const FreeBody*> closed;
+    if (sum_ >= 0) return closed;
+    for (const FreeBody& body : solution_.free_bodies)
+        if (last_that_closes(body) == static_cast<int>(statement)) closed.push_back(&body);
+    return closed;
+}
+
+int ForceStatements::last_that_closes(const FreeBody& body) const {
     const std::vector<Statement>& statements = solution_.protocol.statements;
     int last = -1;
     for (std::size_t i = 0; i < statements.size(); ++i)
         if (statements[i].section == "forces" && closes_a_polygon(statements[i].message.sentence) &&
             speaks_of(solution_, statements[i].message, body))
             last = static_cast<int>(i);
-    if (last >= 0) return last;
-    // Known from its neighbours, at the latest with the last sentence.
-    for (std::size_t i = 0; i < statements.size(); ++i)
-        if (statements[i].section == "forces") last = static_cast<int>(i);
     return last;
 }
 

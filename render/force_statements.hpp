@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/solution.hpp"
 
@@ -22,8 +23,11 @@ public:
     int meet(const std::string& name) const;
     /// After which all forces on the body are known.
     int polygon(const FreeBody& body) const;
+    /// The bodies whose polygons a sentence closes: nothing of theirs is left to be found by a later one.
+    std::vector<const FreeBody*> closed_by(std::size_t statement) const;
 
 private:
+    int last_that_closes(const FreeBody& body) const;
     std::set<std::string> names(const FreeBody& body, const AppliedForce& applied) const;
 
     const Solution& solution_;

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
+#include "render/force_statements.hpp"
 #include "render/force_tables.hpp"
 #include "render/prose.hpp"
 #include "render/sentences.hpp"
@@ -19,7 +19,12 @@ class SectionWriter {
 public:
     SectionWriter(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
                   const FigurePages& pages)
-        : context_(context), solution_(context.solution), format_(format), wanted_(figures), pages_(pages) {}
+        : context_(context),
+          solution_(context.solution),
+          format_(format),
+          wanted_(figures),
+          pages_(pages),
+          force_statements_(context.solution) {}
 
     std::vector<Section> write() {
         write_sections();
@@ -99,7 +104,6 @@ private:
                 order.push_back(section_of(statement));
         for (const std::string& name : order) {
             Section section;
-            std::set<BodyIndex> told;
             section.in_order = name != "centres";  // these explain the first figure and are read with it
             if (name == "centres") section.home = 0;
             if (name == "forces") {
@@ -123,7 +127,7 @@ private:
                                                   : "steps",
                                               context_.language));
                 section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
-                if (name == "forces") add_force_equation(section, statement.message, told);
+                if (name == "forces") add_force_equations(section, i);
                 const auto placed = wanted_.equation_polygon.find(i);
                 if (statement.equation &&
                     (placed == wanted_.equation_polygon.end() || pages_.unplaced.contains(placed->second))) {
@@ -192,28 +196,26 @@ private:
     }
 
     /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.
-    void add_force_equation(Section& section, const Message& message, std::set<BodyIndex>& told) const {
-        if (message.sentence != Sentence::triangle && message.sentence != Sentence::triangle_at &&
-            message.sentence != Sentence::single_reaction && message.sentence != Sentence::culmann &&
-            message.sentence != Sentence::culmann_line)
-            return;
-        const auto* name = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
-        const auto index = name ? solution_.mechanism.body_named(name->name) : std::nullopt;
-        if (!index || !told.insert(*index).second) return;
-        const std::string heading_word = word("magnitude", context_.language);
-        for (const Figure& figure : pages_.drawn)
-            if (figure.kind == "forces")
-                for (const Mark& mark : figure.marks)
-                    if (const auto* text = std::get_if<TextMark>(&mark); text && text->words == heading_word) return;
-        for (const FreeBody& body : solution_.free_bodies) {
-            if (body.body != *index) continue;
-            Block block = force_equation_block(context_, body, true);
+    void add_force_equations(Section& section, std::size_t statement) const {
+        const std::vector<const FreeBody*> closed = force_statements_.closed_by(statement);
+        if (closed.empty() || figures_have_force_equations()) return;
+        for (const FreeBody* body : closed) {
+            Block block = force_equation_block(context_, *body, true);
             if (block.width == 0 || block.width > format_.measure - 6) continue;
             move(block.marks, 6, 0.5);
             block.height += 2.5;
             section.spare_rows.push_back(section.rows.size());
             section.rows.push_back(std::move(block));
         }
+    }
+    bool figures_have_force_equations() const {
+        const std::string heading = word("magnitude", context_.language);
+        return std::any_of(pages_.drawn.begin(), pages_.drawn.end(), [&](const Figure& figure) {
+            return figure.kind == "forces" && std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {
+                       const auto* text = std::get_if<TextMark>(&mark);
+                       return text && text->words == heading;
+                   });
+        });
     }
 
     RichText mobility_words() const {
@@ -273,6 +275,7 @@ private:
     const SheetFormat& format_;
     const WantedFigures& wanted_;
     const FigurePages& pages_;
+    ForceStatements force_statements_;
     std::vector<Section> sections_;
 };
 

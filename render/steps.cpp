@@ -230,7 +230,7 @@ private:
     void add(std::size_t index, const std::string& figure) {
         const Statement& statement = statements()[index];
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
-        for (Block& equation : equations_of(statement)) rows.push_back(std::move(equation));
+        for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
         for (const RichText& found : values_found(index)) rows.push_back(paragraph(found, 4));
         double height = 0;
         for (const Block& row : rows) height += row.height;
@@ -267,12 +267,12 @@ private:
         return block;
     }
 
-    std::vector<Block> equations_of(const Statement& statement) const {
+    std::vector<Block> equations_of(std::size_t index) const {
+        const Statement& statement = statements()[index];
         std::vector<Block> found;
         if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
-        if (closes_a_polygon(statement.message.sentence))
-            for (const FreeBody& free : solution_.free_bodies)
-                if (speaks_of(solution_, statement.message, free)) found.push_back(force_equation_block(context_, free, true));
+        for (const FreeBody* body : force_statements_.closed_by(index))
+            found.push_back(force_equation_block(context_, *body, true));
         std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
         for (Block& block : found) {
             render::move(block.marks, 0, 2.5);
