@@ -77,6 +77,7 @@ private:
 
     const Node& node(NodeIndex index) const { return structure_.node(index); }
     BodyName body() const { return {structure_.body_name(body_)}; }
+    CarriedPlace carried(PointOn<Plane::drawing> place) const { return {place.element, body_}; }
     PointName name(NodeIndex index) const { return {node(index).label}; }
     Message sought_centre() const { return {Sentence::centre_of_bodies, {BodyName{structure_.body_name(frame)}, body()}}; }
     template <Plane plane>
@@ -138,7 +139,8 @@ private:
     }
 
     template <Plane plane>
-    void draw_vector(const State<plane>& state, Symbol symbol, PointOn<plane> tail, PointOn<plane> tip, DrawnVector::Role role) {
+    void draw_vector(const State<plane>& state, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
+                     DrawnVector::Role role) {
         DrawnVector drawn;
         drawn.symbol = std::move(symbol);
         drawn.polygon = state.track.polygon;
@@ -146,6 +148,7 @@ private:
         drawn.tip = tip.element;
         drawn.body = body_;
         drawn.role = role;
+        drawn.seen = seen;
         board_.draw(std::move(drawn));
     }
     template <Plane plane>
@@ -170,7 +173,8 @@ private:
     void set_tip(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
         state.track.tips[at(index)] = tip;
         label_image(state, node(index).label, tip);
-        draw_vector(state, absolute<plane>(index), board_.pole<plane>(), tip, DrawnVector::Role::absolute);
+        draw_vector(state, absolute<plane>(index), {carried(node(index).place), {}, -1}, board_.pole<plane>(), tip,
+                    DrawnVector::Role::absolute);
     }
     template <Plane plane>
     void set_base(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
@@ -319,9 +323,10 @@ private:
         const auto tangential = board_.vector(middle, tip);
         const bool none = board_.is_zero(tangential);
         if (!none || !is_velocity<plane>) {
+            const Seen seen{carried(node(index).place), carried(base.place), base.place.element};
             if (middle.element != base.tip.element)
-                draw_vector(state, relative(index, base, "n"), base.tip, middle, DrawnVector::Role::normal);
-            draw_vector(state, relative(index, base, is_velocity<plane> ? "" : "t"), middle, tip,
+                draw_vector(state, relative(index, base, "n"), seen, base.tip, middle, DrawnVector::Role::normal);
+            draw_vector(state, relative(index, base, is_velocity<plane> ? "" : "t"), seen, middle, tip,
                         is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential);
         }
         if (none && is_velocity<plane>) {
@@ -438,7 +443,8 @@ private:
             KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that meet have directions that do");
             for (int i = 0; i < 2; ++i) draw_line(state, lines[i], reason_of(*sources[i]), {ends[i].element, met->element});
             label_image(state, label, *met);
-            draw_vector(state, absolute<plane>(label), board_.pole<plane>(), *met, DrawnVector::Role::absolute);
+            draw_vector(state, absolute<plane>(label), {carried(place), {}, -1}, board_.pole<plane>(), *met,
+                        DrawnVector::Role::absolute);
             state.base = {-1, label, place, *met};
         }
     }

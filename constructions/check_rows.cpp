@@ -17,19 +17,22 @@ using Pair = std::array<double, 2>;
 constexpr BodyIndex frame = 0;
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 Pair minus(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
+double length(const Pair& a) { return std::hypot(a[0], a[1]); }
 
-class Comparison {
+class Comparer {
 public:
-    explicit Comparison(const Solution& solution)
+    explicit Comparer(const Solution& solution)
         : solution_(solution), mechanism_(solution.mechanism), numeric_(check_motion(solution.mechanism, solution.pose)) {}
 
-    std::vector<CheckRow> rows() && {
+    Comparison compare() && {
         for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) compare_turning(body);
         for (const PointMotion& point : solution_.points) compare_point(point);
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
         if (!solution_.forces.empty() || !solution_.efforts.empty() || solution_.virtual_work) compare_forces();
-        return std::move(rows_);
+        std::vector<std::optional<double>> moduli;
+        for (const DrawnVector& vector : solution_.protocol.vectors) moduli.push_back(modulus(vector));
+        return {std::move(rows_), std::move(moduli)};
     }
 
 private:
@@ -128,6 +131,50 @@ private:
         return power;
     }
 
+    /// Of velocities and accelerations; relative ones from the motions of their two places:
+    ///   a = a_to + a_cor + a_n + a_t (or a_rel),  a_cor = 2ω_to ∧ v,  a_n = v²/r,  a_t ⟂ r  (Rivals, Coriolis).
+    std::optional<double> modulus(const DrawnVector& vector) const {
+        using Role = DrawnVector::Role;
+        const auto& [of, to, about] = vector.seen;
+        const bool is_velocity = solution_.protocol.polygons[at(vector.polygon)].plane == Plane::velocity;
+        if (!is_known(of, is_velocity)) return std::nullopt;
+        const Pair own_velocity = numeric_.velocity(of.body, place_of(of.place)),
+                   own_acceleration = numeric_.acceleration(of.body, place_of(of.place));
+        if (vector.role == Role::absolute || vector.role == Role::transport)
+            return length(is_velocity ? own_velocity : own_acceleration);
+        if (!is_known(to, is_velocity)) return std::nullopt;
+        const Pair v = minus(own_velocity, numeric_.velocity(to.body, place_of(to.place)));
+        if (is_velocity) return length(v);
+        const Pair a = minus(own_acceleration, numeric_.acceleration(to.body, place_of(to.place)));
+        const double turning = 2 * numeric_.bodies[at(to.body)].omega;
+        const Pair coriolis{-turning * v[1], turning * v[0]};
+        Pair radius{};
+        if (about >= 0) {
+            const Vector join = place_of(of.place) - place_of(about);
+            radius = {join.x.to_double(), join.y.to_double()};
+        }
+        const double r = length(radius);
+        const auto along_circle = [&](const Pair& part) { return std::abs(radius[0] * part[1] - radius[1] * part[0]) / r; };
+        switch (vector.role) {
+            case Role::coriolis:
+                return length(coriolis);
+            case Role::normal:
+                return r > 0 ? length(v) * length(v) / r : length(a);
+            case Role::tangential:
+                return r > 0 ? along_circle(a) : length(a);
+            case Role::sliding:
+                return r > 0 ? along_circle(minus(a, coriolis)) : length(minus(a, coriolis));
+            default:
+                return length(a);
+        }
+    }
+    bool is_known(const CarriedPlace& carried, bool velocity) const {
+        if (carried.body < 0) return false;
+        const auto& state = numeric_.bodies[at(carried.body)];
+        return velocity ? state.velocity_known : state.acceleration_known;
+    }
+    Vector place_of(int element) const { return solution_.protocol.point(element).place(); }
+
     const Solution& solution_;
     const Mechanism& mechanism_;
     NumericMotion numeric_;
@@ -136,6 +183,6 @@ private:
 
 }  // namespace
 
-std::vector<CheckRow> check_rows(const Solution& solution) { return Comparison(solution).rows(); }
+Comparison compare_with_check(const Solution& solution) { return Comparer(solution).compare(); }
 
 }  // namespace kinegraph

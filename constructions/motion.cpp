@@ -19,6 +19,7 @@ struct Link {
     VectorOn<plane> vector;
     DrawnVector::Role role = DrawnVector::Role::relative;
     bool shift = false;  ///< carries the locus from one node of a body to another
+    Seen seen;
 };
 
 /// A locus as drawn: from the base's tip along known vectors, then a line on which the tip sought lies.
@@ -30,6 +31,7 @@ struct Chain {
     LineOn<plane> line;
     LineReason reason;
     Term sought;
+    Seen seen;  ///< the vector sought
     DrawnVector::Role role = DrawnVector::Role::relative;
     bool from_rest = false;
     bool inverse = false;
@@ -117,6 +119,16 @@ private:
     Symbol image(NodeIndex index) const {
         return {Symbol::Letter::image, node(index).label, is_velocity<plane> ? "" : "'"};
     }
+    CarriedPlace carried(NodeIndex index) const { return {node(index).place.element, node(index).bodies.front()}; }
+    Seen seen(NodeIndex of) const { return {carried(of), {}, -1}; }
+    /// From a place about which it turns.
+    Seen turning(NodeIndex of, NodeIndex to) const { return {carried(of), carried(to), node(to).place.element}; }
+    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show.
+    template <Plane plane>
+    Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide) {
+        const PointIndex arc = is_velocity<plane> ? -1 : mechanism_.joints[at(joint)].arc;
+        return {carried(slider), carried(guide), arc >= 0 ? board_.place(arc).element : -1};
+    }
     Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
 
     template <Plane plane>
@@ -138,8 +150,8 @@ private:
 
     // --- drawing -----------------------------------------------------------------------------------------------------------
     template <Plane plane>
-    void draw_vector(const Track<plane>& track, Symbol symbol, PointOn<plane> tail, PointOn<plane> tip, BodyIndex body_of,
-                     DrawnVector::Role role) {
+    void draw_vector(const Track<plane>& track, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
+                     BodyIndex body_of, DrawnVector::Role role) {
         if (hand_ == Hand::silent) return;
         DrawnVector drawn;
         drawn.trial = trial();
@@ -149,6 +161,7 @@ private:
         drawn.tip = tip.element;
         drawn.body = body_of;
         drawn.role = role;
+        drawn.seen = seen;
         board_.draw(std::move(drawn));
     }
 
@@ -179,7 +192,8 @@ private:
         label.body = colour_of(index);
         board_.label(std::move(label));
         if (draw_absolute) {
-            draw_vector(track, absolute<plane>(index), board_.pole<plane>(), tip, colour_of(index), DrawnVector::Role::absolute);
+            draw_vector(track, absolute<plane>(index), seen(index), board_.pole<plane>(), tip, colour_of(index),
+                        DrawnVector::Role::absolute);
         }
     }
 
@@ -300,15 +314,16 @@ private:
         slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(step.joint));
         slide.term.symbol = relative<plane>(slider, guide, is_velocity<plane> ? "" : "rel");
         slide.role = DrawnVector::Role::sliding;
+        slide.seen = sliding<plane>(step.joint, slider, guide);
         links.push_back(slide);
         const bool show_parts = !at_rest(step.base);
         for (const Link<plane>& link : links) {
             const PointOn<plane> next = board_.carry(tip, step.inverse ? board_.negate(link.vector) : link.vector);
             if (show_parts) {
                 if (step.inverse) {
-                    draw_vector(track, link.term.symbol, next, tip, colour_of(slider), link.role);
+                    draw_vector(track, link.term.symbol, link.seen, next, tip, colour_of(slider), link.role);
                 } else {
-                    draw_vector(track, link.term.symbol, tip, next, colour_of(slider), link.role);
+                    draw_vector(track, link.term.symbol, link.seen, tip, next, colour_of(slider), link.role);
                 }
             }
             tip = next;
@@ -349,9 +364,11 @@ private:
             const PointOn<plane> middle = board_.carry(tip, normal);
             const PointOn<plane> end = board_.carry(middle, tangential);
             if (rest) {  // a crank: its normal and tangential parts are the first vectors of the figure
-                draw_vector(track, absolute<plane>(step.node, "n"), tip, middle, step.body, DrawnVector::Role::normal);
+                const Seen seen = turning(step.node, step.base);
+                draw_vector(track, absolute<plane>(step.node, "n"), seen, tip, middle, step.body, DrawnVector::Role::normal);
                 if (!board_.is_zero(tangential))
-                    draw_vector(track, absolute<plane>(step.node, "t"), middle, end, step.body, DrawnVector::Role::tangential);
+                    draw_vector(track, absolute<plane>(step.node, "t"), seen, middle, end, step.body,
+                                DrawnVector::Role::tangential);
             }
             tip = end;
         }
@@ -414,7 +431,9 @@ private:
                          "Euler–Savary");
             const PointOn<plane> from = track.tip(step.base);
             const PointOn<plane> tip = board_.carry(from, rolling_offset(step.joint, step.body));
-            if (!rest) draw_vector(track, normal, from, tip, colour_of(step.node), DrawnVector::Role::normal);
+            if (!rest)
+                draw_vector(track, normal, {carried(step.node), carried(step.base), -1}, from, tip, colour_of(step.node),
+                            DrawnVector::Role::normal);
             set_tip(track, step.node, tip, true);
         }
     }
@@ -829,11 +848,13 @@ private:
                                     : relative<plane>(locus.node, locus.base, std::move(term));
         };
         if (result.absolute) result.role = DrawnVector::Role::absolute;
+        result.seen = turning(locus.node, locus.base);
         if constexpr (!is_velocity<plane>) {
             Link<plane> normal;
             normal.vector = locus.kind == Locus::Kind::link ? centripetal_about(node(locus.base).place, locus.base, locus.node)
                                                             : normal_of(locus.body, locus.base, locus.node);
             normal.role = DrawnVector::Role::normal;
+            normal.seen = result.seen;
             normal.term = {symbol("n"),
                            true,
                            true,
@@ -874,6 +895,7 @@ private:
         }
         result.absolute = result.from_rest && result.known.empty();
         if (result.absolute) result.role = DrawnVector::Role::absolute;
+        result.seen = result.absolute ? seen(locus.node) : sliding<plane>(locus.joint, slider, guide);
         const bool plain = is_velocity<plane> || result.absolute;
         const char* term = locus.kind == Locus::Kind::mesh ? "n" : "rel";
         result.sought = {symbol(plain ? "" : term), false, true, result.reason, colour};
@@ -960,6 +982,8 @@ private:
             link.role = role;
             link.shift = true;
             link.term = {relative<plane>(carry.to, carry.from, term), true, true, std::move(reason), carry.body};
+            link.seen = carry.kind == Carry::Kind::roll ? Seen{carried(carry.to), carried(carry.from), -1}
+                                                        : turning(carry.to, carry.from);
             if (!board_.is_zero(vector)) result.known.push_back(link);
         };
         result.absolute = false;
@@ -1035,6 +1059,7 @@ private:
         if (board_.is_zero(link.vector)) return std::nullopt;
         link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
         link.role = DrawnVector::Role::coriolis;
+        link.seen = {carried(slider), carried(guide), -1};
         return link;
     }
 
@@ -1045,6 +1070,7 @@ private:
         if (board_.is_zero(link.vector)) return std::nullopt;
         link.term.symbol = relative<Plane::acceleration>(slider, guide, "n");
         link.role = DrawnVector::Role::normal;
+        link.seen = sliding<Plane::acceleration>(joint, slider, guide);
         return link;
     }
 
@@ -1067,15 +1093,15 @@ private:
         for (const Link<plane>& link : drawn.known) {
             const PointOn<plane> next = set_off(drawn, link, here);
             const bool backwards = is_backwards(drawn.inverse, link.shift);
-            draw_vector(track, link.term.symbol, backwards ? next : here, backwards ? here : next,
+            draw_vector(track, link.term.symbol, link.seen, backwards ? next : here, backwards ? here : next,
                         link.term.body < 0 ? colour : link.term.body, link.role);
             here = next;
         }
         const BodyIndex sought_colour = drawn.sought.body < 0 ? colour : drawn.sought.body;
         if (drawn.inverse) {
-            draw_vector(track, drawn.sought.symbol, met, drawn.end, sought_colour, drawn.role);
+            draw_vector(track, drawn.sought.symbol, drawn.seen, met, drawn.end, sought_colour, drawn.role);
         } else {
-            draw_vector(track, drawn.sought.symbol, drawn.end, met, sought_colour, drawn.role);
+            draw_vector(track, drawn.sought.symbol, drawn.seen, drawn.end, met, sought_colour, drawn.role);
         }
     }
 

@@ -83,7 +83,20 @@ private:
         drawn.tip = tip.element;
         drawn.body = role == DrawnVector::Role::transport && !translating_ ? observer_ : structure_.node(point_).bodies.front();
         drawn.role = role;
+        drawn.seen = seen_as(role);
         board_.draw(std::move(drawn));
+    }
+
+    CarriedPlace carried(NodeIndex node) const {
+        return {structure_.node(node).place.element, structure_.node(node).bodies.front()};
+    }
+    Seen seen_as(DrawnVector::Role role) const {
+        if (role == DrawnVector::Role::absolute) return {carried(point_), {}, -1};
+        // An observer that translates turns no more than the frame does.
+        if (role == DrawnVector::Role::coriolis && translating_)
+            return {carried(point_), {structure_.node(transport_).place.element, frame}, -1};
+        if (role == DrawnVector::Role::transport) return {carried(transport_), {}, -1};
+        return {carried(point_), carried(transport_), -1};
     }
 
     void say(Sentence rotating, Sentence translating, Symbol::Letter letter, const char* source) {
@@ -128,7 +141,7 @@ private:
         draw(figure, "", board_.pole<Plane::acceleration>(), to, DrawnVector::Role::absolute);
         draw(figure, "tr", board_.pole<Plane::acceleration>(), from, DrawnVector::Role::transport);
         draw(figure, "cor", from, middle, DrawnVector::Role::coriolis);
-        draw(figure, "rel", middle, to, DrawnVector::Role::relative);
+        draw(figure, "rel", middle, to, translating_ ? DrawnVector::Role::relative : DrawnVector::Role::sliding);
         result.acceleration = place_of(to);
         result.transport_acceleration = place_of(from);
         result.coriolis = board_.value(coriolis);

@@ -80,8 +80,11 @@ public:
         }
         collect_points();
         if (wanted_.forces) collect_forces();
-        if (is_checked()) solution_.checks = check_rows(solution_);
         solution_.protocol = std::move(board_).finish();
+        if (!is_checked()) return;
+        Comparison comparison = compare_with_check(solution_);
+        solution_.checks = std::move(comparison.rows);
+        solution_.numeric_moduli = std::move(comparison.moduli);
     }
 
 private:

@@ -113,6 +113,17 @@ struct Polygon {
     std::vector<int> images;   ///< indices into Protocol::images
     std::vector<Face> faces;   ///< force polygons: one for each body
 };
+/// A place as a body carries it.
+struct CarriedPlace {
+    int place = -1;  ///< point element of the drawing
+    BodyIndex body = -1;
+};
+/// Whose motion a vector of motion is, or is part of, and how it is seen.
+struct Seen {
+    CarriedPlace of;
+    CarriedPlace to;  ///< from where it is seen; no body: from the frame
+    int about = -1;   ///< point element about which `of` turns, seen from `to`; −1: it goes straight
+};
 /// A named vector of a polygon, from tail to tip (elements that are points of its plane).
 struct DrawnVector {
     Symbol symbol;
@@ -132,6 +143,7 @@ struct DrawnVector {
     } role = Role::absolute;
     int statement = -1;
     int trial = 0;  ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
+    Seen seen;      ///< nothing for a force, nor for a component along a line
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
 struct Image {

@@ -165,6 +165,8 @@ struct Solution {
     std::optional<VirtualWork> virtual_work;  ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;   ///< where the file gives one body's act of motion
     std::vector<CheckRow> checks;
+    /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not determine it.
+    std::vector<std::optional<double>> numeric_moduli;
     std::vector<Unsolved> unsolved;  ///< not empty: exit 3
     std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
 };

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/checked_numbers.hpp"
 #include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 
@@ -78,23 +79,6 @@ RichText line_of(const DrawingContext& context, const FreeBody& body, const Appl
         }
     return one_piece(word("any line", language));
 }
-
-struct Checks {
-    explicit Checks(const Solution& solution) {
-        for (const CheckRow& row : solution.checks) rows.emplace(row.quantity, row.numeric);
-    }
-    std::optional<double> scalar(const std::string& quantity) const {
-        const auto found = rows.find(quantity);
-        if (found == rows.end()) return std::nullopt;
-        return found->second;
-    }
-    std::optional<double> modulus(const std::string& quantity) const {
-        const auto x = scalar(quantity + " x"), y = scalar(quantity + " y");
-        if (!x || !y) return std::nullopt;
-        return length(Spot{*x, *y});
-    }
-    std::map<std::string, double> rows;
-};
 
 std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
     std::optional<Measured> longest;  // the first one, or where it has a detail
@@ -243,7 +227,7 @@ std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vect
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const Unit &force = mechanism.units.force, &moment = mechanism.units.moment;
-    const Checks checks(solution);
+    const CheckedNumbers checks(solution);
     std::vector<ResultRow> rows, couples;
     std::set<std::string> seen;
     std::set<std::tuple<JointIndex, BodyIndex, BodyIndex>> joints;

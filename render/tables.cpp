@@ -9,6 +9,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/checked_numbers.hpp"
 #include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 
@@ -27,116 +28,6 @@ void set_right(std::vector<Mark>& marks, const ShapedLine& shaped, double right,
 void set_centred(std::vector<Mark>& marks, const ShapedLine& shaped, double middle, double baseline, Colour colour) {
     set_text(marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
 }
-
-/// What the check says, by quantity.
-class Checks {
-public:
-    explicit Checks(const Solution& solution) : solution_(solution) {
-        for (const CheckRow& row : solution.checks) rows_.emplace(row.quantity, &row);
-    }
-    std::optional<double> scalar(const std::string& quantity) const {
-        const auto found = rows_.find(quantity);
-        if (found == rows_.end()) return std::nullopt;
-        return found->second->numeric;
-    }
-    std::optional<Spot> components(const std::string& quantity) const {
-        const auto x = scalar(quantity + " x"), y = scalar(quantity + " y");
-        if (!x || !y) return std::nullopt;
-        return Spot{*x, *y};
-    }
-    std::optional<Spot> of_point(const std::string& kind, std::string name, BodyIndex body) const {
-        // A starred place belongs to its own body alone: the plain row may be another's.
-        const bool starred = name.ends_with('*');
-        while (!name.empty() && name.back() == '*') name.pop_back();
-        if (!starred)
-            if (const auto plain_point = components(kind + " " + name)) return plain_point;
-        return components(kind + " " + name + " on " + body_name(body));
-    }
-    std::string body_name(BodyIndex body) const {
-        return body < 0 ? "" : solution_.mechanism.bodies[static_cast<std::size_t>(body)].name;
-    }
-
-    /// The modulus of a drawn vector as the check has it; nothing where the check has no such thing.
-    std::optional<double> modulus(const DrawnVector& vector) const {
-        const bool acceleration = vector.symbol.letter == Symbol::Letter::a;
-        const std::string kind = acceleration ? "acceleration" : "velocity";
-        const std::string& term = vector.symbol.term;
-        const auto omega = scalar("omega " + body_name(vector.body)), alpha = scalar("alpha " + body_name(vector.body));
-        const auto pair = split(vector.symbol.about);
-        using Role = DrawnVector::Role;
-        if (vector.role == Role::coriolis || vector.role == Role::sliding || term == "rel") {
-            const Joint* joint = pair ? slide_between(pair->first, pair->second) : nullptr;
-            if (joint == nullptr) return std::nullopt;
-            const auto v = components("sliding " + joint->name + " " + (vector.role == Role::coriolis ? "coriolis" : kind));
-            return v ? std::optional(length(*v)) : std::nullopt;
-        }
-        if (term == "n" || term == "t") {
-            if (!omega || (term == "t" && !alpha)) return std::nullopt;
-            double radius = 0;
-            if (pair) {
-                // The link of an equivalent linkage is no body's: the check has nothing of its turning.
-                if (is_foreign(pair->first, vector.body) || is_foreign(pair->second, vector.body)) return std::nullopt;
-                const auto p = place(pair->first), q = place(pair->second);
-                if (!p || !q) return std::nullopt;
-                radius = length(*p - *q);
-                if (radius == 0) return std::nullopt;  // of two bodies in contact
-            } else {
-                // A point on a circle about a fixed pivot: its radius from v = ω r.
-                const auto v = of_point("velocity", vector.symbol.about, vector.body);
-                if (!v || *omega == 0) return std::nullopt;
-                radius = length(*v) / std::abs(*omega);
-            }
-            return term == "n" ? *omega * *omega * radius : std::abs(*alpha) * radius;
-        }
-        if (!term.empty()) return std::nullopt;
-        if (const auto v = of_point(kind, vector.symbol.about, vector.body)) return length(*v);
-        if (pair) {
-            const auto p = of_point(kind, pair->first, vector.body), q = of_point(kind, pair->second, vector.body);
-            if (p && q) return length(*p - *q);
-        }
-        return std::nullopt;
-    }
-
-private:
-    bool carries(const std::string& label, BodyIndex body) const {
-        return std::any_of(solution_.points.begin(), solution_.points.end(), [&](const PointMotion& point) {
-            return point.label == label && std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
-        });
-    }
-    /// A point of other bodies; auxiliary points are nobody's.
-    bool is_foreign(const std::string& label, BodyIndex body) const {
-        return !carries(label, body) && std::any_of(solution_.points.begin(), solution_.points.end(),
-                                                    [&](const PointMotion& point) { return point.label == label; });
-    }
-    /// The joint at which a point of one body slides on that of another, A on A* or A* on A.
-    const Joint* slide_between(const std::string& first, const std::string& second) const {
-        for (const Sliding& sliding : solution_.sliding) {
-            const Joint& joint = solution_.mechanism.joints[static_cast<std::size_t>(sliding.joint)];
-            const BodyIndex slider = joint.bodies[0], guide = joint.bodies[1];
-            if ((carries(first, slider) && carries(second, guide)) || (carries(first, guide) && carries(second, slider)))
-                return &joint;
-        }
-        return nullptr;
-    }
-    /// "BA" is of B relative to A where points of these names exist.
-    std::optional<std::pair<std::string, std::string>> split(const std::string& about) const {
-        if (const std::size_t comma = about.find(','); comma != std::string::npos)
-            return std::pair(about.substr(0, comma), about.substr(comma + 1));
-        for (std::size_t i = 1; i < about.size(); ++i)
-            if (place(about.substr(0, i)) && place(about.substr(i))) return std::pair(about.substr(0, i), about.substr(i));
-        return std::nullopt;
-    }
-    std::optional<Spot> place(std::string name) const {
-        while (!name.empty() && name.back() == '*') name.pop_back();
-        const auto point = solution_.mechanism.point_named(name);
-        if (!point) return std::nullopt;
-        const Vector& at = solution_.pose.at(*point);
-        return Spot{at.x.to_double(), at.y.to_double()};
-    }
-
-    const Solution& solution_;
-    std::map<std::string, const CheckRow*> rows_;
-};
 
 /// Decimals that show five digits of the largest value of a column; nothing where plain decimals would be too long.
 std::optional<int> decimals_for(double largest) {
@@ -338,7 +229,7 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
     const Solution& solution = context.solution;
     const Units& units = solution.mechanism.units;
-    const Checks checks(solution);
+    const CheckedNumbers checks(solution);
     std::vector<ResultRow> rows;
 
     const auto add_bodies = [&](Symbol::Letter letter, const std::string& quantity, const Unit& unit, const std::string& group) {
@@ -380,7 +271,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
                 } else if (figure || value.is_zero()) {
                     row.millimetres = 0;
                 }
-                if (const auto numeric = checks.modulus(vector)) row.numeric = *numeric / unit.si.to_double();
+                if (const auto numeric = checks.modulus(index)) row.numeric = *numeric / unit.si.to_double();
                 row.unit = unit.symbol;
                 row.group = polygon.id;
                 rows.push_back(std::move(row));
