@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -102,6 +103,13 @@ struct GroupBegin {
     std::string title;
     std::vector<std::pair<std::string, std::string>> attributes;
     int statement = -1;  ///< as a Path's; of all that is in the group and has none of its own
+
+    /// The value of the attribute of that name, if there is one.
+    const std::string* attribute(std::string_view name) const {
+        for (const auto& [own, value] : attributes)
+            if (own == name) return &value;
+        return nullptr;
+    }
 };
 struct GroupEnd {};
 

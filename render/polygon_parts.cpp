@@ -79,21 +79,25 @@ public:
     }
 
 private:
+    LabelRequest& ask_label(RichText text, double size, Colour colour, Spot anchor, double clearance, int statement) {
+        LabelRequest& label = figure_.labels.emplace_back();
+        label.text = std::move(text);
+        label.size = size;
+        label.colour = colour;
+        label.anchor = anchor;
+        label.clearance = clearance;
+        label.statement = statement;
+        return label;
+    }
+
     void draw_lines() {
         for (const PolygonLine& each : parts_.lines) {
             figure_.marks.emplace_back(line(each.from, each.to, each.pen));
             belong(figure_.marks, figure_.marks.size() - 1, each.statement);
             if (each.mark.empty()) continue;
-            LabelRequest mark;
-            mark.text = each.mark;
-            mark.size = theme_.small;
-            mark.colour = theme_.secondary;
-            mark.anchor = each.mark_at;
+            LabelRequest& mark = ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
             mark.toward = each.mark_toward;
-            mark.clearance = 1.2;
             mark.along = true;
-            mark.statement = each.statement;
-            figure_.labels.push_back(std::move(mark));
         }
     }
 
@@ -102,15 +106,8 @@ private:
             if (image.kind != PolygonImage::Kind::trial) continue;
             figure_.marks.emplace_back(disc(image.at, 0.4, theme_.secondary));
             belong(figure_.marks, figure_.marks.size() - 1, image.statement);
-            if (is_in_any(details_, image.at)) continue;
-            LabelRequest label;
-            label.statement = image.statement;
-            label.text = image.text;
-            label.size = theme_.small;
-            label.colour = theme_.secondary;
-            label.anchor = image.at;
-            label.clearance = 1.4;
-            figure_.labels.push_back(std::move(label));
+            if (!is_in_any(details_, image.at))
+                ask_label(image.text, theme_.small, theme_.secondary, image.at, 1.4, image.statement);
         }
     }
 
@@ -215,16 +212,10 @@ private:
         drawn.push_back({vector.tail, vector.tip, !vector.internal, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
-        LabelRequest label;
-        label.text = vector.text;
-        label.size = vector.internal ? theme_.label : theme_.equation;
-        label.colour = vector.colour.letter;
-        label.anchor = 0.5 * (vector.tail + vector.tip);
+        LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,
+                                        0.5 * (vector.tail + vector.tip), 1.5, vector.statement);
         label.toward = vector.tip;
-        label.clearance = 1.5;
-        label.statement = vector.statement;
         label.names = {vector.name};
-        figure_.labels.push_back(std::move(label));
     }
 
     void draw_pole() {
@@ -263,15 +254,8 @@ private:
                 belong(figure_.marks, figure_.marks.size() - 1, cluster.statement);
             }
             if (is_named_in_detail_only(clusters, cluster) || cluster.text.empty()) continue;
-            LabelRequest label;
-            label.statement = cluster.statement;
-            label.names.assign(cluster.names.begin(), cluster.names.end());
-            label.text = cluster.text;
-            label.size = theme_.label;
-            label.colour = theme_.text;
-            label.anchor = cluster.at;
-            label.clearance = 2.0;
-            figure_.labels.push_back(std::move(label));
+            ask_label(cluster.text, theme_.label, theme_.text, cluster.at, 2.0, cluster.statement)
+                .names.assign(cluster.names.begin(), cluster.names.end());
         }
     }
     /// Where a detail tells several images apart; the pole is always named, and so is an image that stands alone.
@@ -303,14 +287,7 @@ private:
             figure_.marks.emplace_back(circle(detail.centre, radius, {theme_.thin, theme_.text, {}, false}));
             figure_.marks.emplace_back(GroupEnd{});
             belong(figure_.marks, first, statement);
-            LabelRequest label;
-            label.statement = statement;
-            label.text = one_piece(detail.letter);
-            label.size = theme_.label;
-            label.colour = theme_.text;
-            label.anchor = detail.centre;
-            label.clearance = radius + 0.8;
-            figure_.labels.push_back(std::move(label));
+            ask_label(one_piece(detail.letter), theme_.label, theme_.text, detail.centre, radius + 0.8, statement);
         }
     }
 
@@ -572,10 +549,11 @@ std::optional<Measured> measured_on(const Figure& figure, const std::string& nam
     std::string detail;
     for (std::size_t i = 0; i + 1 < figure.marks.size(); ++i) {
         const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
-        if (!group || group->attributes.empty()) continue;
-        const std::string& what = group->attributes.front().second;
-        if (group->cls == "figure") detail = what == "detail" ? group->id.substr(group->id.rfind('-') + 1) : "";
-        if (group->cls != "vector" || what != name) continue;
+        if (!group) continue;
+        if (const std::string* kind = group->attribute("data-figure"))
+            detail = *kind == "detail" ? group->id.substr(group->id.rfind('-') + 1) : "";
+        const std::string* own = group->cls == "vector" ? group->attribute("data-name") : nullptr;
+        if (!own || *own != name) continue;
         if (const auto* axis = std::get_if<Axis>(&figure.marks[i + 1]))
             if (const double whole = length(axis->tip - axis->tail); !longest || whole > longest->millimetres)
                 longest = {whole, detail};

@@ -525,8 +525,8 @@ bool is_cited(const Mark& mark, const std::set<std::string>& names) {
     const auto* group = std::get_if<GroupBegin>(&mark);
     if (!group) return false;
     if (names.contains(group->id) || (group->cls == "centre" && names.contains(group->title))) return true;
-    return std::any_of(group->attributes.begin(), group->attributes.end(),
-                       [&](const auto& attribute) { return attribute.first == "data-name" && names.contains(attribute.second); });
+    const std::string* name = group->attribute("data-name");
+    return name && names.contains(*name);
 }
 
 }  // namespace

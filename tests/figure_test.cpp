@@ -218,8 +218,7 @@ TEST(VelocitiesOnMechanism, have_axes_as_long_as_their_values) {
         int measured = 0;
         for (const Mark& mark : figure.marks) {
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector")
-                for (const auto& [key, text] : group->attributes)
-                    if (key == "data-value") value = std::stod(text);
+                if (const std::string* text = group->attribute("data-value")) value = std::stod(*text);
             if (const auto* axis = std::get_if<Axis>(&mark)) {
                 EXPECT_NEAR(length(axis->tip - axis->tail), value / figure.scale, 1e-6);
                 ++measured;

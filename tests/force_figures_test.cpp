@@ -153,14 +153,13 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScale) {
         std::set<std::string> bodies;
         for (const Page& page : lay_out(solution, {paper, Language::en, {}}, fonts()))
             for (const Mark& mark : page.marks)
-                if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure")
-                    for (const auto& [key, text] : group->attributes) {
-                        if (key != "data-figure") continue;
-                        if (text == "body") bodies.insert(group->id);
-                        if (text == "forces" || text == "closure")
-                            for (const auto& [other, value] : group->attributes)
-                                if (other == "data-scale") scales.insert(std::strtod(value.c_str(), nullptr));
-                    }
+                if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "figure") {
+                    const std::string* kind = group->attribute("data-figure");
+                    const std::string* scale = group->attribute("data-scale");
+                    if (kind && *kind == "body") bodies.insert(group->id);
+                    if (kind && scale && (*kind == "forces" || *kind == "closure"))
+                        scales.insert(std::strtod(scale->c_str(), nullptr));
+                }
         EXPECT_LE(scales.size(), 1u);
         for (const FreeBody& body : solution.free_bodies)
             if (body.body > 0) {

@@ -35,8 +35,7 @@ std::vector<Axis> axes(const Figure& figure, const std::string& cls) {
 double scale_of_forces(const Figure& figure) {
     for (const Mark& mark : figure.marks)
         if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "force")
-            for (const auto& [key, value] : group->attributes)
-                if (key == "data-scale") return std::stod(value);
+            if (const std::string* scale = group->attribute("data-scale")) return std::stod(*scale);
     return 0;
 }
 

@@ -152,11 +152,7 @@ bool deeply_overlap(TurnedBox a, TurnedBox b) {
     return overlap(a, b);
 }
 
-std::string figure_of(const GroupBegin& group) {
-    for (const auto& attribute : group.attributes)
-        if (attribute.first == "data-figure") return group.id;
-    return {};
-}
+std::string figure_of(const GroupBegin& group) { return group.attribute("data-figure") ? group.id : ""; }
 
 /// Whether a path is a thin straight line or an empty circle with nothing but a ring between it and a label.
 bool is_part_of_label(const std::vector<Mark>& marks, std::size_t k) {

@@ -21,9 +21,8 @@ using namespace kinegraph::render;
 using namespace kinegraph::tests;
 
 std::string attribute(const GroupBegin& group, const std::string& key) {
-    for (const auto& [name, value] : group.attributes)
-        if (name == key) return value;
-    return {};
+    const std::string* value = group.attribute(key);
+    return value ? *value : "";
 }
 
 /// Every vector group with its axes and the figure, or detail of it, that it is drawn in.

@@ -250,8 +250,7 @@ TEST(Sheet, ALongChainGoesOnOverItsPages) {
 double scale_of_group(const Figure& figure, const std::string& id) {
     for (const Mark& mark : figure.marks)
         if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->id == id)
-            for (const auto& [key, value] : group->attributes)
-                if (key == "data-scale") return std::strtod(value.c_str(), nullptr);
+            if (const std::string* scale = group->attribute("data-scale")) return std::strtod(scale->c_str(), nullptr);
     return 0;
 }
 

@@ -37,7 +37,7 @@ Shown shown_on(const Page& page) {
     for (const Mark& mark : page.marks) {
         if (const auto* group = std::get_if<GroupBegin>(&mark)) {
             if (group->cls == "figure") {
-                const std::string of = group->attributes.front().second;
+                const std::string of = *group->attribute("data-figure");
                 if (kind.empty())
                     kind = of, shown.figure = kind == "forces" ? kind : group->id == "mechanism" ? group->title : group->id;
                 large = of == kind || (large && of == "detail");
@@ -130,7 +130,7 @@ TEST(StepsOfDetails, ComeWithTheFirstVectorInThem) {
         for (const Mark& mark : page.marks) {
             const auto* group = std::get_if<GroupBegin>(&mark);
             if (!group) continue;
-            if (group->cls == "figure" && group->attributes.front().second == "detail") details.insert(group->id);
+            if (group->cls == "figure" && *group->attribute("data-figure") == "detail") details.insert(group->id);
             if (group->cls == "vector" && group->id.find("-detail-") != std::string::npos)
                 used.insert(group->id.substr(0, group->id.find('-', group->id.find("-detail-") + 8)));
         }
