@@ -16,6 +16,8 @@
 #include "render/shapes.hpp"
 #include "render/sheet.hpp"
 #include "tests/command_line.hpp"
+#include "tests/fonts.hpp"
+#include "tests/solved.hpp"
 
 namespace {
 
@@ -189,22 +191,25 @@ TEST(Theme, EveryColourOfASheetIsTheThemes) {
                 << example << ": " << int{c.red} << ' ' << int{c.green} << ' ' << int{c.blue};
 }
 
+/// No letter of any example is elsewhere: a dark tint is no more ink than a light one, a dashed line no less than a full one.
 TEST(Theme, ChangesTheLookAndNothingElse) {
-    const auto words = [](const std::vector<Page>& pages) {
-        std::vector<std::pair<std::string, Spot>> all;
-        for (const Page& page : pages)
-            for (const Mark& mark : page.marks)
-                if (const auto* text = std::get_if<TextMark>(&mark); text && !text->glyphs.empty())
-                    all.emplace_back(text->words, text->glyphs.front().origin);
-        return all;
-    };
-    const auto usual_words = words(sheet("four_bar.json", theme("colour")));
-    const auto dark_words = words(sheet("four_bar.json", theme("dark")));
-    ASSERT_EQ(usual_words.size(), dark_words.size());
-    for (std::size_t i = 0; i < usual_words.size(); ++i) {
-        EXPECT_EQ(usual_words[i].first, dark_words[i].first);
-        EXPECT_EQ(usual_words[i].second.x, dark_words[i].second.x);
-        EXPECT_EQ(usual_words[i].second.y, dark_words[i].second.y);
+    using Letters = std::tuple<std::string, double, double>;
+    for (const std::string& name : example_names()) {
+        const auto solution = example(name);
+        const auto letters_in = [&](std::string_view look) {
+            SheetOptions options;
+            options.theme = theme(look);
+            std::vector<Letters> letters;
+            for (const Page& page : lay_out(solution, options, fonts()))
+                for (const Mark& mark : page.marks)
+                    if (const auto* text = std::get_if<TextMark>(&mark))
+                        for (const Glyph& glyph : text->glyphs) letters.emplace_back(text->words, glyph.origin.x, glyph.origin.y);
+            return letters;
+        };
+        const std::vector<Letters> usual_letters = letters_in("colour");
+        EXPECT_FALSE(usual_letters.empty()) << name;
+        // Not EXPECT_EQ: it would print all letters.
+        for (const char* look : {"dark", "print"}) EXPECT_TRUE(letters_in(look) == usual_letters) << name << ' ' << look;
     }
 }
 
