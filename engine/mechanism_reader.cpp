@@ -4,13 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -18,227 +15,20 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/form_reader.hpp"
 #include "engine/json_source.hpp"
 #include "engine/mechanism.hpp"
+#include "engine/point_cycles.hpp"
+#include "engine/scale_text.hpp"
 #include "engine/schema_gate.hpp"
+#include "engine/spelling.hpp"
 #include "engine/units.hpp"
 
 namespace kinegraph {
 namespace {
 
-using Kind = JsonValue::Kind;
-
-// --- words of messages -------------------------------------------------------------------------------------------------------
-
-std::string described(JsonValue value) {
-    switch (value.kind()) {
-        case Kind::null:
-            return "null";
-        case Kind::boolean:
-            return std::string(value.text());
-        case Kind::number:
-            return "the number " + shown(value.text(), 40);
-        case Kind::string:
-            return quoted(value.text());
-        case Kind::array:
-            return value.size() == 0 ? "an empty array" : "an array of " + std::to_string(value.size());
-        case Kind::object:
-            return "an object";
-    }
-    KG_ASSERT(false, "every kind of value has a description");
-}
-
-bool is_whole_number(JsonValue value) {
-    // The names of bodies are short; longer ones would not survive other JSON readers.
-    constexpr std::size_t longest = 18;
-    if (!value.is_number() || value.text().size() > longest) return false;
-    const std::string_view digits = value.text().substr(value.text().starts_with('-') ? 1 : 0);
-    return std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-bool is_true(JsonValue value) { return value.kind() == Kind::boolean && value.text() == "true"; }
-
-/// "a", "b" and "c".
-std::string listed(std::span<const std::string_view> words) {
-    std::string list;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
-        list += '"' + std::string(words[i]) + '"';
-    }
-    return list;
-}
-
-/// The C0, DEL and C1 characters, at any place of well-formed UTF-8; a tab or line break only where `also_blank`.
-bool has_control_character(std::string_view text, bool also_blank) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const bool blank = c == '\t' || c == '\n' || c == '\r';
-        if ((c < 0x20 && (also_blank || !blank)) || c == 0x7F) return true;
-        if (c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) return true;
-    }
-    return false;
-}
-
-/// Finds the name nearest to a misspelt one, as long as the work for all of them stays small.
-class Speller {
-public:
-    template <class Names>
-    std::optional<std::string> nearest(std::string_view word, const Names& names) {
-        constexpr std::size_t longest = 64;
-        constexpr int most = 2;
-        if (word.size() > longest) return std::nullopt;
-        using Rank = std::tuple<std::size_t, std::uint64_t, std::ptrdiff_t>;
-        std::optional<std::pair<Rank, std::string_view>> best;
-        for (const std::string_view name : names) {
-            if (budget_ == 0) break;
-            --budget_;
-            if (name.size() > longest) continue;
-            const std::size_t distance = edit_distance(word, name, most);
-            const std::size_t length = std::max(word.size(), name.size());
-            if (distance > std::clamp<std::size_t>(length / 2, 1, most)) continue;
-            const auto prefix = std::mismatch(word.begin(), word.end(), name.begin(), name.end()).first - word.begin();
-            const Rank rank{distance, numbers_apart(word, name), -prefix};
-            if (!best || rank < best->first) best = {rank, name};
-        }
-        if (!best) return std::nullopt;
-        return std::string(best->second);
-    }
-
-private:
-    /// Between two numbers the nearer is the likelier: 5 is 4 rather than 1.
-    static std::uint64_t numbers_apart(std::string_view a, std::string_view b) {
-        const auto value = [](std::string_view text) -> std::optional<std::int64_t> {
-            constexpr std::size_t longest = 18;
-            if (text.empty() || text.size() > longest) return std::nullopt;
-            std::int64_t sum = 0;
-            for (const char c : text) {
-                if (c < '0' || c > '9') return std::nullopt;
-                sum = sum * 10 + (c - '0');
-            }
-            return sum;
-        };
-        const auto x = value(a);
-        const auto y = value(b);
-        if (!x || !y) return 0;
-        return static_cast<std::uint64_t>(*x > *y ? *x - *y : *y - *x);
-    }
-    long budget_ = 200'000;
-};
-
-std::string did_you_mean(const std::optional<std::string>& name) { return name ? " (did you mean " + quoted(*name) + "?)" : ""; }
-
-// --- cycles of points --------------------------------------------------------------------------------------------------------
-
-/// Which points each point is placed by: of point i, `targets[first[i]]` up to `targets[first[i + 1]]`.
-struct Dependencies {
-    std::vector<std::size_t> first;
-    std::vector<PointIndex> targets;
-    std::span<const PointIndex> of(PointIndex point) const {
-        const auto i = static_cast<std::size_t>(point);
-        return std::span(targets).subspan(first[i], first[i + 1] - first[i]);
-    }
-};
-
-/// One shortest cycle through the first point of each knot of points that depend on each other (Tarjan's strongly connected
-/// components, with a stack of our own so that no chain is too long).
-std::vector<std::vector<PointIndex>> cycles(const Dependencies& graph) {
-    const std::size_t count = graph.first.size() - 1;
-    constexpr int unseen = -1;
-    std::vector<int> number(count, unseen), low(count, 0), component(count, unseen);
-    std::vector<PointIndex> open;
-    std::vector<std::pair<PointIndex, std::size_t>> path;
-    int next_number = 0;
-    int components = 0;
-    std::vector<int> sizes;
-    const auto at = [](PointIndex point) { return static_cast<std::size_t>(point); };
-    for (std::size_t start = 0; start < count; ++start) {
-        if (number[start] != unseen) continue;
-        path.emplace_back(static_cast<PointIndex>(start), 0);
-        while (!path.empty()) {
-            auto& [point, edge] = path.back();
-            if (edge == 0) {
-                number[at(point)] = low[at(point)] = next_number++;
-                open.push_back(point);
-            }
-            const auto targets = graph.of(point);
-            if (edge < targets.size()) {
-                const PointIndex target = targets[edge++];
-                if (number[at(target)] == unseen) {
-                    path.emplace_back(target, 0);
-                } else if (component[at(target)] == unseen) {
-                    low[at(point)] = std::min(low[at(point)], number[at(target)]);
-                }
-                continue;
-            }
-            const PointIndex done = point;
-            path.pop_back();
-            if (!path.empty()) low[at(path.back().first)] = std::min(low[at(path.back().first)], low[at(done)]);
-            if (low[at(done)] != number[at(done)]) continue;
-            sizes.push_back(0);
-            PointIndex member = -1;
-            do {
-                member = open.back();
-                open.pop_back();
-                component[at(member)] = components;
-                ++sizes.back();
-            } while (member != done);
-            ++components;
-        }
-    }
-    std::vector<std::vector<PointIndex>> found;
-    std::vector<bool> told(static_cast<std::size_t>(components), false);
-    std::vector<PointIndex> reached_from(count, -1);
-    for (std::size_t start = 0; start < count; ++start) {
-        const auto own = static_cast<std::size_t>(component[start]);
-        const auto first = static_cast<PointIndex>(start);
-        const auto targets = graph.of(first);
-        const bool knotted = sizes[own] > 1 || std::find(targets.begin(), targets.end(), first) != targets.end();
-        if (!knotted || told[own]) continue;
-        told[own] = true;
-        std::vector<PointIndex> queue{first};
-        PointIndex last = -1;
-        for (std::size_t i = 0; i < queue.size() && last < 0; ++i) {
-            for (const PointIndex target : graph.of(queue[i])) {
-                if (target == first) {
-                    last = queue[i];
-                    break;
-                }
-                if (component[at(target)] != component[start] || reached_from[at(target)] >= 0) continue;
-                reached_from[at(target)] = queue[i];
-                queue.push_back(target);
-            }
-        }
-        std::vector<PointIndex> cycle;
-        for (PointIndex point = last; point != first; point = reached_from[at(point)]) cycle.push_back(point);
-        cycle.push_back(first);
-        std::reverse(cycle.begin(), cycle.end());
-        found.push_back(std::move(cycle));
-    }
-    return found;
-}
-
-// --- the reader --------------------------------------------------------------------------------------------------------------
-
-/// The members of an object that its form knows.
-class Members {
-public:
-    JsonValue operator[](std::string_view key) const {
-        const auto found = std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
-        return found == known_.end() ? JsonValue() : *found;
-    }
-    /// There, or there in a spelling that has been reported.
-    bool has_or_misspells(std::string_view key) const {
-        return (*this)[key] || std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end();
-    }
-
-private:
-    friend class Reader;
-    JsonValue object_;
-    std::vector<JsonValue> known_;
-    std::vector<std::string> misspelt_;
-};
-
-class Reader {
+/// Section by section.
+class Reader : private FormReader {
 public:
     Reader(const JsonSource& source, std::string name) : source_(source) { mechanism_.source = std::move(name); }
 
@@ -260,302 +50,6 @@ public:
     }
 
 private:
-    // ----- faults and forms
-
-    void fault(JsonValue at, std::string message) {
-        faults_.emplace_back(at.order(), Error{ErrorCode::bad_input, at.pointer(), std::move(message)});
-    }
-
-    bool expect(JsonValue value, Kind kind, std::string_view wanted) {
-        if (value.kind() == kind) return true;
-        fault(value, std::string(wanted) + " is wanted here, not " + described(value));
-        return false;
-    }
-
-    /// Sorts an object's members; reports those that `form` ("a driver") does not know.
-    Members members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form) {
-        Members result;
-        result.object_ = object;
-        for (const JsonValue member : object) {
-            if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
-                if (!result[member.key()]) result.known_.push_back(member);
-                continue;
-            }
-            const auto meant = speller_.nearest(member.key(), known);
-            std::string message = "unknown key " + quoted(member.key());
-            if (meant) {
-                message += did_you_mean(meant);
-                result.misspelt_.push_back(*meant);
-            } else {
-                message += "; the keys of " + std::string(form) + " are " + listed({known.begin(), known.size()});
-            }
-            fault(member, std::move(message));
-        }
-        return result;
-    }
-
-    /// The member, or a fault that says what it is needed for.
-    JsonValue required(const Members& of, std::string_view key, std::string_view meaning) {
-        if (of[key]) return of[key];
-        if (!of.has_or_misspells(key)) fault(of.object_, '"' + std::string(key) + "\" is missing: " + std::string(meaning));
-        return {};
-    }
-
-    /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.
-    JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true) {
-        JsonValue only;
-        for (const std::string_view key : keys) {
-            if (!of[key]) continue;
-            if (only) {
-                const JsonValue later = only.order() < of[key].order() ? of[key] : only;
-                const JsonValue earlier = only.order() < of[key].order() ? only : of[key];
-                fault(later, quoted(later.key()) + " and " + quoted(earlier.key()) + " do not go together; take one of them out");
-                return {};
-            }
-            only = of[key];
-        }
-        const bool misspelt =
-            std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
-        if (!only && needed && !misspelt) {
-            fault(of.object_, "one of " + listed({keys.begin(), keys.size()}) + " is missing");
-        }
-        return only;
-    }
-
-    // ----- names
-
-    /// Whether the text may be a name; a fault at `at` if not.
-    void check_name(JsonValue at, std::string_view name) {
-        if (name.empty()) {
-            fault(at, "a name must not be empty");
-        } else if (name.find(',') != std::string_view::npos) {
-            fault(at, "the name " + quoted(name) + " has a comma; names in results are separated by commas, so choose another");
-        } else if (name.find(" on ") != std::string_view::npos) {
-            fault(at, "the name " + quoted(name) + " has \" on \" in it; results say \"3 on 2\", so choose another");
-        } else if (has_control_character(name, true)) {
-            fault(at, "the name " + quoted(name) + " has a control character; take it out");
-        }
-    }
-
-    /// A new name as a member's value.
-    std::string new_name(JsonValue value, std::string_view wanted) {
-        if (!expect(value, Kind::string, wanted)) return {};
-        check_name(value, value.text());
-        return std::string(value.text());
-    }
-
-    PointIndex look_up_point(JsonValue at, std::string_view name) {
-        const auto found = points_by_name_.find(name);
-        if (found != points_by_name_.end()) {
-            if (collected_ != nullptr) collected_->push_back(found->second);
-            return found->second;
-        }
-        if (points_known_) fault(at, "no point is named " + quoted(name) + did_you_mean(speller_.nearest(name, point_names_)));
-        return -1;
-    }
-    /// A point's name; in an array an integer will do.
-    PointIndex point(JsonValue value, bool in_array = false) {
-        if (!value) return -1;
-        if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
-        fault(value, "a point's name is wanted here, not " + described(value));
-        return -1;
-    }
-
-    BodyIndex look_up_body(JsonValue at, std::string_view name) {
-        const auto found = bodies_by_name_.find(name);
-        if (found != bodies_by_name_.end()) return found->second;
-        if (bodies_known_) fault(at, "no body is named " + quoted(name) + did_you_mean(speller_.nearest(name, body_names_)));
-        return -1;
-    }
-    BodyIndex body(JsonValue value) {
-        if (!value) return -1;
-        if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
-        fault(value, "a body's name is wanted here, not " + described(value));
-        return -1;
-    }
-    /// A body that moves: the frame is refused with `why`.
-    BodyIndex moving_body(JsonValue value, std::string_view why) {
-        const BodyIndex found = body(value);
-        if (found == 0) fault(value, std::string(why));
-        return found;
-    }
-
-    Words words(JsonValue value) {
-        const auto line = [&](JsonValue text) -> std::string {
-            if (!expect(text, Kind::string, "a text")) return {};
-            if (has_control_character(text.text(), false))
-                fault(text, "a control character cannot be drawn; take it out of " + quoted(text.text()));
-            std::string clean(text.text());
-            std::replace_if(
-                clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-            return clean;
-        };
-        Words result;
-        if (value.is_string()) {
-            result.en = result.it = line(value);
-        } else if (value.is_object()) {
-            const Members by_language = members(value, {"en", "it"}, "a text in several languages");
-            one_of_both(by_language);
-            if (by_language["en"]) result.en = line(by_language["en"]);
-            result.it = by_language["it"] ? line(by_language["it"]) : result.en;
-            if (!by_language["en"]) result.en = result.it;
-        } else {
-            fault(value, "a text or {\"en\": …, \"it\": …} is wanted here, not " + described(value));
-        }
-        return result;
-    }
-    void one_of_both(const Members& by_language) {
-        if (!by_language.has_or_misspells("en") && !by_language.has_or_misspells("it")) {
-            fault(by_language.object_, "neither \"en\" nor \"it\" is given");
-        }
-    }
-
-    // ----- numbers
-
-    const KnownUnit& bare_unit(QuantityKind kind) const {
-        const auto set =
-            std::find_if(bare_units_.begin(), bare_units_.end(), [&](const KnownUnit* unit) { return unit->kind == kind; });
-        return set == bare_units_.end() ? default_unit(kind) : **set;
-    }
-
-    /// A number or a string with a unit, as written; range checked in SI.
-    std::optional<Quantity> quantity_as_written(JsonValue value, QuantityKind kind) {
-        if (!value) return std::nullopt;
-        tl::expected<Quantity, std::string> result = tl::make_unexpected(std::string());
-        if (value.is_number()) {
-            auto number = read_decimal(value.text());
-            if (number) {
-                result = Quantity{std::move(*number), &bare_unit(kind)};
-            } else {
-                result = tl::make_unexpected(std::move(number.error()));
-            }
-        } else if (value.is_string()) {
-            result = read_quantity(value.text(), kind);
-            if (result && result->unit->kind != kind) {
-                result = tl::make_unexpected(quoted(value.text()) + " is " + with_article(result->unit->kind) + "; " +
-                                             with_article(kind) + " is wanted here");
-            }
-        } else {
-            result = tl::make_unexpected(with_article(kind) + " is wanted here, not " + described(value));
-        }
-        if (result && !is_within_range(result->in_si())) {
-            result = tl::make_unexpected(shown(value.text(), 40) +
-                                         " is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie");
-        }
-        if (!result) {
-            fault(value, std::move(result.error()));
-            return std::nullopt;
-        }
-        return std::move(*result);
-    }
-    /// In SI.
-    std::optional<Exact> quantity(JsonValue value, QuantityKind kind) {
-        const auto written = quantity_as_written(value, kind);
-        if (!written) return std::nullopt;
-        return written->in_si();
-    }
-    Exact quantity_or_zero(JsonValue value, QuantityKind kind) { return quantity(value, kind).value_or(Exact()); }
-
-    Exact positive(JsonValue value, QuantityKind kind, std::string_view what) {
-        const auto number = quantity(value, kind);
-        if (number && number->sign() <= 0) fault(value, std::string(what) + " must be greater than zero");
-        return number.value_or(Exact(1));
-    }
-    Exact not_negative(JsonValue value, QuantityKind kind, std::string_view what) {
-        const auto number = quantity(value, kind);
-        if (number && number->sign() < 0) fault(value, std::string(what) + " must not be negative");
-        return number.value_or(Exact());
-    }
-
-    std::optional<Exact> bare_number(JsonValue value) {
-        if (!value || !expect(value, Kind::number, "a bare number")) return std::nullopt;
-        auto number = read_decimal(value.text());
-        if (number && !is_within_range(*number)) {
-            number = tl::make_unexpected(shown(value.text(), 40) +
-                                         " is outside 1e-60 … 1e60, where a number other than zero must lie");
-        }
-        if (!number) {
-            fault(value, std::move(number.error()));
-            return std::nullopt;
-        }
-        return std::move(*number);
-    }
-
-    std::optional<Angle> angle(JsonValue value) {
-        const auto written = quantity_as_written(value, QuantityKind::angle);
-        if (!written) return std::nullopt;
-        return Angle{written->value, written->unit->symbol == "deg"};
-    }
-
-    /// [x, y], each a quantity (or a bare number where dimensionless).
-    std::optional<Vector> vector(JsonValue value, QuantityKind kind, std::string_view wanted) {
-        if (!value) return std::nullopt;
-        if (!value.is_array() || value.size() != 2) {
-            fault(value, std::string(wanted) + " is wanted here, not " + described(value));
-            return std::nullopt;
-        }
-        const JsonValue first = *value.begin();
-        const JsonValue second = *++value.begin();
-        const bool bare = kind == QuantityKind::dimensionless;
-        auto x = bare ? bare_number(first) : quantity(first, kind);
-        auto y = bare ? bare_number(second) : quantity(second, kind);
-        if (!x || !y) return std::nullopt;
-        return Vector{std::move(*x), std::move(*y)};
-    }
-    std::optional<Vector> sense(JsonValue value) {
-        auto direction = vector(value, QuantityKind::dimensionless, "a vector [dx, dy]");
-        if (direction && direction->is_zero()) {
-            fault(value, "[0, 0] has no direction");
-            return std::nullopt;
-        }
-        return direction;
-    }
-
-    /// Two points whose join has a direction.
-    Bearing::Between between(JsonValue value) {
-        const JsonValue first = *value.begin();
-        const JsonValue second = *++value.begin();
-        const Bearing::Between ends{point(first, true), point(second, true)};
-        if (ends.from >= 0 && ends.from == ends.to) fault(value, "a point and itself give no direction; name two points");
-        return ends;
-    }
-
-    /// FORMAT "X, a direction".
-    std::optional<Bearing> bearing(JsonValue value) {
-        if (!value) return std::nullopt;
-        if (value.is_string() && points_by_name_.contains(value.text()) && !read_quantity(value.text(), QuantityKind::angle)) {
-            fault(value, quoted(value.text()) + " is a point, no direction; two points in an array give one: [" +
-                             quoted(value.text()) + ", …]");
-            return std::nullopt;
-        }
-        if (value.is_number() || value.is_string()) {
-            auto turned = angle(value);
-            if (!turned) return std::nullopt;
-            return Bearing{std::move(*turned)};
-        }
-        if (value.is_array() && value.size() == 2) {
-            const JsonValue first = *value.begin();
-            const JsonValue second = *++value.begin();
-            if (first.is_string() && second.is_string()) return Bearing{between(value)};
-            if (first.is_number() && second.is_number()) {
-                auto direction = sense(value);
-                if (!direction) return std::nullopt;
-                return Bearing{std::move(*direction)};
-            }
-        }
-        fault(value,
-              "a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not " + described(value));
-        return std::nullopt;
-    }
-    Bearing bearing_or_default(JsonValue value) { return bearing(value).value_or(Bearing{}); }
-
-    /// A point's name or bare coordinates.
-    Place place(JsonValue value) {
-        if (value.is_array())
-            return vector(value, QuantityKind::length, "a point's name or its coordinates [x, y]").value_or(Vector{});
-        return point(value);
-    }
-
     // ----- the file
 
     void read_file(JsonValue root) {
@@ -914,7 +408,7 @@ private:
                                          {"revolute", "prismatic", "pin-slot", "rolling", "contact", "gear", "weld", "bodies",
                                           "name", "along", "arc", "profiles", "tangent", "pushes", "pressure angle", "arm"},
                                          "a joint");
-            if (form.misspelt_.empty()) {
+            if (!form.has_misspelt()) {
                 fault(
                     value,
                     "the kind of joint is missing: one of \"revolute\", \"prismatic\", \"pin-slot\", \"rolling\", \"contact\", \"gear\" and \"weld\"");
@@ -1034,7 +528,7 @@ private:
             for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
         }
         if (!complete) return;
-        const JsonValue place = shape ? shape : form.object_;
+        const JsonValue place = shape ? shape : form.object();
         for (const BodyIndex on : joint.bodies) {
             if (joint.profiles.contains(on)) continue;
             const Body& owner = body_at(on);
@@ -1405,81 +899,16 @@ private:
                   [&](const AskedScale& a, const AskedScale& b) { return order.at(a.figure) < order.at(b.figure); });
     }
 
-    static std::string scale_example(QuantityKind kind) {
-        const std::string by_unit = "\"1 mm = 0.1 " + std::string(default_unit(kind).symbol) + "\"";
-        return " such as " + (kind == QuantityKind::length ? "\"1:5\" or " + by_unit : by_unit);
-    }
-
-    /// SI units for each mm on paper.
-    static tl::expected<Exact, std::string> read_scale(std::string_view text, QuantityKind kind) {
-        const auto trimmed = [](std::string_view part) {
-            while (part.starts_with(' ')) part.remove_prefix(1);
-            while (part.ends_with(' ')) part.remove_suffix(1);
-            return part;
-        };
-        const auto refuse = [&](std::string reason) {
-            return tl::make_unexpected(quoted(text) + " is no scale of this figure: " + std::move(reason) + "; write one" +
-                                       scale_example(kind));
-        };
-        const Exact millimetres_in_metre(1000);
-        Exact paper;
-        Exact drawn;
-        std::size_t at = text.find(':');
-        if (at != std::string_view::npos) {
-            if (kind != QuantityKind::length) return refuse("a ratio of lengths is for drawings of the mechanism");
-            const auto left = read_decimal(trimmed(text.substr(0, at)));
-            if (!left) return refuse(left.error());
-            const auto right = read_decimal(trimmed(text.substr(at + 1)));
-            if (!right) return refuse(right.error());
-            paper = *left;
-            drawn = *right;
-        } else {
-            std::size_t size = 1;
-            at = text.find('=');
-            if (at == std::string_view::npos) {
-                constexpr std::string_view corresponds = "≙";
-                at = text.find(corresponds);
-                size = corresponds.size();
-            }
-            if (at == std::string_view::npos) return refuse("it has neither \":\" nor \"=\"");
-            const auto left = read_quantity(trimmed(text.substr(0, at)), QuantityKind::length);
-            if (!left) return refuse(left.error());
-            const auto right = read_quantity(trimmed(text.substr(at + size)), kind);
-            if (!right) return refuse(right.error());
-            if (left->unit->kind != QuantityKind::length) return refuse("on the left stands a length on paper");
-            if (right->unit->kind != kind) {
-                return refuse(quoted(trimmed(text.substr(at + size))) + " is " + with_article(right->unit->kind) + ", and " +
-                              with_article(kind) + " is wanted");
-            }
-            paper = left->in_si();
-            drawn = right->in_si();
-        }
-        if (paper.sign() <= 0 || drawn.sign() <= 0) return refuse("both sides must be greater than zero");
-        Exact scale = drawn / (paper * millimetres_in_metre);
-        if (!is_within_range(scale) || !is_within_range(paper) || !is_within_range(drawn))
-            return refuse("it is outside 1e-60 … 1e60");
-        return scale;
-    }
-
     const JsonSource& source_;
     Mechanism mechanism_;
-    std::vector<std::pair<std::uint32_t, Error>> faults_;
-    Speller speller_;
-
-    std::vector<const KnownUnit*> bare_units_;  ///< those that the file sets
-    // Views into the source. "Known": the list could be read, so that a name that is not in it is a fault.
-    std::unordered_map<std::string_view, PointIndex> points_by_name_;
-    std::unordered_map<std::string_view, BodyIndex> bodies_by_name_;
-    std::vector<std::string_view> point_names_, body_names_;
-    bool points_known_ = false, bodies_known_ = false, joints_known_ = false;
+    bool joints_known_ = false;  ///< as FormReader's
     std::unordered_map<std::string, JointIndex> sliding_by_name_;
     std::unordered_map<std::string, std::string>
         sliding_keys_;  ///< where each name stands; contacts have results under theirs too
     std::vector<std::string_view> sliding_names_;
     std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of those that do not slide
     std::unordered_set<std::string> effort_names_;
-    std::unordered_set<std::uint64_t> carried_;     ///< (body, point)
-    std::vector<PointIndex>* collected_ = nullptr;  ///< where the points that a placement uses are noted
+    std::unordered_set<std::uint64_t> carried_;  ///< (body, point)
 };
 
 template <class Item>

@@ -1,0 +1,298 @@
+// Forms of a mechanism file.
+#include "engine/form_reader.hpp"
+
+#include <algorithm>
+
+namespace kinegraph {
+
+// ----- faults and forms
+
+void FormReader::fault(JsonValue at, std::string message) {
+    faults_.emplace_back(at.order(), Error{ErrorCode::bad_input, at.pointer(), std::move(message)});
+}
+
+bool FormReader::expect(JsonValue value, Kind kind, std::string_view wanted) {
+    if (value.kind() == kind) return true;
+    fault(value, std::string(wanted) + " is wanted here, not " + described(value));
+    return false;
+}
+
+Members FormReader::members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form) {
+    Members result;
+    result.object_ = object;
+    for (const JsonValue member : object) {
+        if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
+            if (!result[member.key()]) result.known_.push_back(member);
+            continue;
+        }
+        const auto meant = speller_.nearest(member.key(), known);
+        std::string message = "unknown key " + quoted(member.key());
+        if (meant) {
+            message += did_you_mean(meant);
+            result.misspelt_.push_back(*meant);
+        } else {
+            message += "; the keys of " + std::string(form) + " are " + listed({known.begin(), known.size()});
+        }
+        fault(member, std::move(message));
+    }
+    return result;
+}
+
+JsonValue FormReader::required(const Members& of, std::string_view key, std::string_view meaning) {
+    if (of[key]) return of[key];
+    if (!of.has_or_misspells(key)) fault(of.object_, '"' + std::string(key) + "\" is missing: " + std::string(meaning));
+    return {};
+}
+
+JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed) {
+    JsonValue only;
+    for (const std::string_view key : keys) {
+        if (!of[key]) continue;
+        if (only) {
+            const JsonValue later = only.order() < of[key].order() ? of[key] : only;
+            const JsonValue earlier = only.order() < of[key].order() ? only : of[key];
+            fault(later, quoted(later.key()) + " and " + quoted(earlier.key()) + " do not go together; take one of them out");
+            return {};
+        }
+        only = of[key];
+    }
+    const bool misspelt = std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
+    if (!only && needed && !misspelt) {
+        fault(of.object_, "one of " + listed({keys.begin(), keys.size()}) + " is missing");
+    }
+    return only;
+}
+
+// ----- names
+
+void FormReader::check_name(JsonValue at, std::string_view name) {
+    if (name.empty()) {
+        fault(at, "a name must not be empty");
+    } else if (name.find(',') != std::string_view::npos) {
+        fault(at, "the name " + quoted(name) + " has a comma; names in results are separated by commas, so choose another");
+    } else if (name.find(" on ") != std::string_view::npos) {
+        fault(at, "the name " + quoted(name) + " has \" on \" in it; results say \"3 on 2\", so choose another");
+    } else if (has_control_character(name, true)) {
+        fault(at, "the name " + quoted(name) + " has a control character; take it out");
+    }
+}
+
+std::string FormReader::new_name(JsonValue value, std::string_view wanted) {
+    if (!expect(value, Kind::string, wanted)) return {};
+    check_name(value, value.text());
+    return std::string(value.text());
+}
+
+PointIndex FormReader::look_up_point(JsonValue at, std::string_view name) {
+    const auto found = points_by_name_.find(name);
+    if (found != points_by_name_.end()) {
+        if (collected_ != nullptr) collected_->push_back(found->second);
+        return found->second;
+    }
+    if (points_known_) fault(at, "no point is named " + quoted(name) + did_you_mean(speller_.nearest(name, point_names_)));
+    return -1;
+}
+
+PointIndex FormReader::point(JsonValue value, bool in_array) {
+    if (!value) return -1;
+    if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
+    fault(value, "a point's name is wanted here, not " + described(value));
+    return -1;
+}
+
+BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
+    const auto found = bodies_by_name_.find(name);
+    if (found != bodies_by_name_.end()) return found->second;
+    if (bodies_known_) fault(at, "no body is named " + quoted(name) + did_you_mean(speller_.nearest(name, body_names_)));
+    return -1;
+}
+
+BodyIndex FormReader::body(JsonValue value) {
+    if (!value) return -1;
+    if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
+    fault(value, "a body's name is wanted here, not " + described(value));
+    return -1;
+}
+
+BodyIndex FormReader::moving_body(JsonValue value, std::string_view why) {
+    const BodyIndex found = body(value);
+    if (found == 0) fault(value, std::string(why));
+    return found;
+}
+
+Words FormReader::words(JsonValue value) {
+    const auto line = [&](JsonValue text) -> std::string {
+        if (!expect(text, Kind::string, "a text")) return {};
+        if (has_control_character(text.text(), false))
+            fault(text, "a control character cannot be drawn; take it out of " + quoted(text.text()));
+        std::string clean(text.text());
+        std::replace_if(
+            clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+        return clean;
+    };
+    Words result;
+    if (value.is_string()) {
+        result.en = result.it = line(value);
+    } else if (value.is_object()) {
+        const Members by_language = members(value, {"en", "it"}, "a text in several languages");
+        one_of_both(by_language);
+        if (by_language["en"]) result.en = line(by_language["en"]);
+        result.it = by_language["it"] ? line(by_language["it"]) : result.en;
+        if (!by_language["en"]) result.en = result.it;
+    } else {
+        fault(value, "a text or {\"en\": …, \"it\": …} is wanted here, not " + described(value));
+    }
+    return result;
+}
+
+void FormReader::one_of_both(const Members& by_language) {
+    if (!by_language.has_or_misspells("en") && !by_language.has_or_misspells("it")) {
+        fault(by_language.object_, "neither \"en\" nor \"it\" is given");
+    }
+}
+
+// ----- numbers
+
+const KnownUnit& FormReader::bare_unit(QuantityKind kind) const {
+    const auto set =
+        std::find_if(bare_units_.begin(), bare_units_.end(), [&](const KnownUnit* unit) { return unit->kind == kind; });
+    return set == bare_units_.end() ? default_unit(kind) : **set;
+}
+
+std::optional<Quantity> FormReader::quantity_as_written(JsonValue value, QuantityKind kind) {
+    if (!value) return std::nullopt;
+    tl::expected<Quantity, std::string> result = tl::make_unexpected(std::string());
+    if (value.is_number()) {
+        auto number = read_decimal(value.text());
+        if (number) {
+            result = Quantity{std::move(*number), &bare_unit(kind)};
+        } else {
+            result = tl::make_unexpected(std::move(number.error()));
+        }
+    } else if (value.is_string()) {
+        result = read_quantity(value.text(), kind);
+        if (result && result->unit->kind != kind) {
+            result = tl::make_unexpected(quoted(value.text()) + " is " + with_article(result->unit->kind) + "; " +
+                                         with_article(kind) + " is wanted here");
+        }
+    } else {
+        result = tl::make_unexpected(with_article(kind) + " is wanted here, not " + described(value));
+    }
+    if (result && !is_within_range(result->in_si())) {
+        result = tl::make_unexpected(shown(value.text(), 40) +
+                                     " is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie");
+    }
+    if (!result) {
+        fault(value, std::move(result.error()));
+        return std::nullopt;
+    }
+    return std::move(*result);
+}
+
+std::optional<Exact> FormReader::quantity(JsonValue value, QuantityKind kind) {
+    const auto written = quantity_as_written(value, kind);
+    if (!written) return std::nullopt;
+    return written->in_si();
+}
+
+Exact FormReader::quantity_or_zero(JsonValue value, QuantityKind kind) { return quantity(value, kind).value_or(Exact()); }
+
+Exact FormReader::positive(JsonValue value, QuantityKind kind, std::string_view what) {
+    const auto number = quantity(value, kind);
+    if (number && number->sign() <= 0) fault(value, std::string(what) + " must be greater than zero");
+    return number.value_or(Exact(1));
+}
+
+Exact FormReader::not_negative(JsonValue value, QuantityKind kind, std::string_view what) {
+    const auto number = quantity(value, kind);
+    if (number && number->sign() < 0) fault(value, std::string(what) + " must not be negative");
+    return number.value_or(Exact());
+}
+
+std::optional<Exact> FormReader::bare_number(JsonValue value) {
+    if (!value || !expect(value, Kind::number, "a bare number")) return std::nullopt;
+    auto number = read_decimal(value.text());
+    if (number && !is_within_range(*number)) {
+        number =
+            tl::make_unexpected(shown(value.text(), 40) + " is outside 1e-60 … 1e60, where a number other than zero must lie");
+    }
+    if (!number) {
+        fault(value, std::move(number.error()));
+        return std::nullopt;
+    }
+    return std::move(*number);
+}
+
+std::optional<Angle> FormReader::angle(JsonValue value) {
+    const auto written = quantity_as_written(value, QuantityKind::angle);
+    if (!written) return std::nullopt;
+    return Angle{written->value, written->unit->symbol == "deg"};
+}
+
+std::optional<Vector> FormReader::vector(JsonValue value, QuantityKind kind, std::string_view wanted) {
+    if (!value) return std::nullopt;
+    if (!value.is_array() || value.size() != 2) {
+        fault(value, std::string(wanted) + " is wanted here, not " + described(value));
+        return std::nullopt;
+    }
+    const JsonValue first = *value.begin();
+    const JsonValue second = *++value.begin();
+    const bool bare = kind == QuantityKind::dimensionless;
+    auto x = bare ? bare_number(first) : quantity(first, kind);
+    auto y = bare ? bare_number(second) : quantity(second, kind);
+    if (!x || !y) return std::nullopt;
+    return Vector{std::move(*x), std::move(*y)};
+}
+
+std::optional<Vector> FormReader::sense(JsonValue value) {
+    auto direction = vector(value, QuantityKind::dimensionless, "a vector [dx, dy]");
+    if (direction && direction->is_zero()) {
+        fault(value, "[0, 0] has no direction");
+        return std::nullopt;
+    }
+    return direction;
+}
+
+Bearing::Between FormReader::between(JsonValue value) {
+    const JsonValue first = *value.begin();
+    const JsonValue second = *++value.begin();
+    const Bearing::Between ends{point(first, true), point(second, true)};
+    if (ends.from >= 0 && ends.from == ends.to) fault(value, "a point and itself give no direction; name two points");
+    return ends;
+}
+
+std::optional<Bearing> FormReader::bearing(JsonValue value) {
+    if (!value) return std::nullopt;
+    if (value.is_string() && points_by_name_.contains(value.text()) && !read_quantity(value.text(), QuantityKind::angle)) {
+        fault(value, quoted(value.text()) + " is a point, no direction; two points in an array give one: [" +
+                         quoted(value.text()) + ", …]");
+        return std::nullopt;
+    }
+    if (value.is_number() || value.is_string()) {
+        auto turned = angle(value);
+        if (!turned) return std::nullopt;
+        return Bearing{std::move(*turned)};
+    }
+    if (value.is_array() && value.size() == 2) {
+        const JsonValue first = *value.begin();
+        const JsonValue second = *++value.begin();
+        if (first.is_string() && second.is_string()) return Bearing{between(value)};
+        if (first.is_number() && second.is_number()) {
+            auto direction = sense(value);
+            if (!direction) return std::nullopt;
+            return Bearing{std::move(*direction)};
+        }
+    }
+    fault(value, "a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not " + described(value));
+    return std::nullopt;
+}
+
+Bearing FormReader::bearing_or_default(JsonValue value) { return bearing(value).value_or(Bearing{}); }
+
+Place FormReader::place(JsonValue value) {
+    if (value.is_array())
+        return vector(value, QuantityKind::length, "a point's name or its coordinates [x, y]").value_or(Vector{});
+    return point(value);
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,109 @@
+// Forms of a mechanism file: objects with the keys they may have, names of points and bodies, quantities with their units,
+// directions. Notes every fault where it stands; knows no section of the file.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "engine/error.hpp"
+#include "engine/json_source.hpp"
+#include "engine/mechanism.hpp"
+#include "engine/spelling.hpp"
+#include "engine/units.hpp"
+
+namespace kinegraph {
+
+/// The members of an object that its form knows.
+class Members {
+public:
+    JsonValue operator[](std::string_view key) const {
+        const auto found = std::find_if(known_.begin(), known_.end(), [&](const JsonValue& v) { return v.key() == key; });
+        return found == known_.end() ? JsonValue() : *found;
+    }
+    /// There, or there in a spelling that has been reported.
+    bool has_or_misspells(std::string_view key) const {
+        return (*this)[key] || std::find(misspelt_.begin(), misspelt_.end(), key) != misspelt_.end();
+    }
+
+    /// The object itself.
+    JsonValue object() const { return object_; }
+    bool has_misspelt() const { return !misspelt_.empty(); }
+
+private:
+    friend class FormReader;
+    JsonValue object_;
+    std::vector<JsonValue> known_;
+    std::vector<std::string> misspelt_;
+};
+
+/// What the reader of a file is built on. What cannot be read is a fault, and a value that does no harm stands for it.
+class FormReader {
+protected:
+    using Kind = JsonValue::Kind;
+
+    // ----- faults and forms
+    void fault(JsonValue at, std::string message);
+    bool expect(JsonValue value, Kind kind, std::string_view wanted);
+    /// Sorts an object's members; reports those that `form` ("a driver") does not know.
+    Members members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form);
+    /// The member, or a fault that says what it is needed for.
+    JsonValue required(const Members& of, std::string_view key, std::string_view meaning);
+    /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.
+    JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true);
+
+    // ----- names
+    /// Whether the text may be a name; a fault at `at` if not.
+    void check_name(JsonValue at, std::string_view name);
+    /// A new name as a member's value.
+    std::string new_name(JsonValue value, std::string_view wanted);
+    PointIndex look_up_point(JsonValue at, std::string_view name);
+    /// A point's name; in an array an integer will do.
+    PointIndex point(JsonValue value, bool in_array = false);
+    BodyIndex look_up_body(JsonValue at, std::string_view name);
+    BodyIndex body(JsonValue value);
+    /// A body that moves: the frame is refused with `why`.
+    BodyIndex moving_body(JsonValue value, std::string_view why);
+    Words words(JsonValue value);
+    void one_of_both(const Members& by_language);
+
+    // ----- numbers
+    const KnownUnit& bare_unit(QuantityKind kind) const;
+    /// A number or a string with a unit, as written; range checked in SI.
+    std::optional<Quantity> quantity_as_written(JsonValue value, QuantityKind kind);
+    /// In SI.
+    std::optional<Exact> quantity(JsonValue value, QuantityKind kind);
+    Exact quantity_or_zero(JsonValue value, QuantityKind kind);
+    Exact positive(JsonValue value, QuantityKind kind, std::string_view what);
+    Exact not_negative(JsonValue value, QuantityKind kind, std::string_view what);
+    std::optional<Exact> bare_number(JsonValue value);
+    std::optional<Angle> angle(JsonValue value);
+    /// [x, y], each a quantity (or a bare number where dimensionless).
+    std::optional<Vector> vector(JsonValue value, QuantityKind kind, std::string_view wanted);
+    std::optional<Vector> sense(JsonValue value);
+    /// Two points whose join has a direction.
+    Bearing::Between between(JsonValue value);
+    /// FORMAT "X, a direction".
+    std::optional<Bearing> bearing(JsonValue value);
+    Bearing bearing_or_default(JsonValue value);
+    /// A point's name or bare coordinates.
+    Place place(JsonValue value);
+
+    std::vector<std::pair<std::uint32_t, Error>> faults_;
+    Speller speller_;
+    std::vector<const KnownUnit*> bare_units_;  ///< those that the file sets
+    // Views into the source. "Known": the list could be read, so that a name that is not in it is a fault.
+    std::unordered_map<std::string_view, PointIndex> points_by_name_;
+    std::unordered_map<std::string_view, BodyIndex> bodies_by_name_;
+    std::vector<std::string_view> point_names_, body_names_;
+    bool points_known_ = false, bodies_known_ = false;
+    std::vector<PointIndex>* collected_ = nullptr;  ///< where the points that a placement uses are noted
+};
+
+}  // namespace kinegraph
