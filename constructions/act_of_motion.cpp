@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "constructions/polygon_pen.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -71,8 +72,6 @@ public:
     }
 
 private:
-    template <Plane plane>
-    static constexpr bool is_velocity = plane == Plane::velocity;
     using Found = ActFigure::Found;
 
     const Node& node(NodeIndex index) const { return structure_.node(index); }
@@ -89,7 +88,7 @@ private:
     // --- symbols -----------------------------------------------------------------------------------------------------------
     template <Plane plane>
     Symbol absolute(const std::string& label, std::string term = {}) const {
-        return {is_velocity<plane> ? Symbol::Letter::v : Symbol::Letter::a, label, std::move(term)};
+        return motion_symbol<plane>(label, std::move(term));
     }
     template <Plane plane>
     Symbol absolute(NodeIndex index) const {
@@ -100,12 +99,8 @@ private:
         return absolute<plane>(relative_name(node(of).label, to.label), std::move(term));
     }
     template <Plane plane>
-    Symbol spin_symbol() const {
-        return {is_velocity<plane> ? Symbol::Letter::omega : Symbol::Letter::alpha, structure_.body_name(body_), {}};
-    }
-    template <Plane plane>
-    Symbol image(const std::string& label) const {
-        return {Symbol::Letter::image, label, is_velocity<plane> ? "" : "'"};
+    Symbol spin() const {
+        return spin_symbol<plane>(structure_.body_name(body_));
     }
     Symbol centre_symbol() const {
         const std::string& first = structure_.body_name(frame);
@@ -127,47 +122,25 @@ private:
     // --- drawing -----------------------------------------------------------------------------------------------------------
     template <Plane plane>
     int begin(Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
-        Statement statement;
-        statement.message = {sentence, std::move(arguments)};
-        statement.section = is_velocity<plane> ? "velocity" : "acceleration";
-        statement.source = std::move(source);
-        return board_.state(std::move(statement));
-    }
-    template <Plane plane>
-    static Sentence either(Sentence velocity, Sentence acceleration) {
-        return is_velocity<plane> ? velocity : acceleration;
+        return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
 
     template <Plane plane>
+    PolygonPen<plane> pen(const State<plane>& state) {
+        return {board_, state.track.polygon};
+    }
+    template <Plane plane>
     void draw_vector(const State<plane>& state, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
                      DrawnVector::Role role) {
-        DrawnVector drawn;
-        drawn.symbol = std::move(symbol);
-        drawn.polygon = state.track.polygon;
-        drawn.tail = tail.element;
-        drawn.tip = tip.element;
-        drawn.body = body_;
-        drawn.role = role;
-        drawn.seen = seen;
-        board_.draw(std::move(drawn));
+        pen(state).vector(std::move(symbol), seen, tail, tip, body_, role);
     }
     template <Plane plane>
     void draw_line(const State<plane>& state, LineOn<plane> line, LineReason reason, std::vector<int> points) {
-        DrawnLine drawn;
-        drawn.line = line.element;
-        drawn.polygon = state.track.polygon;
-        drawn.reason = std::move(reason);
-        drawn.points = std::move(points);
-        board_.draw(std::move(drawn));
+        pen(state).line(line, std::move(reason), std::move(points));
     }
     template <Plane plane>
     void label_image(const State<plane>& state, const std::string& label, PointOn<plane> tip) {
-        Image drawn;
-        drawn.symbol = image<plane>(label);
-        drawn.polygon = state.track.polygon;
-        drawn.point = tip.element;
-        drawn.body = body_;
-        board_.label(std::move(drawn));
+        pen(state).image(image_symbol<plane>(label), tip, body_);
     }
     template <Plane plane>
     void set_tip(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
@@ -190,15 +163,8 @@ private:
         state.track.tips.resize(structure_.nodes().size());
         state.track.spins.resize(mechanism_.bodies.size());
         Polygon polygon;
-        polygon.plane = plane;
         polygon.id = is_velocity<plane> ? "velocity" : "acceleration";
-        state.track.polygon = board_.add_polygon(std::move(polygon));
-        Image pole;
-        pole.symbol = {Symbol::Letter::pole, is_velocity<plane> ? "v" : "a", {}};
-        pole.polygon = state.track.polygon;
-        pole.point = board_.pole<plane>().element;
-        pole.body = frame;
-        board_.label(std::move(pole));
+        state.track.polygon = PolygonPen<plane>::begin(board_, std::move(polygon));
         state.track.spins[frame] = board_.given(0);
         for (const NodeIndex index : structure_.nodes_of(frame)) {
             state.track.tips[at(index)] = board_.pole<plane>();
@@ -309,7 +275,7 @@ private:
         if (!fits_rigid(base, node(given.node).place, tip)) return differ(state, base.node, given.node);
         std::vector<Argument> arguments{Segment{base.label, node(given.node).label}, absolute<plane>(base.label),
                                         absolute<plane>(given.node)};
-        if (!is_velocity<plane>) arguments.emplace_back(spin_symbol<Plane::velocity>());
+        if (!is_velocity<plane>) arguments.emplace_back(spin<Plane::velocity>());
         begin<plane>(either<plane>(Sentence::act_projections, Sentence::act_projections_acceleration), std::move(arguments),
                      "Rivals");
         take_spin(state, given.node, tip);
@@ -333,7 +299,7 @@ private:
             state.track.spins[at(body_)] = board_.given(0);  // said with the centre: a translation, or rest
         } else {
             begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
-                         {spin_symbol<plane>(), relative(index, base, is_velocity<plane> ? "" : "t"),
+                         {spin<plane>(), relative(index, base, is_velocity<plane> ? "" : "t"),
                           Segment{base.label, node(index).label}, body()},
                          "Rivals");
             state.track.spins[at(body_)] = board_.ratio(tangential, board_.turn(board_.vector(base.place, node(index).place)));
@@ -369,7 +335,7 @@ private:
         state.used[index] = true;
         if (is_velocity<plane> && base.node < 0) return rest_by_lines(state, given.node);
         const int statement = begin<plane>(either<plane>(Sentence::act_direction, Sentence::act_direction_acceleration),
-                                           {image<plane>(node(given.node).label), absolute<plane>(given.node),
+                                           {image_symbol<plane>(node(given.node).label), absolute<plane>(given.node),
                                             Segment{base.label, node(given.node).label}, absolute<plane>(base.label)},
                                            "Rivals");
         const auto first = board_.through(start, across_join);
@@ -459,7 +425,7 @@ private:
             begin<plane>(Sentence::act_parallels, {body(), name(first.node), name(second.node)}, "Rivals");
         } else {
             begin<plane>(Sentence::alpha_from_parallels,
-                         {spin_symbol<plane>(), Segment{node(first.node).label, node(second.node).label}, body()}, "Rivals");
+                         {spin<plane>(), Segment{node(first.node).label, node(second.node).label}, body()}, "Rivals");
             // From a place of the first locus, the line ⟂ to the join meets the second.
             const auto pole = board_.pole<plane>();
             const auto along = board_.direction(first.vector);
@@ -494,7 +460,7 @@ private:
         }
         if (is_velocity<plane>) return rest_by_lines(state, given.node);
         begin<plane>(Sentence::two_lines_acceleration,
-                     {image<plane>(node(given.node).label), reason_of(*first), reason_of(given)}, "Rivals");
+                     {image_symbol<plane>(node(given.node).label), reason_of(*first), reason_of(given)}, "Rivals");
         const auto shifted = board_.through(end, other);
         const auto met = board_.meet(shifted, own);
         KG_ASSERT(met && !board_.is_at_infinity(*met), "only lines that are not parallel are met");
@@ -707,7 +673,7 @@ private:
             if (board_.is_zero(state.track.spin(body_))) {
                 begin<plane>(Sentence::translating_velocity, {body(), name(index), absolute<plane>(index)});
             } else if (centre_) {
-                begin<plane>(Sentence::act_velocity, {absolute<plane>(index), name(index), centre_symbol(), spin_symbol<plane>()},
+                begin<plane>(Sentence::act_velocity, {absolute<plane>(index), name(index), centre_symbol(), spin<plane>()},
                              "Rivals");
             } else {
                 begin<plane>(Sentence::image_velocity,

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <set>
 
+#include "constructions/polygon_pen.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -94,30 +95,20 @@ private:
     BodyName body(BodyIndex index) const { return {structure_.body_name(index)}; }
 
     template <Plane plane>
-    static constexpr bool is_velocity = plane == Plane::velocity;
-    template <Plane plane>
-    static constexpr Symbol::Letter letter() {
-        return is_velocity<plane> ? Symbol::Letter::v : Symbol::Letter::a;
-    }
-    template <Plane plane>
-    static constexpr Symbol::Letter spin_letter() {
-        return is_velocity<plane> ? Symbol::Letter::omega : Symbol::Letter::alpha;
-    }
-    template <Plane plane>
     Symbol absolute(NodeIndex index, std::string term = {}) const {
-        return {letter<plane>(), node(index).label, std::move(term)};
+        return motion_symbol<plane>(node(index).label, std::move(term));
     }
     template <Plane plane>
     Symbol relative(NodeIndex of, NodeIndex to, std::string term = {}) const {
-        return {letter<plane>(), relative_name(node(of).label, node(to).label), std::move(term)};
+        return motion_symbol<plane>(relative_name(node(of).label, node(to).label), std::move(term));
     }
     template <Plane plane>
-    Symbol spin_symbol(BodyIndex index) const {
-        return {spin_letter<plane>(), structure_.body_name(index), {}};
+    Symbol spin_of(BodyIndex index) const {
+        return spin_symbol<plane>(structure_.body_name(index));
     }
     template <Plane plane>
     Symbol image(NodeIndex index) const {
-        return {Symbol::Letter::image, node(index).label, is_velocity<plane> ? "" : "'"};
+        return image_symbol<plane>(node(index).label);
     }
     CarriedPlace carried(NodeIndex index) const { return {node(index).place.element, node(index).bodies.front()}; }
     Seen seen(NodeIndex of) const { return {carried(of), {}, -1}; }
@@ -134,47 +125,26 @@ private:
     template <Plane plane>
     int begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
         if (hand_ != Hand::solution) return -1;
-        Statement statement;
-        statement.message = {sentence, std::move(arguments)};
-        statement.section = is_velocity<plane> ? "velocity" : "acceleration";
-        statement.source = std::move(source);
-        return board_.state(std::move(statement));
+        return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
     /// The sentence begun, to complete it; in a trial nothing is said, and what is written here is forgotten.
     Statement& said(int statement) { return statement < 0 ? unsaid_ : board_.statement(statement); }
     int trial() const { return hand_ == Hand::first_trial ? 1 : hand_ == Hand::second_trial ? 2 : 0; }
-    template <Plane plane>
-    static Sentence either(Sentence velocity, Sentence acceleration) {
-        return is_velocity<plane> ? velocity : acceleration;
-    }
 
     // --- drawing -----------------------------------------------------------------------------------------------------------
     template <Plane plane>
+    PolygonPen<plane> pen(const Track<plane>& track) {
+        return {board_, track.polygon, trial()};
+    }
+    template <Plane plane>
     void draw_vector(const Track<plane>& track, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
                      BodyIndex body_of, DrawnVector::Role role) {
-        if (hand_ == Hand::silent) return;
-        DrawnVector drawn;
-        drawn.trial = trial();
-        drawn.symbol = std::move(symbol);
-        drawn.polygon = track.polygon;
-        drawn.tail = tail.element;
-        drawn.tip = tip.element;
-        drawn.body = body_of;
-        drawn.role = role;
-        drawn.seen = seen;
-        board_.draw(std::move(drawn));
+        if (hand_ != Hand::silent) pen(track).vector(std::move(symbol), seen, tail, tip, body_of, role);
     }
 
     template <Plane plane>
     void draw_line(const Track<plane>& track, LineOn<plane> line, LineReason reason, std::vector<int> points) {
-        if (hand_ == Hand::silent) return;
-        DrawnLine drawn;
-        drawn.trial = trial();
-        drawn.line = line.element;
-        drawn.polygon = track.polygon;
-        drawn.reason = std::move(reason);
-        drawn.points = std::move(points);
-        board_.draw(std::move(drawn));
+        if (hand_ != Hand::silent) pen(track).line(line, std::move(reason), std::move(points));
     }
 
     template <Plane plane>
@@ -184,13 +154,7 @@ private:
         // Places of the frame that are only steps to others would crowd the pole.
         const bool only_a_step = at_rest(index) && !node(index).carried && !node(index).of_interest;
         if (hand_ == Hand::silent || only_a_step) return;
-        Image label;
-        label.trial = trial();
-        label.symbol = image<plane>(index);
-        label.polygon = track.polygon;
-        label.point = tip.element;
-        label.body = colour_of(index);
-        board_.label(std::move(label));
+        pen(track).image(image<plane>(index), tip, colour_of(index));
         if (draw_absolute) {
             draw_vector(track, absolute<plane>(index), seen(index), board_.pole<plane>(), tip, colour_of(index),
                         DrawnVector::Role::absolute);
@@ -201,15 +165,8 @@ private:
     template <Plane plane>
     void draw(Track<plane>& track, const char* id) {
         Polygon polygon;
-        polygon.plane = plane;
         polygon.id = id;
-        track.polygon = board_.add_polygon(std::move(polygon));
-        Image pole;
-        pole.symbol = {Symbol::Letter::pole, is_velocity<plane> ? "v" : "a", {}};
-        pole.polygon = track.polygon;
-        pole.point = board_.pole<plane>().element;
-        pole.body = frame;
-        board_.label(std::move(pole));
+        track.polygon = PolygonPen<plane>::begin(board_, std::move(polygon));
         start(track);
         for (const Step& step : plan_.steps) carry_out(track, step);
     }
@@ -272,10 +229,10 @@ private:
         const Joint& joint = mechanism_.joints[at(step.joint)];
         if (joint.kind == JointKind::prismatic && joint.bodies[1] == frame)
             begin<plane>(either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
-                         {spin_symbol<plane>(step.body), body(step.body), place_of(joint)}, "");
+                         {spin_of<plane>(step.body), body(step.body), place_of(joint)}, "");
         else
             begin<plane>(either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
-                         {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other), place_of(joint)}, "");
+                         {spin_of<plane>(step.body), spin_of<plane>(step.other), place_of(joint)}, "");
         track.spins[at(step.body)] = track.spin(step.other);
     }
 
@@ -285,7 +242,7 @@ private:
         const auto& driver = std::get<SpinDriver>(mechanism_.drivers[at(step.driver)]);
         if (step.other != frame) {
             begin<plane>(either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
-                         {spin_symbol<plane>(step.body), spin_symbol<plane>(step.other)}, "");
+                         {spin_of<plane>(step.body), spin_of<plane>(step.other)}, "");
         }
         const ScalarHandle given = driven<plane>(driver.omega, driver.alpha);
         ScalarHandle& spin = track.spins[at(step.body)].emplace(given);
@@ -339,7 +296,7 @@ private:
         const int statement = rest ? begin<plane>(either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration),
                                                   {body(step.body), PointName{node(step.base).label},
                                                    PointName{node(step.node).label}, absolute<plane>(step.node),
-                                                   is_velocity<plane> ? Argument(spin_symbol<plane>(step.body))
+                                                   is_velocity<plane> ? Argument(spin_of<plane>(step.body))
                                                                       : Argument(absolute<plane>(step.node, "t"))},
                                                   "Rivals")
                                    : begin<plane>(either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
@@ -507,7 +464,7 @@ private:
         Symbol relative_symbol = at_rest(step.base) ? absolute<plane>(step.node, is_velocity<plane> ? "" : "t")
                                                     : relative<plane>(step.node, step.base, is_velocity<plane> ? "" : "t");
         begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
-                     {spin_symbol<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
+                     {spin_of<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
         const auto turned = board_.turn(board_.vector(node(step.base).place, node(step.node).place));
         const auto found = track.tangential.find({step.base, step.node});
         VectorOn<plane> tangential;
@@ -567,8 +524,7 @@ private:
         if (!ready(track, step.first) || !ready(track, step.second)) return;
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
         begin<plane>(either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
-                     {spin_symbol<plane>(step.body), segment(step.first.holds(), step.second.holds()), body(step.body)},
-                     "Rivals");
+                     {spin_of<plane>(step.body), segment(step.first.holds(), step.second.holds()), body(step.body)}, "Rivals");
         const Chain<plane> first = chain(track, step.first);
         const Chain<plane> second = chain(track, step.second);
         draw_line(track, first.line, first.reason, {first.end.element});
@@ -738,14 +694,14 @@ private:
 
     template <Plane plane>
     std::vector<Argument> assumption_arguments(const Step& step) {
-        if (step.node < 0) return {spin_symbol<plane>(step.body)};
+        if (step.node < 0) return {spin_of<plane>(step.body)};
         return {image<plane>(step.node), reason_of(step.first)};
     }
 
     template <Plane plane>
     std::vector<Argument> closing_arguments(const Step& step) {
-        const Symbol assumed = step.node >= 0 ? image<plane>(step.node) : spin_symbol<plane>(step.body);
-        if (!step.closing.locus) return {spin_symbol<plane>(step.closing.body), spin_symbol<plane>(step.closing.other), assumed};
+        const Symbol assumed = step.node >= 0 ? image<plane>(step.node) : spin_of<plane>(step.body);
+        if (!step.closing.locus) return {spin_of<plane>(step.closing.body), spin_of<plane>(step.closing.other), assumed};
         return {image<plane>(step.closing.locus->node), reason_of(*step.closing.locus), assumed};
     }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "constructions/polygon_pen.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -58,33 +60,19 @@ private:
     template <Plane plane>
     int polygon(const char* kind) {
         Polygon polygon;
-        polygon.plane = plane;
         polygon.point = structure_.node(point_).label;
         polygon.translating = translating_;
         polygon.observer = translating_ ? structure_.node(transport_).label : structure_.body_name(observer_);
         polygon.id = std::string(kind) + "-" + polygon.point + (translating_ ? "-with-" : "-on-") + polygon.observer;
-        const int index = board_.add_polygon(std::move(polygon));
-        Image pole;
-        pole.symbol = {Symbol::Letter::pole, plane == Plane::velocity ? "v" : "a", {}};
-        pole.polygon = index;
-        pole.point = board_.pole<plane>().element;
-        pole.body = frame;
-        board_.label(std::move(pole));
-        return index;
+        return PolygonPen<plane>::begin(board_, std::move(polygon));
     }
 
     template <Plane plane>
     void draw(int polygon, std::string term, PointOn<plane> tail, PointOn<plane> tip, DrawnVector::Role role) {
-        DrawnVector drawn;
-        drawn.symbol = {plane == Plane::velocity ? Symbol::Letter::v : Symbol::Letter::a, structure_.node(point_).label,
-                        std::move(term)};
-        drawn.polygon = polygon;
-        drawn.tail = tail.element;
-        drawn.tip = tip.element;
-        drawn.body = role == DrawnVector::Role::transport && !translating_ ? observer_ : structure_.node(point_).bodies.front();
-        drawn.role = role;
-        drawn.seen = seen_as(role);
-        board_.draw(std::move(drawn));
+        const BodyIndex body =
+            role == DrawnVector::Role::transport && !translating_ ? observer_ : structure_.node(point_).bodies.front();
+        PolygonPen<plane>(board_, polygon)
+            .vector(motion_symbol<plane>(structure_.node(point_).label, std::move(term)), seen_as(role), tail, tip, body, role);
     }
 
     CarriedPlace carried(NodeIndex node) const {

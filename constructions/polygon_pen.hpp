@@ -1,0 +1,100 @@
+// The pen of the polygons of motion: enters their poles, vectors, images and construction lines on the board, with the symbols
+// that velocities and accelerations have. Knows no recipe.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/board.hpp"
+
+namespace kinegraph {
+
+template <Plane plane>
+inline constexpr bool is_velocity = plane == Plane::velocity;
+
+/// v_A, a_BA^n.
+template <Plane plane>
+Symbol motion_symbol(std::string about, std::string term = {}) {
+    return {is_velocity<plane> ? Symbol::Letter::v : Symbol::Letter::a, std::move(about), std::move(term)};
+}
+/// ω_3, α_3.
+template <Plane plane>
+Symbol spin_symbol(std::string body) {
+    return {is_velocity<plane> ? Symbol::Letter::omega : Symbol::Letter::alpha, std::move(body), {}};
+}
+/// a, a'.
+template <Plane plane>
+Symbol image_symbol(std::string label) {
+    return {Symbol::Letter::image, std::move(label), is_velocity<plane> ? "" : "'"};
+}
+template <Plane plane>
+constexpr Sentence either(Sentence velocity, Sentence acceleration) {
+    return is_velocity<plane> ? velocity : acceleration;
+}
+
+/// Opens a sentence of the plane's section; returns its index.
+template <Plane plane>
+int state(Board& board, Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
+    Statement statement;
+    statement.message = {sentence, std::move(arguments)};
+    statement.section = is_velocity<plane> ? "velocity" : "acceleration";
+    statement.source = std::move(source);
+    return board.state(std::move(statement));
+}
+
+template <Plane plane>
+class PolygonPen {
+public:
+    /// `trial` as DrawnVector::trial.
+    PolygonPen(Board& board, int polygon, int trial = 0) : board_(board), polygon_(polygon), trial_(trial) {}
+    /// Adds a polygon with its pole; returns its index.
+    static int begin(Board& board, Polygon polygon) {
+        polygon.plane = plane;
+        const int index = board.add_polygon(std::move(polygon));
+        constexpr BodyIndex frame = 0;
+        PolygonPen(board, index)
+            .image({Symbol::Letter::pole, is_velocity<plane> ? "v" : "a", {}}, board.template pole<plane>(), frame);
+        return index;
+    }
+
+    void vector(Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip, BodyIndex body,
+                DrawnVector::Role role) const {
+        DrawnVector drawn;
+        drawn.symbol = std::move(symbol);
+        drawn.polygon = polygon_;
+        drawn.tail = tail.element;
+        drawn.tip = tip.element;
+        drawn.body = body;
+        drawn.role = role;
+        drawn.trial = trial_;
+        drawn.seen = seen;
+        board_.draw(std::move(drawn));
+    }
+    /// A construction line through these point elements.
+    void line(LineOn<plane> line, LineReason reason, std::vector<int> points) const {
+        DrawnLine drawn;
+        drawn.line = line.element;
+        drawn.polygon = polygon_;
+        drawn.reason = std::move(reason);
+        drawn.points = std::move(points);
+        drawn.trial = trial_;
+        board_.draw(std::move(drawn));
+    }
+    void image(Symbol symbol, PointOn<plane> tip, BodyIndex body) const {
+        Image drawn;
+        drawn.symbol = std::move(symbol);
+        drawn.polygon = polygon_;
+        drawn.point = tip.element;
+        drawn.body = body;
+        drawn.trial = trial_;
+        board_.label(std::move(drawn));
+    }
+
+private:
+    Board& board_;
+    int polygon_;
+    int trial_;
+};
+
+}  // namespace kinegraph
