@@ -4,40 +4,14 @@
 #include <cctype>
 #include <set>
 
+#include "constructions/chains.hpp"
 #include "constructions/polygon_pen.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// One known or sought vector of a chain, with its term in the equation.
-template <Plane plane>
-struct Link {
-    Term term;
-    VectorOn<plane> vector;
-    DrawnVector::Role role = DrawnVector::Role::relative;
-    bool shift = false;  ///< carries the locus from one node of a body to another
-    Seen seen;
-};
-
-/// A locus as drawn: from the base's tip along known vectors, then a line on which the tip sought lies.
-template <Plane plane>
-struct Chain {
-    NodeIndex base = -1;
-    PointOn<plane> start, end;
-    std::vector<Link<plane>> known;  ///< set off one after the other from `start`, those of an inverse chain backwards
-    LineOn<plane> line;
-    LineReason reason;
-    Term sought;
-    Seen seen;  ///< the vector sought
-    DrawnVector::Role role = DrawnVector::Role::relative;
-    bool from_rest = false;
-    bool inverse = false;
-    bool absolute = false;  ///< the sought vector is the node's whole velocity (acceleration)
-};
 
 /// A name that is one letter with digits reads well beside another such: BA, O2A.
 bool is_short(const std::string& name) {
@@ -46,10 +20,9 @@ bool is_short(const std::string& name) {
            std::all_of(name.begin() + 1, name.end(), digit);
 }
 
-class Recipes {
+class Recipes : private Chains {
 public:
-    Recipes(Structure& structure, Board& board, const Plan& plan)
-        : structure_(structure), board_(board), plan_(plan), mechanism_(structure.mechanism()) {}
+    Recipes(Structure& structure, Board& board, const Plan& plan) : Chains(structure, board), plan_(plan) {}
 
     Motion run(bool with_accelerations) {
         draw(motion_.velocity, "velocity");
@@ -81,27 +54,8 @@ private:
     /// Who draws: the solution itself, one of the two trials of an assumption, or a trial within a trial, which leaves no mark.
     enum class Hand { solution, first_trial, second_trial, silent };
 
-    const Node& node(NodeIndex index) const { return structure_.node(index); }
-    bool at_rest(NodeIndex index) const { return node(index).bodies.front() == frame; }
-    /// The body whose colour a node's vector has.
-    BodyIndex colour_of(NodeIndex index) const {
-        const std::vector<BodyIndex>& bodies = node(index).bodies;
-        if (at_rest(index)) return frame;
-        // Of several the one that the frame guides: its locus of the velocity has that colour, so the acceleration has it too.
-        const auto guided =
-            std::find_if(bodies.begin(), bodies.end(), [&](BodyIndex each) { return structure_.is_guided_by_frame(each); });
-        return guided == bodies.end() ? bodies.front() : *guided;
-    }
     BodyName body(BodyIndex index) const { return {structure_.body_name(index)}; }
 
-    template <Plane plane>
-    Symbol absolute(NodeIndex index, std::string term = {}) const {
-        return motion_symbol<plane>(node(index).label, std::move(term));
-    }
-    template <Plane plane>
-    Symbol relative(NodeIndex of, NodeIndex to, std::string term = {}) const {
-        return motion_symbol<plane>(relative_name(node(of).label, node(to).label), std::move(term));
-    }
     template <Plane plane>
     Symbol spin_of(BodyIndex index) const {
         return spin_symbol<plane>(structure_.body_name(index));
@@ -110,17 +64,6 @@ private:
     Symbol image(NodeIndex index) const {
         return image_symbol<plane>(node(index).label);
     }
-    CarriedPlace carried(NodeIndex index) const { return {node(index).place.element, node(index).bodies.front()}; }
-    Seen seen(NodeIndex of) const { return {carried(of), {}, -1}; }
-    /// From a place about which it turns.
-    Seen turning(NodeIndex of, NodeIndex to) const { return {carried(of), carried(to), node(to).place.element}; }
-    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show.
-    template <Plane plane>
-    Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide) {
-        const PointIndex arc = is_velocity<plane> ? -1 : mechanism_.joints[at(joint)].arc;
-        return {carried(slider), carried(guide), arc >= 0 ? board_.place(arc).element : -1};
-    }
-    Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
 
     template <Plane plane>
     int begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
@@ -208,13 +151,6 @@ private:
             case Step::Kind::assume:
                 return assume(track, step);
         }
-    }
-
-    /// What a driver asks of this plane; nothing where only the effect of an assumption is wanted.
-    template <Plane plane>
-    ScalarHandle driven(const Exact& velocity, const Exact& acceleration) {
-        if (drivers_rest_) return board_.given(0);
-        return board_.given(is_velocity<plane> ? velocity : acceleration);
     }
 
     /// Where a joint is, for readers: its point stands in the drawing, its own name does not.
@@ -403,33 +339,6 @@ private:
                 radii.push_back(board_.pose().at(circle->centre) - board_.pose().at(joint.point));
         if (radii.size() < 2) return RollingLever::on_straight;
         return dot(radii[0], radii[1]).sign() < 0 ? RollingLever::outside : RollingLever::inside;
-    }
-
-    bool rolls_known(JointIndex index) const {
-        const Joint& joint = mechanism_.joints[at(index)];
-        const auto& before = motion_.velocity;
-        return before.turns(joint.bodies[0]) && before.turns(joint.bodies[1]) && structure_.has_curvatures(index);
-    }
-
-    /// a_P − a_P*, P on `body`: with c₁, c₂ from the contact to the centres of curvature, ω_rel² c₁ · c₂/(c₂ − c₁); on a line
-    /// ω_rel² c.
-    VectorOn<Plane::acceleration> rolling_offset(JointIndex index, BodyIndex body_of) {
-        const Joint& joint = mechanism_.joints[at(index)];
-        const BodyIndex other = joint.bodies[0] == body_of ? joint.bodies[1] : joint.bodies[0];
-        const auto contact = board_.place(joint.point);
-        const auto centre = [&](BodyIndex of) -> std::optional<PointOn<Plane::drawing>> {
-            const Profile& profile = joint.profiles.at(of);
-            if (std::holds_alternative<LineProfile>(profile)) return std::nullopt;
-            const auto* circle = std::get_if<CircleProfile>(&profile);
-            return circle == nullptr ? contact : board_.place(circle->centre);
-        };
-        const auto own = centre(body_of), others = centre(other);
-        VectorOn<Plane::drawing> lever = own ? board_.vector(contact, *own) : board_.vector(*others, contact);
-        if (own && others)
-            lever =
-                board_.scale<Plane::drawing>(board_.ratio(board_.vector(contact, *others), board_.vector(*own, *others)), lever);
-        const ScalarHandle turning = board_.difference(motion_.velocity.spin(body_of), motion_.velocity.spin(other));
-        return board_.scale<Plane::acceleration>(board_.product(turning, turning), lever);
     }
 
     /// Two loci meet in the tip sought: the dyad's vector equation, closed.
@@ -705,337 +614,7 @@ private:
         return {image<plane>(step.closing.locus->node), reason_of(*step.closing.locus), assumed};
     }
 
-    LineReason reason_of(const Locus& locus) const {
-        switch (locus.kind) {
-            case Locus::Kind::rotation:
-            case Locus::Kind::link:
-                return {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
-            case Locus::Kind::image:
-                return {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
-            case Locus::Kind::component:
-                return {LineReason::Kind::driver_component, node(locus.node).label, {}};
-            case Locus::Kind::sleeve:
-            case Locus::Kind::slot:
-            case Locus::Kind::tangent:
-            case Locus::Kind::mesh:
-                return line_reason(locus);
-            case Locus::Kind::driven_slide:
-                return along_guide(mechanism_, locus.joint, true);
-            case Locus::Kind::roll:
-                return {LineReason::Kind::known, {}, {}};
-        }
-        return {};
-    }
-
     // --- loci --------------------------------------------------------------------------------------------------------------
-    template <Plane plane>
-    bool ready(const Track<plane>& track, const Locus& locus) const {
-        using Kind = Locus::Kind;
-        if (locus.kind != Kind::component && !track.has(locus.base)) return false;
-        for (const Carry& carry : locus.carries) {
-            if (carry.kind == Carry::Kind::image && !track.turns(carry.body)) return false;
-        }
-        if constexpr (!is_velocity<plane>) {
-            const auto& before = motion_.velocity;
-            for (const Carry& carry : locus.carries) {
-                if (carry.kind == Carry::Kind::image ? !before.turns(carry.body) : !rolls_known(carry.joint)) return false;
-            }
-            if (locus.kind == Kind::tangent || (locus.kind == Kind::roll && !rolls_known(locus.joint))) return false;
-            if (locus.kind == Kind::rotation && !before.turns(locus.body)) return false;
-            const bool slides = locus.kind == Kind::sleeve || locus.kind == Kind::slot || locus.kind == Kind::driven_slide;
-            if (slides && !before.turns(locus.guide)) return false;
-            if ((slides || locus.kind == Kind::link) && (!has_velocity(locus.node) || !has_velocity(locus.base))) return false;
-        }
-        return true;
-    }
-
-    template <Plane plane>
-    Chain<plane> chain(Track<plane>& track, const Locus& locus) {
-        Chain<plane> result;
-        switch (locus.kind) {
-            case Locus::Kind::rotation:
-            case Locus::Kind::link:
-                start_rotation(track, locus, result);
-                break;
-            case Locus::Kind::sleeve:
-            case Locus::Kind::slot:
-            case Locus::Kind::tangent:
-            case Locus::Kind::mesh:
-                start_slide(track, locus, result);
-                break;
-            case Locus::Kind::component:
-                start_component(track, locus, result);
-                break;
-            case Locus::Kind::image:
-                start_image(track, locus, result);
-                break;
-            case Locus::Kind::driven_slide:
-                start_driven_slide(track, locus, result);
-                break;
-            case Locus::Kind::roll:
-                start_roll(track, locus, result);
-                break;
-        }
-        result.end = result.start;
-        for (const Carry& carry : locus.carries) shift(track, carry, result);
-        for (const Link<plane>& link : result.known) result.end = set_off(result, link, result.end);
-        result.line = board_.through(result.end, locus.direction);
-        return result;
-    }
-
-    static bool is_backwards(bool inverse, bool is_shift) { return inverse && !is_shift; }
-
-    template <Plane plane>
-    PointOn<plane> set_off(const Chain<plane>& drawn, const Link<plane>& link, PointOn<plane> from) {
-        return board_.carry(from, is_backwards(drawn.inverse, link.shift) ? board_.negate(link.vector) : link.vector);
-    }
-
-    /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t. An equivalent link turns as a body would.
-    template <Plane plane>
-    void start_rotation(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-        result.base = locus.base;
-        result.start = track.tip(locus.base);
-        result.from_rest = at_rest(locus.base);
-        result.absolute = is_velocity<plane> && result.from_rest;
-        result.reason = {LineReason::Kind::perpendicular_to_segment, node(locus.base).label, node(locus.node).label};
-        result.role = is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential;
-        const auto symbol = [&](std::string term) {
-            return result.from_rest ? absolute<plane>(locus.node, std::move(term))
-                                    : relative<plane>(locus.node, locus.base, std::move(term));
-        };
-        if (result.absolute) result.role = DrawnVector::Role::absolute;
-        result.seen = turning(locus.node, locus.base);
-        if constexpr (!is_velocity<plane>) {
-            Link<plane> normal;
-            normal.vector = locus.kind == Locus::Kind::link ? centripetal_about(node(locus.base).place, locus.base, locus.node)
-                                                            : normal_of(locus.body, locus.base, locus.node);
-            normal.role = DrawnVector::Role::normal;
-            normal.seen = result.seen;
-            normal.term = {symbol("n"),
-                           true,
-                           true,
-                           {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label},
-                           locus.body};
-            if (!board_.is_zero(normal.vector)) result.known.push_back(normal);
-        }
-        result.sought = {symbol(is_velocity<plane> ? "" : "t"), false, true, result.reason, locus.body};
-    }
-
-    /// Known place of the other body, direction ∥ guide: v_X = v_X* + v_XX*; a_X = a_X* + a_XX*^cor + a_XX*^rel.
-    template <Plane plane>
-    void start_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-        const Joint& joint = mechanism_.joints[at(locus.joint)];
-        result.base = locus.base;
-        result.start = track.tip(locus.base);
-        result.from_rest = at_rest(locus.base);
-        result.inverse = locus.inverse && !result.from_rest;
-        const LineReason normal = normal_reason(locus);
-        result.reason = line_reason(locus);
-        result.role = DrawnVector::Role::sliding;
-        const NodeIndex slider = locus.inverse ? locus.base : locus.node, guide = locus.inverse ? locus.node : locus.base;
-        const BodyIndex colour = joint.bodies[0] == frame ? joint.bodies[1] : joint.bodies[0];
-        const auto symbol = [&](std::string term) {
-            return result.from_rest ? absolute<plane>(locus.node, std::move(term))
-                                    : relative<plane>(slider, guide, std::move(term));
-        };
-        if constexpr (!is_velocity<plane>) {
-            const auto add = [&](std::optional<Link<plane>> link, const LineReason& reason) {
-                if (!link) return;
-                // Seen from a guide's place whose slider rests, the terms change sides: they are the place's own.
-                if (result.from_rest && locus.inverse) link->vector = board_.negate(link->vector);
-                link->term = {symbol(link->term.symbol.term), true, true, reason, colour};
-                result.known.push_back(*link);
-            };
-            if (locus.kind != Locus::Kind::mesh) add(coriolis_of(locus.guide, slider, guide), normal);
-            if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide), normal);
-        }
-        result.absolute = result.from_rest && result.known.empty();
-        if (result.absolute) result.role = DrawnVector::Role::absolute;
-        result.seen = result.absolute ? seen(locus.node) : sliding<plane>(locus.joint, slider, guide);
-        const bool plain = is_velocity<plane> || result.absolute;
-        const char* term = locus.kind == Locus::Kind::mesh ? "n" : "rel";
-        result.sought = {symbol(plain ? "" : term), false, true, result.reason, colour};
-    }
-
-    LineReason line_reason(const Locus& locus) const {
-        const Joint& joint = mechanism_.joints[at(locus.joint)];
-        if (locus.kind == Locus::Kind::mesh) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
-        if (joint.kind == JointKind::contact) return {LineReason::Kind::parallel_to_tangent, joint.name, {}};
-        return along_guide(mechanism_, locus.joint, false);
-    }
-    LineReason normal_reason(const Locus& locus) const {
-        const Joint& joint = mechanism_.joints[at(locus.joint)];
-        if (joint.kind == JointKind::contact) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
-        return along_guide(mechanism_, locus.joint, true);
-    }
-
-    /// A driver gives the component along X: from the pole set it off, then ⟂ to X.
-    template <Plane plane>
-    void start_component(const Track<plane>&, const Locus& locus, Chain<plane>& result) {
-        const auto& driver = std::get<PointDriver>(mechanism_.drivers[at(locus.driver)]);
-        result.start = board_.pole<plane>();
-        result.from_rest = true;
-        result.reason = {LineReason::Kind::driver_component, node(locus.node).label, {}};
-        Link<plane> component;
-        component.vector =
-            board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.driver_unit(locus.driver));
-        component.term = {absolute<plane>(locus.node, "∥"), true, true, {LineReason::Kind::known, {}, {}}, locus.body};
-        result.known.push_back(component);
-        result.sought = {absolute<plane>(locus.node, "⟂"), false, true, result.reason, locus.body};
-    }
-
-    /// ω of the body known: the image of the node from the base, and the line along the join on which it lies.
-    template <Plane plane>
-    void start_image(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-        const auto join = board_.vector(node(locus.base).place, node(locus.node).place);
-        result.base = locus.base;
-        result.start = track.tip(locus.base);
-        result.reason = {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
-        Link<plane> turned;
-        turned.vector = board_.scale<plane>(track.spin(locus.body), board_.turn(join));
-        result.known.push_back(turned);
-        if constexpr (!is_velocity<plane>) {
-            Link<plane> normal;
-            normal.vector = normal_of(locus.body, locus.base, locus.node);
-            result.known.push_back(normal);
-        }
-    }
-
-    /// A driven slide: its component along the guide is given.
-    template <Plane plane>
-    void start_driven_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-        const auto& driver = std::get<SlideDriver>(mechanism_.drivers[at(locus.driver)]);
-        result.base = locus.base;
-        result.start = track.tip(locus.base);
-        result.reason = along_guide(mechanism_, locus.joint, true);
-        Link<plane> slide;
-        slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(locus.joint));
-        result.known.push_back(slide);
-        if constexpr (!is_velocity<plane>) {
-            if (const auto coriolis = coriolis_of(locus.guide, locus.node, locus.base)) result.known.push_back(*coriolis);
-        }
-    }
-
-    /// In contact with the base in rolling: from its tip by the difference of accelerations.
-    template <Plane plane>
-    void start_roll(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-        result.base = locus.base;
-        result.start = track.tip(locus.base);
-        if constexpr (!is_velocity<plane>) {
-            Link<plane> offset;
-            offset.vector = rolling_offset(locus.joint, locus.body);
-            result.known.push_back(offset);
-        }
-    }
-
-    /// The locus of another node carried to the one sought: by ω ∧ YX (and −ω² YX) on a body whose spin is known; over a rolling
-    /// contact by nothing (and the difference of its accelerations).
-    template <Plane plane>
-    void shift(const Track<plane>& track, const Carry& carry, Chain<plane>& result) {
-        const auto add = [&](VectorOn<plane> vector, const std::string& term, LineReason reason, DrawnVector::Role role) {
-            Link<plane> link;
-            link.vector = vector;
-            link.role = role;
-            link.shift = true;
-            link.term = {relative<plane>(carry.to, carry.from, term), true, true, std::move(reason), carry.body};
-            link.seen = carry.kind == Carry::Kind::roll ? Seen{carried(carry.to), carried(carry.from), -1}
-                                                        : turning(carry.to, carry.from);
-            if (!board_.is_zero(vector)) result.known.push_back(link);
-        };
-        result.absolute = false;
-        result.from_rest = false;
-        if (carry.kind == Carry::Kind::roll) {
-            if constexpr (!is_velocity<plane>) {
-                add(rolling_offset(carry.joint, carry.body), "n",
-                    {LineReason::Kind::parallel_to_normal, mechanism_.joints[at(carry.joint)].name, {}},
-                    DrawnVector::Role::normal);
-            }
-            return;
-        }
-        const auto join = board_.vector(node(carry.from).place, node(carry.to).place);
-        const LineReason across{LineReason::Kind::perpendicular_to_segment, node(carry.from).label, node(carry.to).label};
-        const LineReason along{LineReason::Kind::parallel_to_segment, node(carry.from).label, node(carry.to).label};
-        if constexpr (!is_velocity<plane>)
-            add(normal_of(carry.body, carry.from, carry.to), "n", along, DrawnVector::Role::normal);
-        add(board_.scale<plane>(track.spin(carry.body), board_.turn(join)), is_velocity<plane> ? "" : "t", across,
-            DrawnVector::Role::tangential);
-    }
-
-    /// −ω² · (from → to).
-    VectorOn<Plane::acceleration> normal_of(BodyIndex turning, NodeIndex from, NodeIndex to) {
-        auto [entry, fresh] = squares_.try_emplace(turning);
-        if (fresh) {
-            const ScalarHandle omega = motion_.velocity.spin(turning);
-            entry->second = board_.product(omega, omega);
-        }
-        return board_.scale<Plane::acceleration>(entry->second, board_.vector(node(to).place, node(from).place));
-    }
-
-    /// The tip of a node that was not drawn for its own sake, from the image of a body that carries it.
-    PointOn<Plane::velocity> velocity_tip(NodeIndex index) {
-        Track<Plane::velocity>& track = motion_.velocity;
-        if (track.has(index)) return track.tip(index);
-        for (const BodyIndex carrier : node(index).bodies) {
-            if (!track.turns(carrier)) continue;
-            for (const NodeIndex base : structure_.nodes_of(carrier)) {
-                if (!track.has(base)) continue;
-                const auto join = board_.vector(node(base).place, node(index).place);
-                const auto tip =
-                    board_.carry(track.tip(base), board_.scale<Plane::velocity>(track.spin(carrier), board_.turn(join)));
-                track.tips[at(index)] = tip;
-                return tip;
-            }
-        }
-        KG_ASSERT(false, "asked for the velocity of a body that is not known");
-    }
-
-    bool has_velocity(NodeIndex index) const {
-        const Track<Plane::velocity>& track = motion_.velocity;
-        if (track.has(index)) return true;
-        return std::any_of(node(index).bodies.begin(), node(index).bodies.end(), [&](BodyIndex carrier) {
-            const auto& nodes = structure_.nodes_of(carrier);
-            return track.turns(carrier) &&
-                   std::any_of(nodes.begin(), nodes.end(), [&](NodeIndex base) { return track.has(base); });
-        });
-    }
-
-    /// v_rel of the slider seen from the guide.
-    VectorOn<Plane::velocity> sliding_velocity(NodeIndex slider, NodeIndex guide) {
-        const auto from = velocity_tip(guide);
-        return board_.vector(from, velocity_tip(slider));
-    }
-
-    /// 2 ω_j ∧ v_rel, nothing where it vanishes.
-    std::optional<Link<Plane::acceleration>> coriolis_of(BodyIndex guide_body, NodeIndex slider, NodeIndex guide) {
-        const ScalarHandle omega = motion_.velocity.spin(guide_body);
-        if (guide_body == frame || board_.is_zero(omega)) return std::nullopt;
-        Link<Plane::acceleration> link;
-        link.vector = board_.scale<Plane::acceleration>(board_.product(board_.given(2), omega),
-                                                        board_.turn(sliding_velocity(slider, guide)));
-        if (board_.is_zero(link.vector)) return std::nullopt;
-        link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
-        link.role = DrawnVector::Role::coriolis;
-        link.seen = {carried(slider), carried(guide), -1};
-        return link;
-    }
-
-    /// A slot curved about C: the pin turns about C as seen from the slot, −ω_r² · CP.
-    std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide) {
-        Link<Plane::acceleration> link;
-        link.vector = centripetal_about(board_.place(mechanism_.joints[at(joint)].arc), guide, slider);
-        if (board_.is_zero(link.vector)) return std::nullopt;
-        link.term.symbol = relative<Plane::acceleration>(slider, guide, "n");
-        link.role = DrawnVector::Role::normal;
-        link.seen = sliding<Plane::acceleration>(joint, slider, guide);
-        return link;
-    }
-
-    /// −ω_r² · CX where X, seen from the base, turns about a centre C at the place of which `base` moves as the base does.
-    VectorOn<Plane::acceleration> centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index) {
-        const auto radius = board_.vector(centre, node(index).place);
-        const ScalarHandle turning = board_.ratio(sliding_velocity(index, base), board_.turn(radius));
-        return board_.negate(board_.scale<Plane::acceleration>(board_.product(turning, turning), radius));
-    }
 
     template <Plane plane>
     void remember_tangential(Track<plane>& track, const Locus& locus, const Chain<plane>& drawn, PointOn<plane> met) {
@@ -1061,44 +640,8 @@ private:
         }
     }
 
-    /// The equation that the two chains close, written without minus signs: terms of an inverse chain change sides.
-    template <Plane plane>
-    Equation equation(NodeIndex sought, const Chain<plane>& first, const Chain<plane>& second) const {
-        if (second.from_rest && !first.from_rest) return equation(sought, second, first);
-        std::vector<Term> left, right;
-        const auto write = [&](const Chain<plane>& drawn, std::vector<Term>& own, std::vector<Term>& other) {
-            if (drawn.base >= 0 && !at_rest(drawn.base)) {
-                own.push_back(
-                    {absolute<plane>(drawn.base), true, true, {LineReason::Kind::known, {}, {}}, colour_of(drawn.base)});
-            }
-            for (const Link<plane>& link : drawn.known)
-                (is_backwards(drawn.inverse, link.shift) ? other : own).push_back(link.term);
-            (drawn.inverse ? other : own).push_back(drawn.sought);
-        };
-        write(first, left, right);
-        write(second, right, left);
-        Equation result;
-        if (!first.from_rest && !second.from_rest && !first.inverse && !second.inverse) {
-            Term whole;
-            whole.symbol = absolute<plane>(sought);
-            whole.direction_known = false;
-            whole.body = colour_of(sought);
-            result.sides.push_back({whole});
-        }
-        if (second.inverse) std::swap(left, right);
-        result.sides.push_back(std::move(left));
-        result.sides.push_back(std::move(right));
-        return result;
-    }
-
-    Structure& structure_;
-    Board& board_;
     const Plan& plan_;
-    const Mechanism& mechanism_;
-    Motion motion_;
-    std::map<BodyIndex, ScalarHandle> squares_;
     Hand hand_ = Hand::solution;
-    bool drivers_rest_ = false;
     const Step* moved_ = nullptr;
     Statement unsaid_;
     std::set<JointIndex> introduced_;  ///< higher pairs whose sentence was said
