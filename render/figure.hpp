@@ -19,6 +19,7 @@ struct Box {
     Spot min, max;
     double width() const { return max.x - min.x; }
     double height() const { return max.y - min.y; }
+    bool operator==(const Box&) const = default;
 };
 
 /// A label that wants a place near its object.
@@ -48,6 +49,7 @@ struct Figure {
     Spot origin;                       ///< where the origin of its coordinates lies
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
+    bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
 
     void move(double dx, double dy);
     static Figure empty_at(double scale);

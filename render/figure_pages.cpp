@@ -16,9 +16,8 @@ namespace {
 
 constexpr double least_run = 16;           // of free height worth a text column
 constexpr double hope_is_short_by = 0.05;  // of what a figure may be worth more than was hoped
+constexpr int most_splits = 12;            // tried for one page
 constexpr double overflow_price = 10;      // of a figure that its cell cannot hold: more than any size is worth
-
-double caption_height(const Wanted& wanted, double width) { return wanted.caption_width > width ? 11 : 7; }
 
 class FigurePlacer {
 public:
@@ -90,10 +89,10 @@ private:
             }
             if (areas.empty()) areas.push_back(format_.content);
             Outcome chosen = best_page(first, count, areas);
-            // A scale that the file asks for may want a page with fewer figures on it.
-            for (std::size_t fewer = count - 1; chosen.missed && fewer > 0; --fewer) {
+            // A scale that the file asks for, and a crowded polygon, may want a page with fewer figures on it.
+            for (std::size_t fewer = count - 1; (chosen.missed || chosen.cramped) && fewer > 0; --fewer) {
                 Outcome outcome = best_page(first, fewer, {format_.content});
-                if (!outcome.missed) chosen = std::move(outcome);
+                if (!outcome.missed && !outcome.cramped) chosen = std::move(outcome);
             }
             for (Figure& figure : chosen.drawn) result_.drawn.push_back(std::move(figure));
             result_.unplaced = std::move(chosen.unplaced);
@@ -106,7 +105,8 @@ private:
     /// A page with `count` figures from `first` on.
     struct Outcome {
         double value = -1e300;
-        bool missed = false;  // a figure is not at the scale that the file asks for, or larger than its cell
+        bool missed = false;   // a figure is not at the scale that the file asks for, or larger than its cell
+        bool cramped = false;  // a polygon is too small to be read
         Sheet sheet;
         std::vector<Figure> drawn;  // of this page
         std::set<std::size_t> unplaced;
@@ -117,14 +117,19 @@ private:
     /// with that knowledge. Leaves what was drawn before as it is.
     Outcome best_page(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
         Outcome chosen;
+        std::vector<std::vector<Box>> tried;
         const std::set<std::size_t> unplaced_before = result_.unplaced;
         const auto drawn_before = static_cast<std::ptrdiff_t>(result_.drawn.size());
-        for (int round = 0; round < 4; ++round) {
+        for (int round = 0; round < most_splits; ++round) {
             Split best;
             for (const Box& each : areas)
                 if (Split split = best_split(wanted_, first, count, each, format_); split.value > best.value + 1e-9)
                     best = std::move(split);
             if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
+            const bool again =
+                std::any_of(tried.begin(), tried.end(), [&](const std::vector<Box>& cells) { return cells == best.cells; });
+            if (again) break;  // nothing more is learned
+            tried.push_back(best.cells);
             Outcome outcome;
             outcome.value = 0;
             bool smaller = false, of_use = true;
@@ -134,7 +139,8 @@ private:
                 const double hoped_here = worth(wanted, best.cells[i], wanted_.force_scale);
                 hoped -= hoped_here;
                 const double needed = chosen.value - outcome.value - hoped - hope_is_short_by * static_cast<double>(count - i);
-                const Filled filled = fill_cell(outcome.sheet, wanted, first + i, best.cells[i], coarsest_worth(wanted, needed));
+                const Filled filled = fill_cell(outcome.sheet, wanted, first + i, best.cells[i],
+                                                needed < -0.5 * overflow_price ? any_scale : coarsest_worth(wanted, needed));
                 if (filled == Filled::not_at_all) {
                     of_use = false;
                     smaller = true;
@@ -148,9 +154,11 @@ private:
                 if (wanted.fills)
                     size = worth(wanted, best.cells[i], wanted_.force_scale);
                 else if (!wanted.empty)
-                    size = wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / result_.drawn.back().scale) -
-                           (missed ? 3 : 0);
+                    size = worth_at(wanted, result_.drawn.back().scale) - (missed ? 3 : 0);
                 if (!held) size -= overflow_price;
+                outcome.cramped = outcome.cramped || (wanted.is_fitted() && is_cramped(wanted, result_.drawn.back()));
+                if (result_.unplaced.contains(first + i)) size -= with_steps_price;
+                if (result_.drawn.back().lacks_details) size -= details_price;
                 outcome.value += size;
                 if (!wanted.empty && size < hoped_here - 0.05) {
                     smaller = true;
@@ -169,23 +177,17 @@ private:
         return chosen;
     }
 
-    static void enlarge_rim(Wanted& wanted) {
-        wanted.rim_x += 8;
-        wanted.rim_y += 8;
+    /// Too small to be read, the whole or some of its vectors.
+    static bool is_cramped(const Wanted& wanted, const Figure& figure) {
+        constexpr double least = 20;
+        return figure.lacks_details || size_at(wanted, figure.scale) < least;
     }
 
-    /// The coarsest scale at which a figure is worth as much as is needed.
-    static double coarsest_worth(const Wanted& wanted, double needed) {
-        if (wanted.empty || wanted.fills || wanted.asked || wanted.items > 1 || needed < -0.5 * overflow_price) return any_scale;
-        const double extent = std::max(wanted.extent_x, wanted.extent_y);
-        // The size that is worth it, by halving.
-        double least = 1e-3, enough = 1e4;
-        if (wanted.weight * use_of(enough) < needed) return 0;
-        for (int i = 0; i < 40; ++i) {
-            const double size = std::sqrt(least * enough);
-            (wanted.weight * use_of(size) < needed ? least : enough) = size;
-        }
-        return extent / enough;
+    /// What a drawing told of its room is known; of the others it is guessed that their letters take more.
+    static void enlarge_rim(Wanted& wanted) {
+        if (wanted.is_fitted()) return;
+        wanted.rim_x += 8;
+        wanted.rim_y += 8;
     }
 
     enum class Filled { within, beyond, not_at_all };
@@ -203,11 +205,13 @@ private:
             figure = wanted.drawn_into(room.width(), room.height(), coarsest);
             if (figure.scale > coarsest) return Filled::not_at_all;
         }
-        if (!wanted.equations.empty()) {
-            const std::array<Block, 2> blocks{arranged(wanted.equations, false), arranged(wanted.equations, true)};
-            if (!set_beside(sheet.marks, figure, blocks, room) && !apart(sheet, figure, wanted, blocks, room)) {
-                result_.unplaced.insert(index);
-                centre(figure, room);
+        if (wanted.has_equations) {
+            if (!set_beside(sheet.marks, figure, wanted.equations, room)) {
+                wanted.no_corner.push_back({room.width(), room.height()});
+                if (!apart(sheet, figure, wanted, room)) {
+                    result_.unplaced.insert(index);
+                    centre(figure, room);
+                }
             }
         } else {
             centre(figure, room);
@@ -222,39 +226,16 @@ private:
     }
 
     /// The room divided between equations and figure, whichever way leaves the figure larger.
-    bool apart(Sheet& sheet, Figure& figure, Wanted& wanted, const std::array<Block, 2>& blocks, const Box& room) const {
-        struct Way {
-            Box figure_room;
-            Spot corner;
-            const Block* block;
-        };
-        std::vector<Way> ways;
-        for (const Block& block : blocks) {
-            if (room.width() - block.width > 45 && block.height + 2 <= room.height())
-                ways.push_back({rectangle(room.min.x, room.min.y, room.max.x - block.width - 5, room.max.y),
-                                {room.max.x - block.width, room.min.y + 2},
-                                &block});
-            if (block.width <= room.width() && room.height() - block.height > 40)
-                ways.push_back({rectangle(room.min.x, room.min.y + block.height + 4, room.max.x, room.max.y), room.min, &block});
-        }
-        const Way* best = nullptr;
-        double scale = 1e300;
-        for (const Way& way : ways) {
-            const double x = way.figure_room.width() - wanted.rim_x, y = way.figure_room.height() - wanted.rim_y;
-            if (x < 12 || y < 12) continue;
-            const double would_be = choose_scale(wanted.extent_x, wanted.extent_y, x, y, std::nullopt);
-            if (would_be < scale) scale = would_be, best = &way;
-        }
-        // A polygon three steps smaller is no fair price: then the equations stand with the steps.
-        if (!best || scale > 3 * figure.scale) return false;
-        const double coarsest = 3 * figure.scale;
-        Figure smaller = wanted.drawn_into(best->figure_room.width(), best->figure_room.height(), coarsest);
-        if (smaller.scale > coarsest || smaller.box.width() > best->figure_room.width() ||
-            smaller.box.height() > best->figure_room.height())
+    bool apart(Sheet& sheet, Figure& figure, Wanted& wanted, const Box& room) const {
+        const auto division = best_division(wanted, room, figure.scale);
+        if (!division) return false;
+        const Box& left = division->figure_room;
+        Figure smaller = wanted.drawn_into(left.width(), left.height(), division->scale);
+        if (smaller.scale > division->scale || smaller.box.width() > left.width() || smaller.box.height() > left.height())
             return false;
         figure = std::move(smaller);
-        centre(figure, best->figure_room);
-        set(sheet.marks, *best->block, best->corner);
+        centre(figure, left);
+        set(sheet.marks, wanted.equations[division->arrangement], division->corner);
         return true;
     }
 

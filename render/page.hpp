@@ -20,6 +20,7 @@ namespace kinegraph::render {
 struct Spot {
     double x = 0;
     double y = 0;
+    bool operator==(const Spot&) const = default;
 };
 
 /// An sRGB colour.

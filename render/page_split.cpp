@@ -48,11 +48,48 @@ void cut_at_block(Box& cell, const Box& block) {
 
 }  // namespace
 
-double use_of(double size) { return std::log(size) - 40 / size; }
+double use_of(double size) {
+    constexpr double least = 30, price = 0.1;  // for each mm that it is smaller
+    return std::log(size) - 40 / size - price * std::max(0.0, least - size);
+}
+double size_at(const Wanted& wanted, double scale) { return std::max(wanted.extent_x, wanted.extent_y) / scale; }
+double worth_at(const Wanted& wanted, double scale) { return wanted.weight * use_of(size_at(wanted, scale)); }
+
+double coarsest_worth(const Wanted& wanted, double needed) {
+    if (wanted.empty || wanted.fills || wanted.asked || wanted.items > 1) return any_scale;
+    // The size that is worth it, by halving.
+    double least = 1e-3, enough = 1e4;
+    if (wanted.weight * use_of(enough) < needed) return 0;
+    for (int i = 0; i < 40; ++i) {
+        const double size = std::sqrt(least * enough);
+        (wanted.weight * use_of(size) < needed ? least : enough) = size;
+    }
+    return std::max(wanted.extent_x, wanted.extent_y) / enough;
+}
+
+double caption_height(const Wanted& wanted, double width) { return wanted.caption_width > width ? 11 : 7; }
+
+std::optional<Division> best_division(const Wanted& wanted, const Box& room, double whole) {
+    const double coarsest = coarsest_worth(wanted, worth_at(wanted, whole) - with_steps_price);
+    std::optional<Division> best;
+    const auto look_at = [&](const Box& figure_room, Spot corner, std::size_t arrangement) {
+        const double scale = wanted.expected(figure_room.width(), figure_room.height()).scale;
+        if (scale <= coarsest && (!best || scale < best->scale)) best = {figure_room, corner, arrangement, scale};
+    };
+    for (std::size_t k = 0; k < wanted.equations.size(); ++k) {
+        const Block& block = wanted.equations[k];
+        if (room.width() - block.width > 45 && block.height + 2 <= room.height())
+            look_at(rectangle(room.min.x, room.min.y, room.max.x - block.width - 5, room.max.y),
+                    {room.max.x - block.width, room.min.y + 2}, k);
+        if (block.width <= room.width() && room.height() - block.height > 40)
+            look_at(rectangle(room.min.x, room.min.y + block.height + 4, room.max.x, room.max.y), room.min, k);
+    }
+    return best;
+}
 
 double worth(const Wanted& wanted, const Box& cell, std::optional<double> force_scale) {
     if (wanted.empty) return cell.width() > 60 && cell.height() > 30 ? 0 : -6;
-    const double width = cell.width(), height = cell.height() - 8;
+    const double width = cell.width(), height = cell.height() - caption_height(wanted, cell.width());
     if (wanted.fills) {
         const double room_x = width - wanted.rim_x, room_y = height - wanted.rim_y;
         if (room_x < 5 || room_y < 5) return -6;
@@ -71,33 +108,37 @@ double worth(const Wanted& wanted, const Box& cell, std::optional<double> force_
             if (wanted.asked && !force_scale) scale = std::max(scale, *wanted.asked);
             scale = std::max(scale, force_scale.value_or(0));
             const double air = std::log(std::max(extent_x / room_x, extent_y / room_y) / scale);
-            best = std::max(best, wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air);
+            best = std::max(best, worth_at(wanted, scale) + 0.04 * air);
         }
         return best;
     }
+    constexpr double nothing = -6;
     const auto drawn = [&](double w, double h) -> double {
-        const double room_x = w - wanted.rim_x, room_y = h - wanted.rim_y;
-        if (room_x < 12 || room_y < 12) return -6;
-        double scale = choose_scale(wanted.extent_x, wanted.extent_y, room_x, room_y, std::nullopt);
-        double penalty = 0;
+        if (w <= 0 || h <= 0) return nothing;
+        const double room_x = std::max(w - wanted.rim_x, 12.0), room_y = std::max(h - wanted.rim_y, 12.0);
+        auto [scale, lacks_details] = wanted.expected(w, h);
+        if (scale == any_scale) return nothing;
+        double penalty = lacks_details ? details_price : 0;
         if (wanted.asked) {
-            if (*wanted.asked < std::max(wanted.extent_x / room_x, wanted.extent_y / room_y)) penalty = 3;
+            if (*wanted.asked < std::max(wanted.extent_x / room_x, wanted.extent_y / room_y)) penalty += 3;
             scale = *wanted.asked;
         }
         if (wanted.to_force_scale && force_scale) scale = std::max(scale, *force_scale);
         // The step of the scale first, then the air that it leaves.
         const double air = std::log(std::max(wanted.extent_x / room_x, wanted.extent_y / room_y) / scale);
-        return wanted.weight * use_of(std::max(wanted.extent_x, wanted.extent_y) / scale) + 0.04 * air - penalty;
+        return worth_at(wanted, scale) + 0.04 * air - penalty;
     };
-    if (wanted.equations.empty()) return drawn(width, height);
-    double stack_width = 0, stack_height = 0;
-    for (const Block& block : wanted.equations) {
-        stack_width = std::max(stack_width, block.width);
-        stack_height += block.height + 4;
-    }
-    // A corner of a polygon is often free: counted as half.
-    return std::max({drawn(width - stack_width - 4, height), drawn(width, height - stack_height),
-                     drawn(width - 0.5 * stack_width, height - 0.25 * stack_height) - 0.1});
+    const double alone = drawn(width, height);
+    if (!wanted.has_equations || alone <= nothing) return alone;
+    double most = alone - with_steps_price;
+    const double whole = wanted.asked.value_or(wanted.expected(width, height).scale);
+    if (const auto division = best_division(wanted, rectangle(0, 0, width, height), whole))
+        most = std::max(most, drawn(division->figure_room.width(), division->figure_room.height()));
+    // A corner of a polygon is often free, as long as nobody has looked: counted as half.
+    const Block& stack = wanted.equations.front();
+    const bool taken = std::any_of(wanted.no_corner.begin(), wanted.no_corner.end(),
+                                   [&](Spot room) { return width <= room.x + 1 && height <= room.y + 1; });
+    return taken ? most : std::max(most, drawn(width - 0.5 * stack.width, height - 0.25 * stack.height) - 0.1);
 }
 
 Split best_split(const WantedFigures& figures, std::size_t first, std::size_t count, const Box& area, const SheetFormat& format) {

@@ -443,9 +443,11 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
         if (!last && !fits(figure, 0.4 * label_reach)) continue;
         if (auto with_details = detailed(made)) return *std::move(with_details);
         if (!finish(figure, last)) continue;
+        if (made.details.empty()) return figure;
         // One step smaller with its details is better than without.
-        if (!made.details.empty() && extent / next_scale(scale) > least_with_details)
-            if (auto smaller = detailed(attempt(next_scale(scale)))) return *std::move(smaller);
+        if (const double smaller = next_scale(scale); extent / smaller > least_with_details && smaller <= coarsest)
+            if (auto with_details = detailed(attempt(smaller))) return *std::move(with_details);
+        figure.lacks_details = true;
         return figure;
     }
 }

@@ -17,27 +17,68 @@ bool has_motion(const Solution& solution) {
 }
 bool is_mixed(const Solution& solution) { return has_forces(solution) && has_motion(solution); }
 
+Wanted::Expected Wanted::expected(double room_x, double room_y) const {
+    constexpr double least_room = 12, as_good_as = 0.5;
+    const double x = room_x - rim_x, y = room_y - rim_y;
+    double scale = x < least_room || y < least_room ? any_scale : choose_scale(extent_x, extent_y, x, y, std::nullopt);
+    bool lacks_details = false;
+    for (const NoFiner& each : no_finer)
+        if (room_x <= each.room_x + as_good_as && room_y <= each.room_y + as_good_as && scale <= each.scale) {
+            scale = each.scale;
+            lacks_details = each.lacks_details;
+        }
+    if (const Drawn* known = finest_within(room_x, room_y); known && known->figure.scale < scale) {
+        scale = known->figure.scale;
+        lacks_details = known->figure.lacks_details;
+    }
+    return {scale, lacks_details};
+}
+
+const Wanted::Drawn* Wanted::finest_within(double room_x, double room_y) const {
+    const Drawn* finest = nullptr;
+    for (const Drawn& each : drawn)
+        if (each.figure.box.width() <= room_x && each.figure.box.height() <= room_y &&
+            (!finest || each.figure.scale < finest->figure.scale))
+            finest = &each;
+    return finest;
+}
+
 const Figure& Wanted::drawn_into(double room_x, double room_y, double coarsest) {
     constexpr double air = 16;
+    const Drawn* finest = finest_within(room_x, room_y);
     // Not even without lettering; what fills its room, or stands in rows, has no such bound.
-    const bool bounded = !fills && !empty && !asked && items == 1 && std::max(extent_x, extent_y) > 0;
+    const bool bounded = is_fitted() && std::max(extent_x, extent_y) > 0;
     const double largest = bounded ? choose_scale(extent_x, extent_y, room_x, room_y, std::nullopt) * (1 + 1e-9) : 0;
     for (const Drawn& each : drawn) {
         const double width = each.figure.box.width(), height = each.figure.box.height();
-        // Names that a narrower room kept in may stand better in this one.
-        const bool at_ease = width + air <= each.room_x && height + air <= each.room_y;
+        if (finest && each.figure.scale > finest->figure.scale) continue;
+        // Names that a narrower room kept in may stand better in this one, and details find their places.
+        const bool at_ease = width + air <= each.room_x && height + air <= each.room_y && !each.figure.lacks_details;
         if ((each.room_x == room_x && each.room_y == room_y) ||
             (width <= room_x && height <= room_y &&
              ((each.room_x >= room_x && each.room_y >= room_y) || (at_ease && each.figure.scale <= largest))))
             return each.figure;
     }
-    Figure figure = draw(room_x, room_y, coarsest);
-    if (figure.scale > coarsest) {
-        too_coarse = std::move(figure);
-        return too_coarse;
+    const double worst = finest && is_fitted() ? std::min(coarsest, finest->figure.scale) : coarsest;
+    Figure figure = draw(room_x, room_y, worst);
+    const bool refused = figure.scale > worst;
+    if (is_fitted()) learn(room_x, room_y, figure, refused ? choose_scale(1.001 * worst, 0, 1, 1, std::nullopt) : figure.scale);
+    if (!refused) {
+        drawn.push_back({room_x, room_y, std::move(figure)});
+        return drawn.back().figure;
     }
-    drawn.push_back({room_x, room_y, std::move(figure)});
-    return drawn.back().figure;
+    if (finest && finest->figure.scale <= coarsest) return finest->figure;
+    too_coarse = std::move(figure);
+    return too_coarse;
+}
+
+void Wanted::learn(double room_x, double room_y, const Figure& figure, double scale) {
+    no_finer.push_back({room_x, room_y, scale, figure.lacks_details});
+    if (figure.scale > scale || figure.scale == any_scale) return;
+    // What the letters took where they had the room; in a narrower one they take less.
+    constexpr double spare = 5, leeway = 6;
+    if (figure.box.width() + spare < room_x) rim_x = std::max(rim_x, figure.box.width() - extent_x / scale - leeway);
+    if (figure.box.height() + spare < room_y) rim_y = std::max(rim_y, figure.box.height() - extent_y / scale - leeway);
 }
 
 bool has_circle(const Solution& solution) {
@@ -271,13 +312,16 @@ void WantedFigures::collect_motion() {
         wanted.draw = [this, p](double x, double y, double coarsest) {
             return polygon_figure(context_, static_cast<int>(p), x, y, coarsest);
         };
+        std::vector<Block> equations;
         for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
             const auto& equation = protocol.statements[i].equation;
             const auto found = polygon_of.find(static_cast<int>(i));
             if (!equation || found == polygon_of.end() || found->second != static_cast<int>(p)) continue;
-            wanted.equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
+            equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
             equation_polygon[i] = list.size();
         }
+        wanted.has_equations = !equations.empty();
+        wanted.equations = {arranged(equations, false), arranged(equations, true)};
         list.push_back(std::move(wanted));
     }
 }

@@ -2,6 +2,7 @@
 // place; computes no mechanics.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <map>
@@ -29,9 +30,10 @@ struct Wanted {
     double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
     std::optional<double> asked;
     std::function<Figure(double room_x, double room_y, double coarsest)> draw;
-    std::vector<Block> equations;
-    bool empty = false;  ///< all its vectors are zero: a pole and names
-    double weight = 1;   ///< against the other figures of the page
+    bool has_equations = false;
+    std::array<Block, 2> equations;  ///< beside it: one under the other, side by side
+    bool empty = false;              ///< all its vectors are zero: a pole and names
+    double weight = 1;               ///< against the other figures of the page
     bool starts_page = false;
     bool to_force_scale = false;  ///< one scale for all of these
     bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
@@ -43,10 +45,31 @@ struct Wanted {
     };
     std::deque<Drawn> drawn;  ///< they stay where they are
     Figure too_coarse;        ///< the last that was
+    /// In a room no larger than this it comes no finer.
+    struct NoFiner {
+        double room_x, room_y;
+        double scale;
+        bool lacks_details;
+    };
+    std::vector<NoFiner> no_finer;
+    std::vector<Spot> no_corner;  ///< rooms in which it left its equations no corner
 
+    /// Whether its scale is the finest at which it fits its room, so that one drawing of it tells of other rooms.
+    bool is_fitted() const { return !fills && !empty && !asked && !to_force_scale && items == 1; }
+    /// How it would come in a room, by what was drawn so far, else by its extent and rim; any_scale: not at all.
+    struct Expected {
+        double scale;
+        bool lacks_details;
+    };
+    Expected expected(double room_x, double room_y) const;
     /// Drawn once for all rooms between the one it was drawn for and what it takes, for the scale is the largest that fits; and
     /// for all that it fits into where no larger scale could. `coarsest`: as of figures.
     const Figure& drawn_into(double room_x, double room_y, double coarsest = any_scale);
+
+private:
+    /// Of the drawings that a room would hold.
+    const Drawn* finest_within(double room_x, double room_y) const;
+    void learn(double room_x, double room_y, const Figure& figure, double scale);
 };
 
 /// Their list. Not to be moved: those who draw refer to it.
