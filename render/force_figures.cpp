@@ -87,11 +87,6 @@ using namespace drawing;
 constexpr double line_overshoot = 10;  // of a line of action past what it joins, mm
 constexpr double label_reach = 7;      // what labels may add beyond the strokes on each side
 
-BodyColour colour_of(const Theme& theme, BodyIndex body) {
-    if (body <= 0) return {theme.text, theme.paper, theme.text};
-    return theme.body(body);
-}
-
 void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to.end(), more.begin(), more.end()); }
 
 /// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
@@ -241,7 +236,7 @@ public:
                 side.tail = side.tail + aside, side.tip = side.tip + aside;
             }
             side.text = typeset(vector.symbol, context_.language);
-            side.colour = colour_of(context_.theme, vector.body);
+            side.colour = context_.theme.colour_of(vector.body);
             // An inner side met again (a two-force body lies between): one stroke, both names.
             side.internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
             parts.vectors.push_back(std::move(side));
@@ -425,7 +420,7 @@ private:
                                                                     : word("pin", context_.language) + " " + name;
                 const std::size_t first = all.marks.size();
                 set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
-                         {x, y + 3.2}, colour_of(context_.theme, items_[i].body->body).letter, "text");
+                         {x, y + 3.2}, context_.theme.colour_of(items_[i].body->body).letter, "text");
                 figure.move(x - figure.box.min.x + 0.5 * (sizes[i].x - figure.box.width()),
                             y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
                 append(all.marks, figure.marks);
@@ -826,7 +821,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const double start = own > 0 ? first : least;
     return fitted(start, false, room_x, room_y, [&](double scale, bool last) {
         Sketch sketch(subject, context, scale, id + "-");
-        const BodyColour colour = colour_of(theme, body.body);
+        const BodyColour colour = theme.colour_of(body.body);
         if (body.body >= 0) {
             sketch.draw_alone(body.body);
         } else {
@@ -1005,7 +1000,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
 
         // Loads, efforts and what the frame gives: their sense only.
         for (const FreeBody& body : solution.free_bodies) {
-            const BodyColour colour = colour_of(theme, body.body);
+            const BodyColour colour = theme.colour_of(body.body);
             for (const AppliedForce& applied : body.forces) {
                 if (applied.kind == AppliedForce::Kind::reaction && applied.from != 0) continue;
                 // An actuator between two bodies shows once.

@@ -169,7 +169,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     const auto centred = [&](const ShapedLine& shaped, double middle, double baseline, Colour colour) {
         set_text(block.marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
     };
-    const Colour letters = body.body > 0 ? theme.body(body.body).letter : theme.text;
+    const Colour letters = theme.colour_of(body.body).letter;
     double baseline = 4.6, before = 0;
     for (const Column& column : columns) {
         if (&column != &columns.front())
@@ -439,7 +439,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         }
         const std::string name = body.body >= 0 ? body_name(mechanism, body.body)
                                                 : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
-        add(name, body.body > 0 ? theme.body(body.body).letter : theme.text, joined(active), joined(reactions), false);
+        add(name, theme.colour_of(body.body).letter, joined(active), joined(reactions), false);
     }
     if (!on_frame.empty())
         add(body_name(mechanism, 0) + " " + word("frame", language), theme.secondary, one_piece("–"), joined(on_frame), true);

@@ -33,11 +33,6 @@ const VirtualWork& work_of(const Solution& solution) {
     return *solution.virtual_work;
 }
 
-BodyColour colour_of(const Theme& theme, BodyIndex body) {
-    if (body <= 0) return {theme.text, theme.paper, theme.text};
-    return theme.body(body);
-}
-
 /// What powers are printed against: the largest of them.
 double largest_power(const VirtualWork& work) {
     double largest = 0;
@@ -194,7 +189,7 @@ private:
             const std::string base = name_of(entry.symbol);
             std::string name = base;
             for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
-            const BodyColour colour = colour_of(context_.theme, entry.body);
+            const BodyColour colour = context_.theme.colour_of(entry.body);
             figure.marks.emplace_back(GroupBegin{"force",
                                                  figure.id + "-" + legal_id(name),
                                                  name + " = " + shortest(placed_[i].value) + " " + force_.symbol,
@@ -378,7 +373,7 @@ Block joukowsky_block(const DrawingContext& context, double most) {
     std::vector<Line> lines;
     bool couples = false;
     for (const VirtualWork::Entry& entry : work.entries) {
-        const Colour letters = colour_of(theme, entry.body).letter;
+        const Colour letters = theme.colour_of(entry.body).letter;
         if (!entry.force.is_zero()) {
             const double f = kinegraph::length(entry.force), p = dot(entry.force, entry.velocity).to_double();
             const double reach = std::abs(p) / f / units.velocity.si.to_double();

@@ -217,20 +217,18 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
                 }
             }
             const Symbol symbol{Symbol::Letter::v, name_of_point(*one.motion), ""};
-            const Colour line_colour = one.body > 0 ? theme.body(one.body).line : theme.text;
-            const Colour letter = one.body > 0 ? theme.body(one.body).letter : theme.text;
+            const BodyColour colour = theme.colour_of(one.body);
             const std::string name = name_of(symbol);
             const RichText text = typeset(symbol, context.language);
             sketch.arrows.emplace_back(GroupBegin{
                 "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(one.value)}}});
-            draw_arrow(sketch.arrows, at, tip, theme.vector, line_colour,
-                       one.body > 0 ? theme.body(one.body).dashes : std::vector<double>{});
+            draw_arrow(sketch.arrows, at, tip, theme.vector, colour.line, colour.dashes);
             sketch.arrows.emplace_back(Axis{at, tip});
             sketch.arrows.emplace_back(GroupEnd{});
             LabelRequest request;
             request.text = text;
             request.size = theme.equation;
-            request.colour = letter;
+            request.colour = colour.letter;
             request.anchor = 0.5 * (at + tip);
             request.toward = tip;
             request.clearance = 1.6;

@@ -178,7 +178,7 @@ private:
         for (std::size_t c = from; c < to; ++c) {
             const Column& column = columns_[c];
             const double middle = middles[c - from];
-            const Colour colour = column.term->body > 0 ? theme.body(column.term->body).letter : theme.text;
+            const Colour colour = theme.colour_of(column.term->body).letter;
             if (!column.operation.empty()) {
                 const ShapedLine sign = context_.fonts.shape(one_piece(column.operation), setting_.size);
                 set_centred(block.marks, sign, 0.5 * (end + middle - column.symbol.width / 2), baseline, theme.text);

@@ -39,6 +39,8 @@ struct Theme {
     const BodyColour& body(int index) const {
         return bodies[index > 0 ? (static_cast<std::size_t>(index) - 1) % bodies.size() : 0];
     }
+    /// The same; what is the frame's, a pin's or no body's looks like text.
+    BodyColour colour_of(int index) const { return index > 0 ? body(index) : BodyColour{text, paper, text, {}}; }
 
     // Four weights of line, mm.
     double link = 2.0, vector = 0.7, outline = 0.35, thin = 0.18;
