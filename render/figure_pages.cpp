@@ -88,6 +88,7 @@ private:
                 }
             }
             if (areas.empty()) areas.push_back(format_.content);
+            if (first == wanted_.first_of_forces && !wanted_.force_scale) wanted_.force_scale = common_scale(first, count, areas);
             Outcome chosen = best_page(first, count, areas);
             // A scale that the file asks for, and a crowded polygon, may want a page with fewer figures on it.
             for (std::size_t fewer = count - 1; (chosen.missed || chosen.cramped) && fewer > 0; --fewer) {
@@ -100,6 +101,48 @@ private:
             result_.sheets.push_back(std::move(chosen.sheet));
             first += chosen.cells.size();
         }
+    }
+
+    /// The scale at which triangles and closed polygon together are worth most; none where the file asks for one, or there is
+    /// nothing to share it.
+    std::optional<double> common_scale(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
+        std::vector<std::size_t> sharing;
+        double scale = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Wanted& wanted = wanted_.list[first + i];
+            if (!wanted.to_force_scale) continue;
+            if (wanted.asked) return std::nullopt;
+            sharing.push_back(i);
+            scale = std::max(scale, choose_scale(wanted.extent_x / wanted.items, wanted.extent_y, format_.content.width(),
+                                                 format_.content.height(), std::nullopt));
+        }
+        if (sharing.size() < 2) return std::nullopt;
+        constexpr int steps = 8;
+        constexpr double all_but = 0.2;  // of the worth at that scale: what is missing is air
+        std::optional<double> found;
+        double most = -1e300;
+        for (int step = 0; step < steps; ++step, scale = choose_scale(1.01 * scale, 0, 1, 1, std::nullopt)) {
+            wanted_.force_scale = scale;
+            const Split split = best_of(areas, first, count);
+            const bool holds = std::all_of(sharing.begin(), sharing.end(), [&](std::size_t i) {
+                const Wanted& wanted = wanted_.list[first + i];
+                return worth(wanted, split.cells[i], scale) >= worth_at(wanted, scale) - all_but;
+            });
+            if (holds && split.value > most) {
+                most = split.value;
+                found = scale;
+            }
+        }
+        wanted_.force_scale.reset();
+        return found;
+    }
+
+    Split best_of(const std::vector<Box>& areas, std::size_t first, std::size_t count) const {
+        Split best;
+        for (const Box& each : areas)
+            if (Split split = best_split(wanted_, first, count, each, format_); split.value > best.value + 1e-9)
+                best = std::move(split);
+        return best;
     }
 
     /// A page with `count` figures from `first` on.
@@ -121,10 +164,7 @@ private:
         const std::set<std::size_t> unplaced_before = result_.unplaced;
         const auto drawn_before = static_cast<std::ptrdiff_t>(result_.drawn.size());
         for (int round = 0; round < most_splits; ++round) {
-            Split best;
-            for (const Box& each : areas)
-                if (Split split = best_split(wanted_, first, count, each, format_); split.value > best.value + 1e-9)
-                    best = std::move(split);
+            const Split best = best_of(areas, first, count);
             if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
             const bool again =
                 std::any_of(tried.begin(), tried.end(), [&](const std::vector<Box>& cells) { return cells == best.cells; });
