@@ -9,6 +9,7 @@
 #include "render/caption.hpp"
 #include "render/free_room.hpp"
 #include "render/page_split.hpp"
+#include "render/polygon_parts.hpp"
 #include "render/shapes.hpp"
 
 namespace kinegraph::render {
@@ -256,6 +257,9 @@ private:
         } else {
             centre(figure, room);
         }
+        std::size_t details = 0;
+        for (const Figure& before : result_.drawn) details += details_on(before);
+        letter_details_on(figure, context_, details);
         set_caption(sheet.marks, context_, figure, number, cell.min, cell.width());
         sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());
         if (figure.kind == "mechanism" && !sheet.scale_of_mechanism) sheet.scale_of_mechanism = figure.scale;

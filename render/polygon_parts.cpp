@@ -144,13 +144,14 @@ private:
         return clip(start.x, step.x) && clip(start.y, step.y);
     }
 
+    /// `under`: how many vectors lie under it already, along the same line.
     void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
-                    int statement) const {
+                    int statement, int under = 0) const {
         const std::size_t first = marks.size();
         if (internal)
             marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
         else if (has_tip)
-            draw_arrow(marks, from, to, theme_.vector, colour.line, colour.dashes);
+            draw_arrow(marks, from, to, std::max(theme_.vector * std::pow(0.5, under), theme_.thin), colour.line, colour.dashes);
         else
             marks.emplace_back(line(from, to, {theme_.vector, colour.line, colour.dashes, false}));
         belong(marks, first, statement);
@@ -160,6 +161,7 @@ private:
     struct Drawn {
         Spot tail, tip;
         bool arrow = false;  // else a broken line
+        int under = 0;       // arrows along the same line that it lies upon
         std::optional<std::size_t> label;
         bool is_same(const PolygonVector& vector) const {
             return length(tail - vector.tail) < coincident && length(tip - vector.tip) < coincident;
@@ -167,7 +169,23 @@ private:
         bool is_opposite(const PolygonVector& vector) const {
             return length(tail - vector.tip) < coincident && length(tip - vector.tail) < coincident;
         }
+        /// Whether it lies along the vector so far that one would hide the other.
+        bool overlaps(const PolygonVector& vector) const {
+            constexpr double beside = 0.5, shared = 2;  // mm
+            const Spot along = unit(tip - tail);
+            if (std::abs(cross(along, vector.tail - tail)) > beside || std::abs(cross(along, vector.tip - tail)) > beside)
+                return false;
+            const double a = dot(vector.tail - tail, along), b = dot(vector.tip - tail, along);
+            return std::min(length(tip - tail), std::max(a, b)) - std::max(0.0, std::min(a, b)) > shared;
+        }
     };
+    /// A vector upon another is drawn thinner, so that both are seen, shafts and heads.
+    static int count_under(const PolygonVector& vector, const std::vector<Drawn>& drawn) {
+        int under = 0;
+        for (const Drawn& other : drawn)
+            if (other.arrow && other.overlaps(vector)) under = std::max(under, other.under + 1);
+        return under;
+    }
     /// Broken lines lie below arrows; labels are in the order of the vectors.
     void draw_vectors() {
         for (const PolygonPiece& piece : parts_.pieces)
@@ -192,8 +210,9 @@ private:
                                       vector.name + " = " + shortest(vector.value) + " " + figure_.unit,
                                       {{"data-name", vector.name}, {"data-value", shortest(vector.value)}}});
         marks.emplace_back(Axis{vector.tail, vector.tip});
+        const int under = count_under(vector, drawn);
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
-            draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement);
+            draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, under);
         marks.emplace_back(GroupEnd{});
         belong(marks, first, vector.statement);
         if (with != drawn.end()) {
@@ -209,7 +228,7 @@ private:
             }
             return;
         }
-        drawn.push_back({vector.tail, vector.tip, !vector.internal, std::nullopt});
+        drawn.push_back({vector.tail, vector.tip, !vector.internal, under, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
         LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,
@@ -304,6 +323,11 @@ private:
 std::string roman(std::size_t number) {
     constexpr std::array<const char*, 10> numerals{"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
     return number <= numerals.size() ? numerals[number - 1] : std::to_string(number);
+}
+
+/// The group of a detail, a figure within a figure.
+bool is_detail(const GroupBegin& group) {
+    return group.cls == "figure" && !group.attributes.empty() && group.attributes.front().second == "detail";
 }
 
 /// Short vectors near each other.
@@ -542,6 +566,79 @@ void draw_parts(Figure& figure, const DrawingContext& context, const PolygonPart
 bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details,
                  Spot room, std::size_t& letters) {
     return Insets(figure, context, room, letters).set(parts, details);
+}
+
+std::size_t details_on(const Figure& figure) {
+    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        return group && is_detail(*group);
+    }));
+}
+
+void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before) {
+    struct Lettered {
+        std::string id, letter;
+        std::string new_id, new_letter;
+        Spot circle;
+    };
+    std::vector<Lettered> details;
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && is_detail(*group)) {
+            const std::size_t at = group->id.rfind('-') + 1;
+            details.push_back({group->id, group->id.substr(at), group->id.substr(0, at), "", {}});
+        }
+    if (details.empty() || before == 0) return;
+    const auto lettered = [&](const std::string& letter) {
+        return std::find_if(details.begin(), details.end(), [&](const Lettered& each) { return each.letter == letter; });
+    };
+    // They stand in the order in which they were lettered, those within others last.
+    for (std::size_t k = 0; k < details.size(); ++k)
+        if (const auto detail = lettered(roman(k + 1)); detail != details.end()) {
+            detail->new_letter = roman(before + k + 1);
+            detail->new_id += detail->new_letter;
+        }
+    const std::string heading = word("detail", context.language) + " ";
+    const auto is_heading = [&](const std::string& words) { return words.starts_with(heading); };
+    for (std::size_t i = 0; i < figure.marks.size(); ++i)
+        if (auto* group = std::get_if<GroupBegin>(&figure.marks[i])) {
+            if (is_heading(group->title) && (group->cls == "detail" || is_detail(*group)))
+                if (const auto detail = lettered(group->title.substr(heading.size())); detail != details.end()) {
+                    group->title = heading + detail->new_letter;
+                    const auto* path = std::get_if<Path>(&figure.marks[i + 1]);
+                    const auto* arc = path && path->segments.size() > 1 ? std::get_if<ArcTo>(&path->segments[1]) : nullptr;
+                    if (group->cls == "detail" && arc) detail->circle = arc->centre;
+                }
+            for (const Lettered& detail : details)
+                if (group->id == detail.id || group->id.starts_with(detail.id + "-")) {
+                    group->id.replace(0, detail.id.size(), detail.new_id);
+                    break;
+                }
+        }
+    for (Mark& mark : figure.marks) {
+        auto* text = std::get_if<TextMark>(&mark);
+        if (!text || text->glyphs.empty()) continue;
+        const bool headed = is_heading(text->words);
+        if (!headed && (text->cls != "label" || !text->names.empty())) continue;
+        const auto detail = lettered(headed ? text->words.substr(heading.size()) : text->words);
+        if (detail == details.end()) continue;
+        const auto shaped = [&](const std::string& letter) {
+            return context.fonts.shape(one_piece((headed ? heading : std::string()) + letter), context.theme.label);
+        };
+        const ShapedLine old = shaped(detail->letter), now = shaped(detail->new_letter);
+        Spot at = text->glyphs.front().origin;
+        // A heading stays in the middle, a letter as far from its circle.
+        const double off = at.x + 0.5 * old.width - detail->circle.x;
+        constexpr double beside = 1.5;
+        at.x += (headed || std::abs(off) < beside ? 0.5 : off > 0 ? 0.0 : 1.0) * (old.width - now.width);
+        std::vector<Mark> set;
+        set_text(set, now, at, text->colour, text->cls);
+        auto& renewed = std::get<TextMark>(set.front());
+        text->glyphs = std::move(renewed.glyphs);
+        text->words = std::move(renewed.words);
+    }
+    const Box drawn = box_of(figure.marks);
+    figure.box = {{std::min(figure.box.min.x, drawn.min.x), std::min(figure.box.min.y, drawn.min.y)},
+                  {std::max(figure.box.max.x, drawn.max.x), std::max(figure.box.max.y, drawn.max.y)}};
 }
 
 std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {

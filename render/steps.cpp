@@ -537,6 +537,8 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
         if (statement < 0 || static_cast<std::size_t>(statement) >= page_of.size()) return std::nullopt;
         return page_of[static_cast<std::size_t>(statement)];
     };
+    // Where the accent is the ink of all, what was given must step back too.
+    const bool one_ink = theme.accent == theme.text;
     std::vector<Mark> shown;
     Nesting nesting;
     std::vector<bool> cited_groups;  // by open group: whether it is cited, or within one that is
@@ -558,7 +560,10 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
         }
         if (hidden > 0 || later) continue;
         shown.push_back(mark);
-        if (at || named) std::visit(Recolour{named || *at == page ? theme.accent : theme.secondary}, shown.back());
+        if (at || named)
+            std::visit(Recolour{named || *at == page ? theme.accent : theme.secondary}, shown.back());
+        else if (one_ink && std::holds_alternative<Path>(mark))
+            std::visit(Recolour{theme.secondary}, shown.back());
     }
     return shown;
 }
