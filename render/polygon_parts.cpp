@@ -144,16 +144,15 @@ private:
         return clip(start.x, step.x) && clip(start.y, step.y);
     }
 
-    /// `under`: how many vectors lie under it already, along the same line.
     void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
-                    int statement, int under = 0) const {
+                    int statement, double width) const {
         const std::size_t first = marks.size();
         if (internal)
             marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
         else if (has_tip)
-            draw_arrow(marks, from, to, std::max(theme_.vector * std::pow(0.5, under), theme_.thin), colour.line, colour.dashes);
+            draw_arrow(marks, from, to, width, colour.line, colour.dashes);
         else
-            marks.emplace_back(line(from, to, {theme_.vector, colour.line, colour.dashes, false}));
+            marks.emplace_back(line(from, to, {width, colour.line, colour.dashes, false}));
         belong(marks, first, statement);
     }
 
@@ -161,7 +160,6 @@ private:
     struct Drawn {
         Spot tail, tip;
         bool arrow = false;  // else a broken line
-        int under = 0;       // arrows along the same line that it lies upon
         std::optional<std::size_t> label;
         bool is_same(const PolygonVector& vector) const {
             return length(tail - vector.tail) < coincident && length(tip - vector.tip) < coincident;
@@ -169,27 +167,32 @@ private:
         bool is_opposite(const PolygonVector& vector) const {
             return length(tail - vector.tip) < coincident && length(tip - vector.tail) < coincident;
         }
-        /// Whether it lies along the vector so far that one would hide the other.
-        bool overlaps(const PolygonVector& vector) const {
-            constexpr double beside = 0.5, shared = 2;  // mm
-            const Spot along = unit(tip - tail);
-            if (std::abs(cross(along, vector.tail - tail)) > beside || std::abs(cross(along, vector.tip - tail)) > beside)
-                return false;
-            const double a = dot(vector.tail - tail, along), b = dot(vector.tip - tail, along);
-            return std::min(length(tip - tail), std::max(a, b)) - std::max(0.0, std::min(a, b)) > shared;
-        }
     };
-    /// A vector upon another is drawn thinner, so that both are seen, shafts and heads.
-    static int count_under(const PolygonVector& vector, const std::vector<Drawn>& drawn) {
-        int under = 0;
-        for (const Drawn& other : drawn)
-            if (other.arrow && other.overlaps(vector)) under = std::max(under, other.under + 1);
-        return under;
+    /// Whether one would hide the other: so far along one line, in different inks. Of one ink the heads tell them apart.
+    static bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
+        constexpr double beside = 0.5, shared = 2;  // mm
+        if (a.internal || b.internal || (a.colour.line == b.colour.line && a.colour.dashes == b.colour.dashes)) return false;
+        const Spot along = unit(a.tip - a.tail);
+        if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside) return false;
+        const double from = dot(b.tail - a.tail, along), to = dot(b.tip - a.tail, along);
+        return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
+    }
+    /// A vector upon another is drawn thinner, and that one broader, so that both are seen, shafts and heads.
+    double width_of(const PolygonVector& vector) const {
+        const auto hides = [&](const PolygonVector& other) {
+            const Drawn drawn{vector.tail, vector.tip, true, std::nullopt};
+            return !drawn.is_same(other) && hide_each_other(vector, other);
+        };
+        const auto own = parts_.vectors.begin() + (&vector - parts_.vectors.data());
+        const bool lies_upon = std::any_of(parts_.vectors.begin(), own, hides);
+        const bool bears = std::any_of(own + 1, parts_.vectors.end(), hides);
+        return lies_upon ? theme_.vector * (bears ? 0.8 : 0.5) : theme_.vector * (bears ? 1.6 : 1.0);
     }
     /// Broken lines lie below arrows; labels are in the order of the vectors.
     void draw_vectors() {
         for (const PolygonPiece& piece : parts_.pieces)
-            draw_shaft(figure_.marks, piece.from, piece.to, piece.has_tip, piece.colour, piece.internal, piece.statement);
+            draw_shaft(figure_.marks, piece.from, piece.to, piece.has_tip, piece.colour, piece.internal, piece.statement,
+                       theme_.vector);
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
         for (const PolygonVector& vector : parts_.vectors) draw_vector(vector, drawn, vector.internal ? broken : arrows);
@@ -210,9 +213,8 @@ private:
                                       vector.name + " = " + shortest(vector.value) + " " + figure_.unit,
                                       {{"data-name", vector.name}, {"data-value", shortest(vector.value)}}});
         marks.emplace_back(Axis{vector.tail, vector.tip});
-        const int under = count_under(vector, drawn);
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
-            draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, under);
+            draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, width_of(vector));
         marks.emplace_back(GroupEnd{});
         belong(marks, first, vector.statement);
         if (with != drawn.end()) {
@@ -228,7 +230,7 @@ private:
             }
             return;
         }
-        drawn.push_back({vector.tail, vector.tip, !vector.internal, under, std::nullopt});
+        drawn.push_back({vector.tail, vector.tip, !vector.internal, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
         LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,

@@ -138,6 +138,47 @@ std::map<std::string, int> said_by_labels(const Figure& figure) {
     return said;
 }
 
+TEST(PolygonFigure, DrawsAVectorWithinAnotherThatItLiesUpon) {
+    // At the dead point v_BA runs back along v_A.
+    const Solution solution = example("slider_crank_inner_dead_point");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 130);
+    std::map<std::string, double> width;
+    std::string vector;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) vector = attribute(*group, "data-name");
+        const auto* path = std::get_if<Path>(&mark);
+        if (path && path->stroked && !vector.empty()) width[vector] = path->pen.width;
+        if (std::holds_alternative<GroupEnd>(mark)) vector.clear();
+    }
+    EXPECT_GT(width.at("v_A"), 2 * width.at("v_BA"));
+}
+
+TEST(PolygonDetail, IsLetteredOnFromThoseOfTheSheet) {
+    const Solution solution = example("stephenson_3_driver_6");
+    const Theme theme;
+    const DrawingContext context{solution, theme, fonts(), Language::en};
+    Figure figure = polygon_figure(context, 1, 180, 130);
+    const std::size_t count = details_on(figure);
+    ASSERT_GT(count, 0u);
+    letter_details_on(figure, context, 3);
+    EXPECT_EQ(details_on(figure), count);
+    const auto read = measured_on(figure, "a_CD_n");
+    ASSERT_TRUE(read.has_value());
+    EXPECT_TRUE(read->detail == "IV" || read->detail == "V" || read->detail == "VI") << read->detail;
+    int circles = 0, headings = 0;
+    for (const Mark& mark : figure.marks) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (!text) continue;
+        EXPECT_TRUE(text->words != "I" && text->words != "Detail I");
+        circles += text->words == "IV";
+        headings += text->words == "Detail IV";
+    }
+    EXPECT_EQ(circles, 1);
+    EXPECT_EQ(headings, 1);
+    expect_measures(figure);
+}
+
 TEST(PolygonDetail, ShowsWhatIsTooShortBesideLongVectors) {
     const Solution solution = example("stephenson_3_driver_6");
     const Theme theme;

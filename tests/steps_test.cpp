@@ -290,6 +290,21 @@ TEST(Revealed, DropsWhatComesLaterWithItsGroup) {
     EXPECT_EQ(revealed(marks, {0, 1, 2}, 2, theme).size(), marks.size());
 }
 
+TEST(Revealed, PutsWhatWasGivenBackWhereThereIsOneInk) {
+    Theme theme;
+    theme.accent = theme.text;
+    Path given, found;
+    given.stroked = found.stroked = true;
+    given.pen.colour = found.pen.colour = theme.text;
+    found.statement = 0;
+    TextMark name;
+    name.colour = theme.text;
+    const auto shown = revealed({given, found, name}, {0}, 0, theme);
+    EXPECT_EQ(std::get<Path>(shown[0]).pen.colour, theme.secondary);
+    EXPECT_EQ(std::get<Path>(shown[1]).pen.colour, theme.text);
+    EXPECT_EQ(std::get<TextMark>(shown[2]).colour, theme.text) << "names stay readable";
+}
+
 TEST(Revealed, PutsWhatIsCitedInTheAccent) {
     const Theme theme;
     Path path;
