@@ -582,12 +582,13 @@ void letter_details_on(Figure& figure, const DrawingContext& context, std::size_
         std::string id, letter;
         std::string new_id, new_letter;
         Spot circle;
+        double radius = 0;
     };
     std::vector<Lettered> details;
     for (const Mark& mark : figure.marks)
         if (const auto* group = std::get_if<GroupBegin>(&mark); group && is_detail(*group)) {
             const std::size_t at = group->id.rfind('-') + 1;
-            details.push_back({group->id, group->id.substr(at), group->id.substr(0, at), "", {}});
+            details.push_back({group->id, group->id.substr(at), group->id.substr(0, at), "", {}, 0});
         }
     if (details.empty() || before == 0) return;
     const auto lettered = [&](const std::string& letter) {
@@ -608,7 +609,7 @@ void letter_details_on(Figure& figure, const DrawingContext& context, std::size_
                     group->title = heading + detail->new_letter;
                     const auto* path = std::get_if<Path>(&figure.marks[i + 1]);
                     const auto* arc = path && path->segments.size() > 1 ? std::get_if<ArcTo>(&path->segments[1]) : nullptr;
-                    if (group->cls == "detail" && arc) detail->circle = arc->centre;
+                    if (group->cls == "detail" && arc) detail->circle = arc->centre, detail->radius = arc->radius;
                 }
             for (const Lettered& detail : details)
                 if (group->id == detail.id || group->id.starts_with(detail.id + "-")) {
@@ -616,28 +617,44 @@ void letter_details_on(Figure& figure, const DrawingContext& context, std::size_
                     break;
                 }
         }
+    std::vector<LabelRequest> circles;
+    std::vector<Mark> kept;
     for (Mark& mark : figure.marks) {
         auto* text = std::get_if<TextMark>(&mark);
-        if (!text || text->glyphs.empty()) continue;
-        const bool headed = is_heading(text->words);
-        if (!headed && (text->cls != "label" || !text->names.empty())) continue;
-        const auto detail = lettered(headed ? text->words.substr(heading.size()) : text->words);
-        if (detail == details.end()) continue;
-        const auto shaped = [&](const std::string& letter) {
-            return context.fonts.shape(one_piece((headed ? heading : std::string()) + letter), context.theme.label);
-        };
-        const ShapedLine old = shaped(detail->letter), now = shaped(detail->new_letter);
-        Spot at = text->glyphs.front().origin;
-        // A heading stays in the middle, a letter as far from its circle.
-        const double off = at.x + 0.5 * old.width - detail->circle.x;
-        constexpr double beside = 1.5;
-        at.x += (headed || std::abs(off) < beside ? 0.5 : off > 0 ? 0.0 : 1.0) * (old.width - now.width);
-        std::vector<Mark> set;
-        set_text(set, now, at, text->colour, text->cls);
-        auto& renewed = std::get<TextMark>(set.front());
-        text->glyphs = std::move(renewed.glyphs);
-        text->words = std::move(renewed.words);
+        const bool headed = text && is_heading(text->words);
+        const bool label = text && text->cls == "label" && text->names.empty();
+        const auto detail = headed ? lettered(text->words.substr(heading.size())) : label ? lettered(text->words) : details.end();
+        if (detail == details.end()) {
+            kept.push_back(std::move(mark));
+        } else if (headed) {
+            // A heading stays in the middle.
+            const auto shaped = [&](const std::string& letter) {
+                return context.fonts.shape(one_piece(heading + letter), context.theme.label);
+            };
+            const ShapedLine old = shaped(detail->letter), now = shaped(detail->new_letter);
+            const Spot at = text->glyphs.front().origin + Spot{0.5 * (old.width - now.width), 0};
+            set_text(kept, now, at, text->colour, text->cls);
+            belong(kept, kept.size() - 1, text->statement);
+        } else {
+            // A longer letter may want another place, and no leader or another one.
+            const auto* leader = kept.empty() ? nullptr : std::get_if<Path>(&kept.back());
+            if (leader && leader->stroked && leader->segments.size() == 2 && leader->pen.colour == text->colour) kept.pop_back();
+            LabelRequest& again = circles.emplace_back();
+            again.text = one_piece(detail->new_letter);
+            again.size = context.theme.label;
+            again.colour = context.theme.text;
+            again.anchor = detail->circle;
+            again.clearance = detail->radius + 0.8;
+            again.statement = text->statement;
+        }
     }
+    figure.marks = std::move(kept);
+    // Outside of all groups, so that none of the details takes them in: what ends with no group has none open.
+    const auto end = static_cast<std::ptrdiff_t>(figure.marks.size());
+    figure.marks.emplace_back(Path{});
+    figure.labels = std::move(circles);
+    place_labels(figure, context.fonts, Spot{figure.box.width(), figure.box.height()});
+    figure.marks.erase(figure.marks.begin() + end);
     const Box drawn = box_of(figure.marks);
     figure.box = {{std::min(figure.box.min.x, drawn.min.x), std::min(figure.box.min.y, drawn.min.y)},
                   {std::max(figure.box.max.x, drawn.max.x), std::max(figure.box.max.y, drawn.max.y)}};
