@@ -437,7 +437,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             sketch.arrows.emplace_back(GroupEnd{});
             LabelRequest label;
             label.text = typeset(applied.symbol, context.language);
-            if (!to_scale) append(label.text, with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol));
+            // In a narrow room the words would cost the body its scale; the table of results has the value.
+            constexpr double roomy = 80;
+            if (!to_scale && room_x >= roomy)
+                append(label.text, with_powers(" = " + number(value, 4, context.language) + " " + unit.symbol));
             label.size = theme.equation;
             label.colour = colour.letter;
             label.anchor = 0.5 * (best.tail + best.tip);
