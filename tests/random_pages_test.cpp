@@ -4,7 +4,7 @@
 // Each is named by its seed. KINEGRAPH_SEED=n lays that one out alone, prints its file, and writes its pages as PNG into the
 // directory KINEGRAPH_PAGES where that is set; KINEGRAPH_RANDOM_MECHANISMS=n takes so many; KINEGRAPH_ALL_PAPERS=n lays each out
 // in all languages, papers and orientations, the themes in turn: 1, 2 and 3 together are all combinations (some twenty minutes of
-// two cores each, for the five hundred).
+// one core each, for the five hundred).
 #include <gtest/gtest.h>
 
 #include <array>
