@@ -81,7 +81,7 @@ void draw(cairo_t* cr, const Path& path) {
     use(cr, path.pen.colour);
     cairo_set_line_width(cr, path.pen.width);
     cairo_set_line_cap(cr, path.pen.round_ends ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-    cairo_set_line_join(cr, path.pen.round_ends ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
+    cairo_set_line_join(cr, has_round_corners(path) ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
     cairo_set_dash(cr, path.pen.dashes.data(), static_cast<int>(path.pen.dashes.size()), 0);
     cairo_stroke(cr);
 }

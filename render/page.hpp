@@ -70,6 +70,11 @@ struct Path {
     bool tinted = false;  ///< the fill is a body's tint or the paper: no ink, letters may stand on it
 };
 
+/// Round ends go with round corners; and a dash that runs round a sharp corner must leave no spike there.
+inline bool has_round_corners(const Path& path) {
+    return path.pen.round_ends || (!path.pen.dashes.empty() && path.segments.size() > 3);
+}
+
 /// The invisible axis of a vector from tail to tip (`<line class="axis" stroke="none">`): the drawing is measured there.
 struct Axis {
     Spot tail, tip;

@@ -200,8 +200,8 @@ private:
         }
         if (path.pen.round_ends) {
             set(node, "stroke-linecap", "round");
-            set(node, "stroke-linejoin", "round");
         }
+        if (has_round_corners(path)) set(node, "stroke-linejoin", "round");
     }
 
     void write(const Axis& axis) {
