@@ -35,7 +35,7 @@ struct RandomMechanism {
 RandomMechanism random_mechanism(std::uint64_t seed);
 
 /// As many as that; under sanitizers, where everything takes several times as long, fewer.
-constexpr int unless_sanitized(int count, [[maybe_unused]] int sanitized) {
+constexpr int unless_sanitized([[maybe_unused]] int count, [[maybe_unused]] int sanitized) {
 #ifdef __SANITIZE_ADDRESS__
     return sanitized;
 #else
