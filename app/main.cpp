@@ -1,8 +1,10 @@
 // The command line: what may be typed, and how a run ends. A further command is one function here that declares its options
 // and hands its request to a file of its own. Faults of ours are caught here and nowhere else.
 #include <fcntl.h>
-#include <malloc.h>
 #include <unistd.h>
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <csignal>

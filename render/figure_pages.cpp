@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "render/caption.hpp"
 #include "render/free_room.hpp"
@@ -122,7 +123,7 @@ private:
         constexpr double all_but = 0.2;  // of the worth at that scale: what is missing is air
         std::optional<double> found;
         double most = -1e300;
-        for (int step = 0; step < steps; ++step, scale = choose_scale(1.01 * scale, 0, 1, 1, std::nullopt)) {
+        for (int step = 0; step < steps; ++step, scale = next_scale(scale)) {
             wanted_.force_scale = scale;
             const Split split = best_of(areas, first, count);
             const bool holds = std::all_of(sharing.begin(), sharing.end(), [&](std::size_t i) {
@@ -146,11 +147,15 @@ private:
         return best;
     }
 
+    enum class Filled { within, beyond, not_at_all };
+
     /// A page with `count` figures from `first` on.
     struct Outcome {
         double value = -1e300;
         bool missed = false;   // a figure is not at the scale that the file asks for, or larger than its cell
         bool cramped = false;  // a polygon is too small to be read
+        bool smaller = false;  // a figure came out smaller than was hoped
+        bool of_use = true;    // … and none so small that it was not drawn
         Sheet sheet;
         std::vector<Figure> drawn;  // of this page
         std::set<std::size_t> unplaced;
@@ -158,12 +163,10 @@ private:
     };
 
     /// What lettering takes is known once it is drawn: where a figure came out smaller than hoped for, the split is chosen anew
-    /// with that knowledge. Leaves what was drawn before as it is.
+    /// with that knowledge.
     Outcome best_page(std::size_t first, std::size_t count, const std::vector<Box>& areas) {
         Outcome chosen;
         std::vector<std::vector<Box>> tried;
-        const std::set<std::size_t> unplaced_before = result_.unplaced;
-        const auto drawn_before = static_cast<std::ptrdiff_t>(result_.drawn.size());
         for (int round = 0; round < most_splits; ++round) {
             const Split best = best_of(areas, first, count);
             if (best.value <= chosen.value + 1e-9) break;  // even as hoped for it would be no better
@@ -171,51 +174,61 @@ private:
                 std::any_of(tried.begin(), tried.end(), [&](const std::vector<Box>& cells) { return cells == best.cells; });
             if (again) break;  // nothing more is learned
             tried.push_back(best.cells);
-            Outcome outcome;
-            outcome.value = 0;
-            bool smaller = false, of_use = true;
-            double hoped = best.value;  // of those that are not drawn yet
-            for (std::size_t i = 0; i < count && of_use; ++i) {
-                Wanted& wanted = wanted_.list[first + i];
-                const double hoped_here = worth(wanted, best.cells[i], wanted_.force_scale);
-                hoped -= hoped_here;
-                const double needed = chosen.value - outcome.value - hoped - hope_is_short_by * static_cast<double>(count - i);
-                const Filled filled = fill_cell(outcome.sheet, wanted, first + i, best.cells[i],
-                                                needed < -0.5 * overflow_price ? any_scale : coarsest_worth(wanted, needed));
-                if (filled == Filled::not_at_all) {
-                    of_use = false;
-                    smaller = true;
-                    enlarge_rim(wanted);
-                    continue;
-                }
-                const bool held = filled == Filled::within;
-                const bool missed = misses(wanted, result_.drawn.back()) || !held;
-                outcome.missed = outcome.missed || missed;
-                double size = 0;
-                if (wanted.fills)
-                    size = worth(wanted, best.cells[i], wanted_.force_scale);
-                else if (!wanted.empty)
-                    size = worth_at(wanted, result_.drawn.back().scale) - (missed ? 3 : 0);
-                if (!held) size -= overflow_price;
-                outcome.cramped = outcome.cramped || (wanted.is_fitted() && is_cramped(wanted, result_.drawn.back()));
-                if (result_.unplaced.contains(first + i)) size -= with_steps_price;
-                if (result_.drawn.back().lacks_details) size -= details_price;
-                outcome.value += size;
-                if (!wanted.empty && size < hoped_here - 0.05) {
-                    smaller = true;
-                    enlarge_rim(wanted);
-                }
-            }
-            outcome.drawn.assign(std::make_move_iterator(result_.drawn.begin() + drawn_before),
-                                 std::make_move_iterator(result_.drawn.end()));
-            result_.drawn.erase(result_.drawn.begin() + drawn_before, result_.drawn.end());
-            outcome.unplaced = std::move(result_.unplaced);
-            outcome.cells = best.cells;
-            result_.unplaced = unplaced_before;
-            if (of_use && outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
+            Outcome outcome = fill(best, first, chosen.value);
+            const bool smaller = outcome.smaller;
+            if (outcome.of_use && outcome.value > chosen.value + 1e-9) chosen = std::move(outcome);
             if (!smaller) break;
         }
         return chosen;
+    }
+
+    /// The figures of a split in its cells, drawn as long as the page may come to be worth more than `least`. Leaves what was
+    /// drawn before as it is.
+    Outcome fill(const Split& split, std::size_t first, double least) {
+        const std::set<std::size_t> unplaced_before = result_.unplaced;
+        const auto drawn_before = static_cast<std::ptrdiff_t>(result_.drawn.size());
+        Outcome outcome;
+        outcome.value = 0;
+        outcome.cells = split.cells;
+        double hoped = split.value;  // of those that are not drawn yet
+        for (std::size_t i = 0; i < split.cells.size() && outcome.of_use; ++i) {
+            Wanted& wanted = wanted_.list[first + i];
+            const double hoped_here = worth(wanted, split.cells[i], wanted_.force_scale);
+            hoped -= hoped_here;
+            const double needed = least - outcome.value - hoped - hope_is_short_by * static_cast<double>(split.cells.size() - i);
+            const Filled filled = fill_cell(outcome.sheet, wanted, first + i, split.cells[i],
+                                            needed < -0.5 * overflow_price ? any_scale : coarsest_worth(wanted, needed));
+            outcome.of_use = filled != Filled::not_at_all;
+            const double size = outcome.of_use ? worth_as_drawn(outcome, first + i, split.cells[i], filled) : -overflow_price;
+            outcome.value += size;
+            if (outcome.of_use && (wanted.empty || size >= hoped_here - 0.05)) continue;
+            outcome.smaller = true;
+            enlarge_rim(wanted);
+        }
+        outcome.drawn.assign(std::make_move_iterator(result_.drawn.begin() + drawn_before),
+                             std::make_move_iterator(result_.drawn.end()));
+        result_.drawn.erase(result_.drawn.begin() + drawn_before, result_.drawn.end());
+        outcome.unplaced = std::exchange(result_.unplaced, unplaced_before);
+        return outcome;
+    }
+
+    /// What the figure drawn last is worth in its cell; what is wrong with it is written down.
+    double worth_as_drawn(Outcome& outcome, std::size_t index, const Box& cell, Filled filled) const {
+        constexpr double miss_price = 3;
+        const Wanted& wanted = wanted_.list[index];
+        const Figure& figure = result_.drawn.back();
+        const bool held = filled == Filled::within, missed = misses(wanted, figure) || !held;
+        outcome.missed = outcome.missed || missed;
+        outcome.cramped = outcome.cramped || (wanted.is_fitted() && is_cramped(wanted, figure));
+        double size = 0;
+        if (wanted.fills)
+            size = worth(wanted, cell, wanted_.force_scale);
+        else if (!wanted.empty)
+            size = worth_at(wanted, figure.scale) - (missed ? miss_price : 0);
+        if (!held) size -= overflow_price;
+        if (result_.unplaced.contains(index)) size -= with_steps_price;
+        if (figure.lacks_details) size -= details_price;
+        return size;
     }
 
     /// Too small to be read, the whole or some of its vectors.
@@ -230,8 +243,6 @@ private:
         wanted.rim_x += 8;
         wanted.rim_y += 8;
     }
-
-    enum class Filled { within, beyond, not_at_all };
 
     /// How the cell holds the figure; not at all where it would have to be drawn coarser than `coarsest`.
     Filled fill_cell(Sheet& sheet, Wanted& wanted, std::size_t index, const Box& cell, double coarsest) {

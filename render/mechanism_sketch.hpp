@@ -262,8 +262,6 @@ inline std::optional<double> asked_scale(const Mechanism& mechanism, std::string
     return std::nullopt;
 }
 
-inline double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
-
 /// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
 /// later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);

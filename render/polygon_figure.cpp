@@ -373,8 +373,6 @@ private:
     double extent_ = 0;
 };
 
-double next_scale(double scale) { return choose_scale(scale * 1.01, 0, 1, 1, std::nullopt); }
-
 }  // namespace
 
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest) {

@@ -62,7 +62,7 @@ const Figure& Wanted::drawn_into(double room_x, double room_y, double coarsest) 
     const double worst = finest && is_fitted() ? std::min(coarsest, finest->figure.scale) : coarsest;
     Figure figure = draw(room_x, room_y, worst);
     const bool refused = figure.scale > worst;
-    if (is_fitted()) learn(room_x, room_y, figure, refused ? choose_scale(1.001 * worst, 0, 1, 1, std::nullopt) : figure.scale);
+    if (is_fitted()) learn(room_x, room_y, figure, refused ? next_scale(worst) : figure.scale);
     if (!refused) {
         drawn.push_back({room_x, room_y, std::move(figure)});
         return drawn.back().figure;
