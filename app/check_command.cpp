@@ -3,7 +3,7 @@
 #include "app/files.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
-#include "render/words.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::app {
 

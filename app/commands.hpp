@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/messages.hpp"
-#include "render/pair_tables.hpp"
-#include "render/sheet.hpp"
+#include "render/sheet/sheet.hpp"
+#include "render/tables/pair_tables.hpp"
 
 namespace kinegraph::app {
 

@@ -7,7 +7,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "app/svg_picture.hpp"
-#include "render/picture_difference.hpp"
+#include "render/backends/picture_difference.hpp"
 
 namespace kinegraph::app {
 namespace {

@@ -4,7 +4,7 @@
 #include "constructions/degeneracy.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
-#include "render/pair_tables.hpp"
+#include "render/tables/pair_tables.hpp"
 
 namespace kinegraph::app {
 Status pairs_command(const PairsRequest& request) {

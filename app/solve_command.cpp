@@ -6,10 +6,10 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "constructions/solve.hpp"
-#include "render/backends.hpp"
-#include "render/figure_alone.hpp"
-#include "render/steps.hpp"
-#include "render/words.hpp"
+#include "render/backends/backends.hpp"
+#include "render/sheet/figure_alone.hpp"
+#include "render/sheet/steps.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::app {
 namespace {

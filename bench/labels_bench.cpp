@@ -8,7 +8,7 @@
 
 #include "constructions/solve.hpp"
 #include "engine/mechanism.hpp"
-#include "render/figure.hpp"
+#include "render/figures/figure.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/backends.hpp"
+#include "render/backends/backends.hpp"
 
 namespace {
 

@@ -21,7 +21,7 @@ struct Symbol {
 /// Plain name for ids, tables and results: "v_B", "a_BA_t", "omega_3", "P_13", "b", "b'".
 std::string name_of(const Symbol& symbol);
 
-/// The sentences that a solution may say. render/words.cpp has each in every language.
+/// The sentences that a solution may say. render/text/words.cpp has each in every language.
 enum class Sentence {
     crank_velocity,        ///< {0} body, {1} pivot, {2} point, {3} v, {4} omega: the driven body turns about a point at rest
     crank_acceleration,    ///< {0} body, {1} pivot, {2} point, {3} a^n, {4} a^t (or absent)

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "constructions/solve.hpp"
-#include "render/figure.hpp"
-#include "render/shapes.hpp"
-#include "render/sheet.hpp"
+#include "render/figures/figure.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/told.hpp"
 
 namespace kinegraph {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "constructions/solve.hpp"
-#include "render/backends.hpp"
-#include "render/picture_difference.hpp"
-#include "render/sheet.hpp"
+#include "render/backends/backends.hpp"
+#include "render/backends/picture_difference.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/command_line.hpp"
 #include "tests/fonts.hpp"
 

@@ -1,5 +1,5 @@
 // The backends: what a page promises is in the bytes, and the same bytes come twice.
-#include "render/backends.hpp"
+#include "render/backends/backends.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>

@@ -28,8 +28,8 @@ check() {
             breach "own headers are written from the root, room first"
         includes '[<"](unsupported/)?Eigen/' $rooms | grep -vE '^engine/check(_forces)?\.cpp:' |
             breach "Eigen is engine/check.cpp's and engine/check_forces.cpp's"
-        includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/cairo_backend\.cpp:' |
-            breach "cairo is render/cairo_backend.cpp's"
+        includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/backends/cairo_backend\.cpp:' |
+            breach "cairo is render/backends/cairo_backend.cpp's"
         includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"
         users=$(includes '[<"]CGAL/' engine | cut -d: -f1 | sort -u)
         if [ "$(printf '%s' "$users" | grep -c .)" -gt 2 ]; then
@@ -74,11 +74,11 @@ seen "room first" engine/a.cpp '"b.hpp"'
 seen "check.cpp's" engine/board.cpp '<Eigen/Dense>'
 seen "check.cpp's" tests/a_test.cpp '<Eigen/Dense>'
 seen "check.cpp's" engine/check_forces.hpp '<Eigen/Dense>'
-seen "cairo_backend.cpp's" render/text.cpp '<cairo/cairo.h>'
+seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
 seen "the engine's" constructions/a.cpp '<CGAL/Point_2.h>'
 seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/c.hpp '<CGAL/a.h>'
 seen "" engine/a.cpp '<CGAL/a.h>' engine/a.cpp '<CGAL/b.h>' engine/b.cpp '<CGAL/a.h>' engine/check.cpp '<Eigen/QR>' \
     engine/check_forces.cpp '<Eigen/Dense>' \
-    render/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page.hpp"' constructions/a.cpp '"engine/a.hpp"'
+    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' constructions/a.cpp '"engine/a.hpp"'
 exit $failed

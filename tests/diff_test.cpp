@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "render/picture_difference.hpp"
+#include "render/backends/picture_difference.hpp"
 #include "tests/command_line.hpp"
 
 namespace {

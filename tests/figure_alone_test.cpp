@@ -1,5 +1,5 @@
 // Figures alone: every figure of every example stands on a page of its own that holds all of it.
-#include "render/figure_alone.hpp"
+#include "render/sheet/figure_alone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Figures: scales, ids, arrows, and what the mechanism figure promises: groups that nest, unique legal ids, vectors whose axes
 // have the length of their values, nothing outside the room.
-#include "render/figure.hpp"
+#include "render/figures/figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "render/shapes.hpp"
+#include "render/page/shapes.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
 

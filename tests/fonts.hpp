@@ -1,7 +1,7 @@
 // The fonts, opened once for all tests that draw.
 #pragma once
 
-#include "render/text.hpp"
+#include "render/text/text.hpp"
 
 namespace kinegraph::tests {
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
-#include "render/force_tables.hpp"
-#include "render/shapes.hpp"
-#include "render/sheet.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/sheet.hpp"
+#include "render/tables/force_tables.hpp"
 #include "tests/pages.hpp"
 
 namespace {

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "render/figure.hpp"
-#include "render/shapes.hpp"
-#include "render/tables.hpp"
+#include "render/figures/figure.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/tables.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
 

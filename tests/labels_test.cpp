@@ -12,8 +12,8 @@
 #include <string>
 
 #include "constructions/solve.hpp"
-#include "render/figure.hpp"
-#include "render/shapes.hpp"
+#include "render/figures/figure.hpp"
+#include "render/page/shapes.hpp"
 #include "tests/fonts.hpp"
 #include "tests/page_checker.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "render/sheet.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/files.hpp"
 #include "tests/fonts.hpp"
 #include "tests/page_checker.hpp"

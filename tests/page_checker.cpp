@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render/backends.hpp"
-#include "render/picture_difference.hpp"
-#include "render/shapes.hpp"
+#include "render/backends/backends.hpp"
+#include "render/backends/picture_difference.hpp"
+#include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
 namespace {

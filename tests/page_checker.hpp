@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "render/page.hpp"
-#include "render/text.hpp"
+#include "render/page/page.hpp"
+#include "render/text/text.hpp"
 
 namespace kinegraph::render {
 

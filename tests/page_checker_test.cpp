@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/shapes.hpp"
+#include "render/page/shapes.hpp"
 #include "tests/pages.hpp"
 
 namespace kinegraph::render {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "render/page.hpp"
-#include "render/shapes.hpp"
-#include "render/text.hpp"
+#include "render/page/page.hpp"
+#include "render/page/shapes.hpp"
+#include "render/text/text.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
 

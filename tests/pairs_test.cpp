@@ -9,7 +9,7 @@
 #include "engine/constraint_rows.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pair_catalogue.hpp"
-#include "render/pair_tables.hpp"
+#include "render/tables/pair_tables.hpp"
 #include "tests/sketch.hpp"
 
 namespace kinegraph {

@@ -1,12 +1,12 @@
 // Pictures compared as the eye does, and PNG files of all kinds, hostile ones included.
-#include "render/picture_difference.hpp"
+#include "render/backends/picture_difference.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
 
 #include <array>
 
-#include "render/backends.hpp"
+#include "render/backends/backends.hpp"
 
 namespace {
 

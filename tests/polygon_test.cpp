@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "render/figure.hpp"
-#include "render/polygon_parts.hpp"
-#include "render/shapes.hpp"
-#include "render/tables.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/polygon_parts.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/tables.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
 

@@ -16,8 +16,8 @@
 #include <string>
 
 #include "constructions/solve.hpp"
-#include "render/backends.hpp"
-#include "render/sheet.hpp"
+#include "render/backends/backends.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/chains.hpp"
 #include "tests/fonts.hpp"
 #include "tests/page_checker.hpp"

@@ -1,5 +1,5 @@
 // Sheets: nothing overlaps, nothing is cut, nothing is missing, on every example, paper and language.
-#include "render/sheet.hpp"
+#include "render/sheet/sheet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <set>
 
 #include "constructions/solve.hpp"
-#include "render/backends.hpp"
-#include "render/shapes.hpp"
-#include "render/tables.hpp"
+#include "render/backends/backends.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/tables.hpp"
 #include "tests/pages.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // Steps: every page adds to the one before, and moves nothing.
-#include "render/steps.hpp"
+#include "render/sheet/steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <optional>
 #include <set>
 
-#include "render/backends.hpp"
-#include "render/tables.hpp"
+#include "render/backends/backends.hpp"
+#include "render/tables/tables.hpp"
 #include "tests/pages.hpp"
 
 namespace {

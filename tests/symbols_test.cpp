@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "constructions/solve.hpp"
-#include "render/figure.hpp"
-#include "render/mechanism_sketch.hpp"
-#include "render/shapes.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/mechanism_sketch.hpp"
+#include "render/page/shapes.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"
 

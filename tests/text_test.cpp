@@ -1,5 +1,5 @@
 // Type: what a line measures, what it falls back to, where scripts and dots stand. Lengths in mm.
-#include "render/text.hpp"
+#include "render/text/text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "render/utf8.hpp"
+#include "render/text/utf8.hpp"
 #include "tests/fonts.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // Themes: colours that colour-blind eyes and a grey printer tell apart, letters that can be read, line kinds where there is no
 // colour, and files of the user's.
-#include "render/theme.hpp"
+#include "render/page/theme.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "constructions/solve.hpp"
-#include "render/shapes.hpp"
-#include "render/sheet.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/sheet.hpp"
 #include "tests/command_line.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/solution.hpp"
-#include "render/words.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph {
 

@@ -1,5 +1,5 @@
 // Words: every sentence is said in every language, and symbols and numbers are set as textbooks set them.
-#include "render/words.hpp"
+#include "render/text/words.hpp"
 
 #include <gtest/gtest.h>
 

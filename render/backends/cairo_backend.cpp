@@ -1,0 +1,301 @@
+// A Page as PNG or PDF, drawn by cairo: the only file that knows cairo and libpng. Type is filled outlines in the PNG; the PDF
+// carries the glyphs it uses as parts of their font, once for all sizes. Decides nothing about the drawing.
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <cairo.h>
+#include <png.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <numbers>
+
+#include "engine/assert.hpp"
+#include "render/backends/backends.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double points_of_mm = 72 / 25.4;
+constexpr double miter_limit = 4;  // SVG's, so that all backends cut the same corners
+
+constexpr double drawn_tolerance = 0.1;  // pixels between a curve and its chords
+constexpr double type_tolerance = 0.2;
+
+struct Release {
+    void operator()(cairo_t* cr) const { cairo_destroy(cr); }
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
+    void operator()(cairo_font_face_t* face) const { cairo_font_face_destroy(face); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Release>;
+
+void use(cairo_t* cr, Colour c) { cairo_set_source_rgb(cr, c.red / 255.0, c.green / 255.0, c.blue / 255.0); }
+
+/// Adds an outline, em units and y upwards, at `origin`.
+void add_outline(cairo_t* cr, const Outline& outline, double size, Spot origin) {
+    const auto x = [&](Spot p) { return origin.x + p.x * size; };
+    const auto y = [&](Spot p) { return origin.y - p.y * size; };
+    for (const Segment& segment : outline.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) {
+            cairo_move_to(cr, x(m->to), y(m->to));
+        } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+            cairo_line_to(cr, x(l->to), y(l->to));
+        } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+            cairo_curve_to(cr, x(c->control_1), y(c->control_1), x(c->control_2), y(c->control_2), x(c->to), y(c->to));
+        } else {
+            cairo_close_path(cr);
+        }
+    }
+}
+
+void draw(cairo_t* cr, const Path& path) {
+    cairo_new_path(cr);
+    for (const Segment& segment : path.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) {
+            cairo_move_to(cr, m->to.x, m->to.y);
+        } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+            cairo_line_to(cr, l->to.x, l->to.y);
+        } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+            cairo_curve_to(cr, c->control_1.x, c->control_1.y, c->control_2.x, c->control_2.y, c->to.x, c->to.y);
+        } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+            const double turn = 2 * std::numbers::pi;
+            const double to = a->from + std::clamp(a->to - a->from, -turn, turn);
+            (to < a->from ? cairo_arc_negative : cairo_arc)(cr, a->centre.x, a->centre.y, a->radius, a->from, to);
+        } else {
+            cairo_close_path(cr);
+        }
+    }
+    if (path.filled) {
+        use(cr, path.fill);
+        path.stroked ? cairo_fill_preserve(cr) : cairo_fill(cr);
+    }
+    if (!path.stroked) return;
+    use(cr, path.pen.colour);
+    cairo_set_line_width(cr, path.pen.width);
+    cairo_set_line_cap(cr, path.pen.round_ends ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_join(cr, has_round_corners(path) ? CAIRO_LINE_JOIN_ROUND : CAIRO_LINE_JOIN_MITER);
+    cairo_set_dash(cr, path.pen.dashes.data(), static_cast<int>(path.pen.dashes.size()), 0);
+    cairo_stroke(cr);
+}
+
+/// Draws all marks, user space in mm. `type` fills the glyphs of a text in the colour that is set.
+template <class Type>
+void draw(cairo_t* cr, const Page& page, Type&& type) {
+    use(cr, page.paper);
+    cairo_paint(cr);
+    cairo_set_miter_limit(cr, miter_limit);
+    for (const Mark& mark : page.marks) {
+        if (const auto* path = std::get_if<Path>(&mark)) {
+            draw(cr, *path);
+        } else if (const auto* text = std::get_if<TextMark>(&mark)) {
+            cairo_save(cr);
+            if (text->angle != 0) {
+                cairo_translate(cr, text->pivot.x, text->pivot.y);
+                cairo_rotate(cr, text->angle);
+                cairo_translate(cr, -text->pivot.x, -text->pivot.y);
+            }
+            use(cr, text->colour);
+            type(*text);
+            for (const Path& extra : text->extras) draw(cr, extra);
+            cairo_restore(cr);
+        }
+    }
+    KG_ASSERT(cairo_status(cr) == CAIRO_STATUS_SUCCESS, cairo_status_to_string(cairo_status(cr)));
+}
+
+bool grey(Colour c) { return c.red == c.green && c.green == c.blue; }
+bool grey(const Path& path) { return (!path.filled || grey(path.fill)) && (!path.stroked || grey(path.pen.colour)); }
+bool grey(const Page& page) {
+    return grey(page.paper) && std::all_of(page.marks.begin(), page.marks.end(), [](const Mark& mark) {
+               if (const auto* path = std::get_if<Path>(&mark)) return grey(*path);
+               const auto* text = std::get_if<TextMark>(&mark);
+               return text == nullptr || (grey(text->colour) && std::all_of(text->extras.begin(), text->extras.end(),
+                                                                            [](const Path& extra) { return grey(extra); }));
+           });
+}
+
+cairo_status_t append(void* out, const unsigned char* data, unsigned length) {
+    static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/// Encodes cairo's RGB24 pixels. Sheets are mostly blank: filters make the file larger, and zlib's higher levels take twice the
+/// time for 3 % of the size.
+std::string encode(cairo_surface_t* surface, bool in_grey, double dpi) {
+    const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
+    const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface);
+    const unsigned char* pixels = cairo_image_surface_get_data(surface);
+    std::string out;
+    const auto fail = [](png_structp, png_const_charp message) { throw Fault(std::string("libpng: ") + message); };
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, [](png_structp, png_const_charp) {});
+    KG_ASSERT(png != nullptr, "libpng starts");
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(
+        png, &out,
+        [](png_structp p, png_bytep data, std::size_t length) {
+            static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<const char*>(data), length);
+        },
+        [](png_structp) {});
+    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8,
+                 in_grey ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    const auto each_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254));
+    png_set_pHYs(png, info, each_metre, each_metre, PNG_RESOLUTION_METER);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+    png_set_compression_level(png, 1);
+    png_set_compression_buffer_size(png, 1 << 16);
+    png_write_info(png, info);
+    std::vector<png_byte> row(static_cast<std::size_t>(width) * (in_grey ? 1 : 3));
+    for (int y = 0; y < height; ++y) {
+        const auto* from = reinterpret_cast<const std::uint32_t*>(pixels + y * stride);
+        if (y > 0 && std::memcmp(from, pixels + (y - 1) * stride, static_cast<std::size_t>(width) * 4) == 0) {
+            png_write_row(png, row.data());  // as the row above
+            continue;
+        }
+        png_byte* to = row.data();
+        if (in_grey) {
+            for (int x = 0; x < width; ++x) *to++ = static_cast<png_byte>(from[x]);
+        } else {
+            for (int x = 0; x < width; ++x, to += 3) {
+                to[0] = static_cast<png_byte>(from[x] >> 16);
+                to[1] = static_cast<png_byte>(from[x] >> 8);
+                to[2] = static_cast<png_byte>(from[x]);
+            }
+        }
+        png_write_row(png, row.data());
+    }
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return out;
+}
+
+/// What FreeType holds open for a font of cairo's. cairo keeps fonts it has used for a while, so this is theirs to free.
+struct OpenFace {
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+    ~OpenFace() {
+        FT_Done_Face(face);
+        FT_Done_FreeType(library);
+    }
+};
+const cairo_user_data_key_t open_face{};
+
+/// A face as a font of cairo's that it can put into a file; unhinted, as the sheet was laid out.
+Owned<cairo_font_face_t> embedded_face(const Fonts& fonts, std::uint8_t face) {
+    auto own = std::make_unique<OpenFace>();
+    const std::string_view file = fonts.file(face);
+    KG_ASSERT(FT_Init_FreeType(&own->library) == 0, "FreeType starts");
+    KG_ASSERT(FT_New_Memory_Face(own->library, reinterpret_cast<const FT_Byte*>(file.data()), static_cast<FT_Long>(file.size()),
+                                 0, &own->face) == 0,
+              "a face that HarfBuzz reads is read by FreeType");
+    Owned<cairo_font_face_t> font{cairo_ft_font_face_create_for_ft_face(own->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)};
+    cairo_font_face_set_user_data(font.get(), &open_face, own.release(), [](void* p) { delete static_cast<OpenFace*>(p); });
+    return font;
+}
+
+struct Free {
+    void operator()(unsigned char* memory) const { std::free(memory); }
+};
+using Pixels = std::unique_ptr<unsigned char, Free>;
+
+/// Memory for pictures, kept for the next page: in pages as large as the machine has them, since a thousand small ones take
+/// longer to get than to draw on. What it holds is the last picture, to be painted over.
+class Canvas {
+public:
+    unsigned char* pixels(std::size_t bytes) {
+        if (bytes <= size_) return pixels_.get();
+        constexpr std::size_t large_page = std::size_t{1} << 21;
+        pixels_.reset();
+        size_ = 0;
+        const std::size_t whole = (bytes + large_page - 1) / large_page * large_page;
+        pixels_.reset(static_cast<unsigned char*>(std::aligned_alloc(large_page, whole)));
+        KG_ASSERT(pixels_, "the picture fits into memory");
+        size_ = whole;
+        ::madvise(pixels_.get(), whole, MADV_HUGEPAGE);  // refused by some machines: then it is slower
+        return pixels_.get();
+    }
+
+private:
+    Pixels pixels_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace
+
+std::string to_png(const Page& page, const Fonts& fonts, double dpi) {
+    KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
+    const double scale = dpi / 25.4;
+    const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
+    const int width = pixels(page.width), height = pixels(page.height), stride = 4 * width;
+    KG_ASSERT(width > 0 && height > 0 && width <= 32767 && height <= 32767, "the picture is one that cairo draws");
+    static thread_local Canvas canvas;
+    unsigned char* const own = canvas.pixels(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height));
+    Owned<cairo_surface_t> surface{cairo_image_surface_create_for_data(own, CAIRO_FORMAT_RGB24, width, height, stride)};
+    Owned<cairo_t> cr{cairo_create(surface.get())};
+    cairo_scale(cr.get(), scale, scale);
+    KG_ASSERT(cairo_status(cr.get()) == CAIRO_STATUS_SUCCESS, "the picture fits into memory");
+    draw(cr.get(), page, [&](const TextMark& text) {
+        cairo_set_tolerance(cr.get(), type_tolerance);
+        cairo_new_path(cr.get());
+        for (const Glyph& g : text.glyphs) {
+            add_outline(cr.get(), fonts.outline(g.face, g.index), g.size, g.origin);
+            cairo_fill(cr.get());  // one by one is quicker than a whole line
+        }
+        cairo_set_tolerance(cr.get(), drawn_tolerance);
+    });
+    cairo_surface_flush(surface.get());
+    return encode(surface.get(), grey(page), dpi);
+}
+
+std::string to_pdf(const std::vector<Page>& pages, const Fonts& fonts) {
+    KG_ASSERT(!pages.empty(), "a document has a page");
+    std::string out;
+    Owned<cairo_surface_t> surface{cairo_pdf_surface_create_for_stream(append, &out, pages.front().width * points_of_mm,
+                                                                       pages.front().height * points_of_mm)};
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, well_formed(pages.front().title).c_str());
+    const std::array faces = {embedded_face(fonts, 0), embedded_face(fonts, 1), embedded_face(fonts, 2), embedded_face(fonts, 3)};
+    Owned<cairo_t> cr{cairo_create(surface.get())};
+    const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
+    cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(unhinted.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_set_font_options(cr.get(), unhinted.get());
+    std::vector<cairo_glyph_t> run;
+    // Every size is a font of its own to cairo: sizes that differ in the last bits are one.
+    const auto snapped = [](double size) { return std::round(size * 1e6) * 1e-6; };
+    const auto type = [&](const TextMark& text) {
+        for (auto g = text.glyphs.begin(); g != text.glyphs.end();) {
+            const std::uint8_t face = g->face;
+            const double size = snapped(g->size);
+            run.clear();
+            for (; g != text.glyphs.end() && g->face == face && snapped(g->size) == size; ++g) {
+                run.push_back({g->index, g->origin.x, g->origin.y});
+            }
+            cairo_set_font_face(cr.get(), faces.at(face).get());
+            cairo_set_font_size(cr.get(), size);
+            cairo_show_glyphs(cr.get(), run.data(), static_cast<int>(run.size()));
+        }
+    };
+    for (const Page& page : pages) {
+        cairo_pdf_surface_set_size(surface.get(), page.width * points_of_mm, page.height * points_of_mm);
+        cairo_save(cr.get());
+        cairo_scale(cr.get(), points_of_mm, points_of_mm);
+        draw(cr.get(), page, type);
+        cairo_restore(cr.get());
+        cairo_show_page(cr.get());
+    }
+    cr.reset();
+    cairo_surface_finish(surface.get());
+    KG_ASSERT(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS, "the PDF is written");
+    return out;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,347 @@
+// A Page as SVG 1.1, a tree built with pugixml, one item a line. Each outline stands once, in <defs>, under an id that names
+// face, glyph and size, so that sheets put into one HTML page do not mix theirs up. Decides nothing about the drawing.
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "engine/assert.hpp"
+#include "render/backends/backends.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// A coordinate with at most `digits` decimals, without trailing zeros: the shortest decimal of the snapped number.
+void append_number(std::string& out, double value, int digits) {
+    static constexpr double scales[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
+    const double scaled = value * scales[digits];
+    KG_ASSERT(std::abs(scaled) < 9e15, "a coordinate of a page is finite and of a size that paper has");
+    auto rest = static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
+    if (rest == 0) {
+        out += '0';
+        return;
+    }
+    // Built from its end, and added as one.
+    char text[32];
+    char* first = text + sizeof text;
+    const bool negative = rest < 0;
+    if (negative) rest = -rest;
+    if (digits >= 4 && rest % 10000 == 0) {
+        rest /= 10000;
+        digits -= 4;
+    }
+    while (digits > 0 && rest % 10 == 0) {
+        rest /= 10;
+        --digits;
+    }
+    if (digits > 0) {
+        for (; digits > 0; --digits, rest /= 10) *--first = static_cast<char>('0' + rest % 10);
+        *--first = '.';
+    }
+    do *--first = static_cast<char>('0' + rest % 10);
+    while ((rest /= 10) != 0);
+    if (negative) *--first = '-';
+    out.append(first, text + sizeof text);
+}
+
+constexpr int drawn_digits = 8;    // of what is measured
+constexpr int outline_digits = 4;  // of type: 0.1 µm
+constexpr double outline_units = 1e4;
+
+/// Path data of glyphs, by face, index and size, for all pages.
+using Outlines = std::unordered_map<std::uint64_t, std::string>;
+
+class Writer {
+public:
+    Writer(const Page& page, const Fonts& fonts, Outlines& outlines) : page_(page), fonts_(fonts), outlines_(outlines) {}
+
+    std::string write() {
+        pugi::xml_node declaration = document_.append_child(pugi::node_declaration);
+        set(declaration, "version", "1.0");
+        set(declaration, "encoding", "UTF-8");
+        at_ = document_.append_child("svg");
+        set(at_, "xmlns", "http://www.w3.org/2000/svg");
+        set(at_, "xmlns:xlink", "http://www.w3.org/1999/xlink");
+        set(at_, "version", "1.1");
+        length(at_, "width", page_.width, "mm");
+        length(at_, "height", page_.height, "mm");
+        text_ = "0 0 ";
+        put(page_.width);
+        text_ += ' ';
+        put(page_.height);
+        set(at_, "viewBox", text_.c_str());
+        const std::string language = well_formed(page_.language);
+        set(at_, "lang", language.c_str());
+        set(at_, "xml:lang", language.c_str());
+        title(at_, page_.title);
+        defs_ = at_.append_child("defs");
+        pugi::xml_node paper = at_.append_child("rect");
+        set(paper, "class", "paper");
+        length(paper, "width", page_.width);
+        length(paper, "height", page_.height);
+        colour(paper, "fill", page_.paper);
+        for (const Mark& mark : page_.marks) std::visit([this](const auto& m) { write(m); }, mark);
+        KG_ASSERT(depth_ == 0, "groups of a page are closed");
+        if (!defs_.first_child()) defs_.parent().remove_child(defs_);
+        Sink sink;
+        document_.save(sink, " ", pugi::format_indent, pugi::encoding_utf8);
+        return std::move(sink.out);
+    }
+
+private:
+    struct Sink : pugi::xml_writer {
+        std::string out;
+        void write(const void* data, std::size_t size) override { out.append(static_cast<const char*>(data), size); }
+    };
+
+    static void set(pugi::xml_node node, const char* name, const char* value) { node.append_attribute(name).set_value(value); }
+
+    void put(double value, int digits = drawn_digits) { append_number(text_, value, digits); }
+    void put(char command, Spot a, int digits = drawn_digits) {
+        text_ += command;
+        put(a.x, digits);
+        text_ += ' ';
+        put(a.y, digits);
+    }
+    void length(pugi::xml_node node, const char* name, double value, const char* unit = "", int digits = drawn_digits) {
+        text_.clear();
+        put(value, digits);
+        text_ += unit;
+        set(node, name, text_.c_str());
+    }
+    static void colour(pugi::xml_node node, const char* name, Colour c) {
+        static constexpr char hex[] = "0123456789abcdef";
+        const char text[] = {
+            '#', hex[c.red >> 4], hex[c.red & 15], hex[c.green >> 4], hex[c.green & 15], hex[c.blue >> 4], hex[c.blue & 15],
+            '\0'};
+        set(node, name, text);
+    }
+    static void title(pugi::xml_node node, const std::string& words) {
+        if (!words.empty()) node.append_child("title").append_child(pugi::node_pcdata).set_value(well_formed(words).c_str());
+    }
+
+    /// One or two 'A's, so that no arc is longer than half a turn and none is in doubt.
+    void arc(const ArcTo& a, bool& begun, Spot& pen) {
+        const auto on = [&a](double angle) {
+            return Spot{a.centre.x + a.radius * std::cos(angle), a.centre.y + a.radius * std::sin(angle)};
+        };
+        const double turn = 2 * std::numbers::pi;
+        double sweep = a.to - a.from;
+        if (std::abs(sweep) > turn) sweep = std::copysign(turn, sweep);
+        const Spot start = on(a.from);
+        constexpr double joined = 1.5e-8;  // mm: the page is snapped to 1e-8
+        if (!begun) {
+            put('M', start);
+        } else if (std::abs(pen.x - start.x) > joined || std::abs(pen.y - start.y) > joined) {
+            put('L', start);
+        }
+        begun = true;
+        const int halves = std::abs(sweep) > 3 ? 2 : 1;
+        for (int i = 1; i <= halves; ++i) {
+            pen = on(a.from + sweep * i / halves);
+            text_ += 'A';
+            put(a.radius);
+            text_ += ' ';
+            put(a.radius);
+            text_ += sweep < 0 ? " 0 0 0 " : " 0 0 1 ";
+            put(pen.x);
+            text_ += ' ';
+            put(pen.y);
+        }
+    }
+
+    void write(const Path& path) {
+        text_.clear();
+        Spot pen, first;
+        bool begun = false;
+        for (const Segment& segment : path.segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                put('M', pen = first = m->to);
+                begun = true;
+            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                KG_ASSERT(begun, "a path begins with a move or an arc");
+                put('L', pen = l->to);
+            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                KG_ASSERT(begun, "a path begins with a move or an arc");
+                put('C', c->control_1);
+                put(' ', c->control_2);
+                put(' ', pen = c->to);
+            } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                if (!begun) {
+                    first = {a->centre.x + a->radius * std::cos(a->from), a->centre.y + a->radius * std::sin(a->from)};
+                }
+                arc(*a, begun, pen);
+            } else if (begun) {
+                text_ += 'Z';
+                pen = first;
+            }
+        }
+        pugi::xml_node node = at_.append_child("path");
+        set(node, "d", text_.c_str());
+        if (path.filled) {
+            colour(node, "fill", path.fill);
+        } else {
+            set(node, "fill", "none");
+        }
+        if (!path.stroked) return;
+        colour(node, "stroke", path.pen.colour);
+        length(node, "stroke-width", path.pen.width);
+        if (!path.pen.dashes.empty()) {
+            text_.clear();
+            for (const double dash : path.pen.dashes) {
+                if (!text_.empty()) text_ += ' ';
+                put(dash);
+            }
+            set(node, "stroke-dasharray", text_.c_str());
+        }
+        if (path.pen.round_ends) {
+            set(node, "stroke-linecap", "round");
+        }
+        if (has_round_corners(path)) set(node, "stroke-linejoin", "round");
+    }
+
+    void write(const Axis& axis) {
+        pugi::xml_node node = at_.append_child("line");
+        set(node, "class", "axis");
+        length(node, "x1", axis.tail.x);
+        length(node, "y1", axis.tail.y);
+        length(node, "x2", axis.tip.x);
+        length(node, "y2", axis.tip.y);
+        set(node, "stroke", "none");
+    }
+
+    void write(const TextMark& mark) {
+        pugi::xml_node node = at_.append_child("g");
+        if (!mark.cls.empty()) set(node, "class", well_formed(mark.cls).c_str());
+        set(node, "aria-label", well_formed(mark.words).c_str());
+        set(node, "role", "img");
+        colour(node, "fill", mark.colour);
+        if (mark.angle != 0) {
+            text_ = "rotate(";
+            put(mark.angle * 180 / std::numbers::pi);
+            text_ += ' ';
+            put(mark.pivot.x);
+            text_ += ' ';
+            put(mark.pivot.y);
+            text_ += ')';
+            set(node, "transform", text_.c_str());
+        }
+        const pugi::xml_node outside = at_;
+        at_ = node;
+        for (const Glyph& glyph : mark.glyphs) {
+            pugi::xml_node use = at_.append_child("use");
+            set(use, "xlink:href", reference(glyph).c_str());
+            length(use, "x", glyph.origin.x, "", outline_digits);
+            length(use, "y", glyph.origin.y, "", outline_digits);
+        }
+        for (const Path& path : mark.extras) write(path);
+        at_ = outside;
+    }
+
+    void write(const GroupBegin& group) {
+        at_ = at_.append_child("g");
+        ++depth_;
+        if (!group.cls.empty()) set(at_, "class", well_formed(group.cls).c_str());
+        if (!group.id.empty()) set(at_, "id", well_formed(group.id).c_str());
+        for (const auto& [name, value] : group.attributes) set(at_, name.c_str(), well_formed(value).c_str());
+        title(at_, group.title);
+    }
+
+    void write(const GroupEnd&) {
+        KG_ASSERT(depth_ > 0, "a group that ends has begun");
+        --depth_;
+        at_ = at_.parent();
+    }
+
+    /// "#gi66-12": face, glyph, size in points.
+    const std::string& reference(const Glyph& glyph) {
+        const auto micropoints = static_cast<std::uint64_t>(std::llround(glyph.size * 72 / 25.4 * 1e6));
+        KG_ASSERT(glyph.face < 4 && glyph.index < (1U << 20) && micropoints < (1ULL << 40),
+                  "a glyph of our faces in a size for paper");
+        const std::uint64_t key = (micropoints << 22) | (static_cast<std::uint64_t>(glyph.index) << 2) | glyph.face;
+        const auto [entry, is_new] = references_.try_emplace(key);
+        if (!is_new) return entry->second;
+        text_ = "#g";
+        text_ += "ribz"[glyph.face];
+        text_ += std::to_string(glyph.index);
+        text_ += '-';
+        append_number(text_, static_cast<double>(micropoints) * 1e-6, 6);
+        entry->second = text_;
+        pugi::xml_node node = defs_.append_child("path");
+        set(node, "id", text_.c_str() + 1);
+        const auto [outline, is_unknown] = outlines_.try_emplace(key);
+        if (is_unknown) outline->second = path_data(glyph);
+        set(node, "d", outline->second.c_str());
+        return entry->second;
+    }
+
+    const std::string& path_data(const Glyph& glyph) {
+        text_.clear();
+        // Relative commands, a third shorter. The pen stands on snapped places, so nothing adds up.
+        const auto snapped = [&glyph](double em) { return std::round(em * glyph.size * outline_units) / outline_units; };
+        const auto at = [&snapped](Spot em) { return Spot{snapped(em.x), snapped(-em.y)}; };
+        Spot pen;
+        const auto step = [this, &pen](Spot to) {
+            if (text_.back() < 'A' && to.x >= pen.x) text_ += ' ';
+            put(to.x - pen.x, outline_digits);
+            if (to.y >= pen.y) text_ += ' ';
+            put(to.y - pen.y, outline_digits);
+        };
+        for (const Segment& segment : fonts_.outline(glyph.face, glyph.index).segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                put('M', pen = at(m->to), outline_digits);
+            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                const Spot to = at(l->to);
+                if (to.y == pen.y) {
+                    text_ += 'h';
+                    put(to.x - pen.x, outline_digits);
+                } else if (to.x == pen.x) {
+                    text_ += 'v';
+                    put(to.y - pen.y, outline_digits);
+                } else {
+                    text_ += 'l';
+                    step(to);
+                }
+                pen = to;
+            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                text_ += 'c';
+                step(at(c->control_1));
+                step(at(c->control_2));
+                step(at(c->to));
+                pen = at(c->to);
+            } else {
+                text_ += 'Z';
+            }
+        }
+        return text_;
+    }
+
+    const Page& page_;
+    const Fonts& fonts_;
+    Outlines& outlines_;
+    pugi::xml_document document_;
+    pugi::xml_node at_, defs_;
+    int depth_ = 0;
+    std::string text_;  // of the attribute at hand, one memory for all
+    std::unordered_map<std::uint64_t, std::string> references_;
+};
+
+}  // namespace
+
+std::string to_svg(const Page& page, const Fonts& fonts) {
+    Outlines outlines;
+    return Writer(page, fonts, outlines).write();
+}
+
+std::vector<std::string> to_svg(const std::vector<Page>& pages, const Fonts& fonts) {
+    Outlines outlines;
+    std::vector<std::string> texts;
+    for (const Page& page : pages) texts.push_back(Writer(page, fonts, outlines).write());
+    return texts;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,462 @@
+// The act of motion of one body: its points with the velocities that are given and those found, the perpendiculars (or the join
+// of the tips) that meet in the centre, and where no rigid body moves so the two projections that show it. Owns what is shown;
+// takes every place and vector from the Solution and computes no mechanics.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/assert.hpp"
+#include "render/figures/mechanism_sketch.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using namespace drawing;
+using Found = ActFigure::Found;
+
+constexpr double corner = 1.8;           // of the mark of a right angle, mm
+constexpr double longest_velocity = 34;  // mm
+constexpr double shortest_drawn = 0.2;   // mm: a velocity that nobody would see
+
+/// A velocity as an arrow at its point.
+struct Shown {
+    PointIndex point = -1;
+    std::string name;
+    Spot tip;  ///< from the point, in the unit of velocity, y downwards
+    double value = 0;
+    bool given = false;
+};
+
+/// What does not depend on the scale.
+class Act {
+public:
+    explicit Act(const DrawingContext& context)
+        : context_(context),
+          solution_(context.solution),
+          act_(*context.solution.act_of_motion),
+          unit_(context.solution.mechanism.units.velocity) {
+        for (const InstantCentre& centre : solution_.centres)
+            if (centre.first == 0 && centre.second == act_.body) centre_ = &centre;
+        const auto add = [&](PointIndex point, const Vector& velocity, bool given) {
+            const std::string& name = solution_.mechanism.points[at_index(point)].name;
+            const Vector in_unit{velocity.x / unit_.si, velocity.y / unit_.si};
+            shown_.push_back({point, name, paper_spot(in_unit), kinegraph::length(in_unit), given});
+            longest_ = std::max(longest_, shown_.back().value);
+        };
+        const std::vector<GivenMotion>& given = solution_.mechanism.motion->velocities;
+        for (const GivenMotion& each : given) {
+            if (const auto* vector = std::get_if<Vector>(&each.value)) {
+                add(each.point, *vector, true);
+            } else {
+                directions_.emplace_back(each.point,
+                                         paper_direction(direction_of(std::get<Bearing>(each.value), solution_.pose)));
+            }
+        }
+        for (const PointMotion& motion : solution_.points) {
+            const bool already =
+                std::any_of(shown_.begin(), shown_.end(), [&](const Shown& shown) { return shown.point == motion.point; });
+            if (motion.point >= 0 && motion.velocity && !already) add(motion.point, *motion.velocity, false);
+        }
+    }
+
+    double longest() const { return longest_; }
+    /// A finite centre that is not far: part of what the figure must hold.
+    std::optional<Spot> centre_near(const Box& mechanism) const {
+        if (centre_ == nullptr || !centre_->at || centre_->at->at_infinity()) return std::nullopt;
+        const Spot at = paper_spot(centre_->at->place());
+        const double size = std::max(mechanism.width(), mechanism.height());
+        if (!contains(grown(mechanism, 1.2 * size), at)) return std::nullopt;
+        return at;
+    }
+
+    void draw(Sketch& sketch, double velocity_scale) const {
+        sketch.draw_alone(act_.body);
+        draw_directions(sketch);
+        draw_centre(sketch, velocity_scale);
+        draw_projections(sketch, velocity_scale);
+        // What is constructed crosses the body and must be seen there.
+        std::swap(sketch.construction, sketch.over_bodies);
+        draw_velocities(sketch, velocity_scale);
+        draw_acceleration_centre(sketch);
+        sketch.draw_points(true);
+    }
+
+private:
+    Pen thin() const { return {context_.theme.thin, context_.theme.secondary, {}, false}; }
+    static Spot tip_of(const Sketch& sketch, const Shown& shown, double scale) {
+        return sketch.spot(shown.point) + (1 / scale) * shown.tip;
+    }
+    const Shown* shown_at(PointIndex point) const {
+        for (const Shown& shown : shown_)
+            if (shown.point == point) return &shown;
+        return nullptr;
+    }
+    /// The unit of a point's velocity or of its line; nothing where it rests.
+    std::optional<Spot> direction_at(PointIndex point) const {
+        for (const auto& [at, along] : directions_)
+            if (at == point) return along;
+        const Shown* const shown = shown_at(point);
+        if (shown == nullptr || !(length(shown->tip) > 0)) return std::nullopt;
+        return unit(shown->tip);
+    }
+
+    /// Lines of action that the file gives.
+    void draw_directions(Sketch& sketch) const {
+        constexpr double half = 15;
+        for (const auto& [point, along] : directions_) {
+            const Spot at = sketch.spot(point);
+            sketch.construction.emplace_back(
+                line(at - half * along, at + half * along, {context_.theme.thin, context_.theme.text, dash_dot(), false}));
+        }
+    }
+
+    // --- the statements that find what is drawn ------------------------------------------------------------------------------
+    /// −1: the velocity is given, or none finds it.
+    int statement_of(const Shown& shown) const {
+        if (shown.given) return -1;
+        for (const DrawnVector& vector : solution_.protocol.vectors)
+            if (vector.symbol == Symbol{Symbol::Letter::v, shown.name, ""}) return vector.statement;
+        return -1;
+    }
+    int statement_of_centre() const {
+        const std::vector<Statement>& statements = solution_.protocol.statements;
+        const auto finds_it = std::find_if(statements.begin(), statements.end(), [](const Statement& statement) {
+            switch (statement.message.sentence) {
+                case Sentence::act_perpendiculars:
+                case Sentence::act_tips:
+                case Sentence::act_point_at_rest:
+                case Sentence::act_translation:
+                case Sentence::act_parallels:
+                    return statement.section != "acceleration";
+                default:
+                    return false;
+            }
+        });
+        return finds_it == statements.end() ? -1 : static_cast<int>(finds_it - statements.begin());
+    }
+
+    void draw_velocities(Sketch& sketch, double scale) const {
+        const Theme& theme = context_.theme;
+        const BodyColour body = theme.body(act_.body);
+        for (const Shown& shown : shown_) {
+            const Spot at = sketch.spot(shown.point), tip = tip_of(sketch, shown, scale);
+            if (length(tip - at) < shortest_drawn) continue;
+            const Symbol symbol{Symbol::Letter::v, shown.name, ""};
+            const std::string name = name_of(symbol);
+            const RichText text = typeset(symbol, context_.language);
+            const std::size_t first = sketch.arrows.size();
+            sketch.arrows.emplace_back(GroupBegin{"velocity",
+                                                  sketch.id("mechanism", name),
+                                                  plain(text),
+                                                  {{"data-name", name},
+                                                   {"data-value", shortest(shown.value)},
+                                                   {"data-scale", shortest(scale)},
+                                                   {"data-unit", unit_.symbol}}});
+            sketch.arrows.emplace_back(Axis{at, tip});
+            draw_arrow(sketch.arrows, at, tip, theme.vector, shown.given ? theme.text : body.line);
+            sketch.arrows.emplace_back(GroupEnd{});
+            belong(sketch.arrows, first, statement_of(shown));
+            LabelRequest request;
+            request.statement = statement_of(shown);
+            request.names = {name};
+            request.text = text;
+            request.size = theme.equation;
+            request.colour = shown.given ? theme.text : body.letter;
+            request.anchor = at + 0.62 * (tip - at);
+            request.toward = tip;
+            request.clearance = 1.6;
+            sketch.labels.push_back(std::move(request));
+        }
+    }
+
+    // --- the centre ----------------------------------------------------------------------------------------------------------
+    void draw_centre(Sketch& sketch, double scale) const {
+        if (centre_ == nullptr || !centre_->at) return;
+        if (centre_->at->at_infinity()) return draw_parallels(sketch);
+        const Spot at = sketch.spot(centre_->at->place());
+        if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;  // past the range of doubles
+        const bool near = centre_near(unscaled_box(sketch)).has_value();
+        const std::size_t join = sketch.construction.size();
+        if (act_.found == Found::tips) draw_join_of_tips(sketch, at, near, scale);
+        belong(sketch.construction, join, statement_of_centre());
+        std::vector<Spot> far_ends;
+        for (PointIndex point = 0; at_index(point) < solution_.pose.points.size(); ++point) {
+            const bool by = std::find(act_.points.begin(), act_.points.end(), point) != act_.points.end();
+            const bool carried = std::any_of(solution_.points.begin(), solution_.points.end(),
+                                             [&](const PointMotion& motion) { return motion.point == point && motion.velocity; });
+            if (!by && !carried) continue;
+            const std::size_t ray = sketch.construction.size();
+            if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
+            // The rays that found the centre come with it, each other one with the velocity that is normal to it.
+            const Shown* const shown = by ? nullptr : shown_at(point);
+            belong(sketch.construction, ray, std::max(statement_of_centre(), shown ? statement_of(*shown) : -1));
+        }
+        if (!near) return name_far_centre(sketch, at, far_ends);
+        draw_dot(sketch, at);
+        draw_spin(sketch, at);
+    }
+
+    static Box unscaled_box(const Sketch& sketch) {
+        const Box box = sketch.mechanism_box();
+        return {sketch.scale() * box.min, sketch.scale() * box.max};
+    }
+
+    /// From a point to the centre, a little beyond it where the line found it; to the edge of what is drawn where it is far.
+    void draw_ray(Sketch& sketch, PointIndex point, Spot centre, bool near, bool found_it, std::vector<Spot>& far_ends) const {
+        const Spot from = sketch.spot(point);
+        const double whole = length(centre - from);
+        if (!(whole > 2 * same_place)) return;
+        const Spot along = unit(centre - from);
+        const auto velocity = direction_at(point);
+        if (velocity && whole > 3 * corner && found_it) {
+            const Spot r = corner * along, v = corner * *velocity;
+            sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
+        }
+        if (near) {
+            sketch.construction.emplace_back(line(from, centre + (found_it ? overshoot : 0.0) * along, thin()));
+        } else if (found_it) {
+            const Interval seen = within(grown(sketch.mechanism_box(), 14), from, along);
+            const Spot to = from + std::min(whole, std::max(seen.to, 10.0)) * along;
+            draw_arrow(sketch.construction, from, to, context_.theme.thin, context_.theme.secondary);
+            far_ends.push_back(to);
+        }
+    }
+
+    /// The join of the tips and that of the points, both to the centre.
+    void draw_join_of_tips(Sketch& sketch, Spot centre, bool near, double scale) const {
+        Spot first, second;
+        Spot* const ends[2] = {&first, &second};
+        for (std::size_t i = 0; i < 2; ++i) *ends[i] = sketch.spot(act_.points[i]);
+        Spot tips[2];
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Shown* const shown = shown_at(act_.points[i]);
+            KG_ASSERT(shown, "velocities that give the centre are shown");
+            tips[i] = tip_of(sketch, *shown, scale);
+        }
+        draw_through(sketch, {first, second}, centre, near);
+        draw_through(sketch, {tips[0], tips[1]}, centre, near);
+    }
+    /// A line through two places and, where it is near, the centre.
+    void draw_through(Sketch& sketch, const Bar& bar, Spot centre, bool near) const {
+        const Spot along = unit(bar.to - bar.from);
+        double from = 0, to = length(bar.to - bar.from);
+        if (near) {
+            const double t = dot(centre - bar.from, along);
+            from = std::min(from, t);
+            to = std::max(to, t);
+        } else {
+            const Interval seen = within(grown(sketch.mechanism_box(), longest_velocity), bar.from, along);
+            if (dot(centre - bar.from, along) > 0)
+                to = std::max(to, seen.to);
+            else
+                from = std::min(from, seen.from);
+        }
+        constexpr double beyond = 5;
+        sketch.construction.emplace_back(line(bar.from + (from - beyond) * along, bar.from + (to + beyond) * along, thin()));
+    }
+
+    void draw_parallels(Sketch& sketch) const {
+        const Spot towards = paper_direction(centre_->at->place());
+        constexpr double reach = 22;
+        const std::size_t first = sketch.construction.size();
+        Spot end;
+        for (const PointIndex point : act_.points) {
+            const Spot from = sketch.spot(point);
+            const auto velocity = direction_at(point);
+            end = from + reach * towards;
+            if (velocity) {
+                const Spot r = corner * towards, v = corner * *velocity;
+                sketch.construction.emplace_back(polyline({from + r, from + r + v, from + v}, thin()));
+            }
+            draw_arrow(sketch.construction, from, end, context_.theme.thin, context_.theme.secondary);
+        }
+        belong(sketch.construction, first, statement_of_centre());
+        LabelRequest label = name_of_centre(sketch);
+        label.anchor = end;
+        label.clearance = 1.2;
+        sketch.labels.push_back(std::move(label));
+    }
+
+    void draw_dot(Sketch& sketch, Spot at) const {
+        sketch.centres.emplace_back(GroupBegin{
+            "centre",
+            sketch.id("centre", solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
+            plain(name_of_centre(sketch).text),
+            {},
+            statement_of_centre()});
+        sketch.centres.emplace_back(tinted(disc(at, 1.15, context_.theme.paper)));
+        sketch.centres.emplace_back(disc(at, 0.8, context_.theme.text));
+        sketch.centres.emplace_back(GroupEnd{});
+        LabelRequest label = name_of_centre(sketch);
+        label.anchor = at;
+        label.clearance = 1.7;
+        sketch.labels.push_back(std::move(label));
+    }
+
+    LabelRequest name_of_centre(const Sketch& sketch) const {
+        LabelRequest label;
+        label.text = typeset(sketch.symbol_of(*centre_), context_.language);
+        label.statement = statement_of_centre();
+        label.names = {name_of(sketch.symbol_of(*centre_))};
+        label.size = context_.theme.label;
+        label.colour = context_.theme.text;
+        return label;
+    }
+
+    /// "P_02  (A P_02 = 3.4 m)": the segment that the drawing cannot hold.
+    void name_far_centre(Sketch& sketch, Spot centre, const std::vector<Spot>& ends) const {
+        const PointIndex from = act_.points.empty() ? -1 : act_.points.front();
+        LabelRequest label = name_of_centre(sketch);
+        if (from < 0) return;
+        const Unit& length_unit = solution_.mechanism.units.length;
+        const double metres = length(centre - sketch.spot(from)) * sketch.scale();
+        const RichText name = label.text;
+        append(label.text, one_piece("  ("));
+        append(label.text,
+               typeset(Symbol{Symbol::Letter::point, solution_.mechanism.points[at_index(from)].name, ""}, context_.language));
+        append(label.text, name);
+        const std::string value = number(metres / length_unit.si.to_double(), 3, context_.language);
+        append(label.text, with_powers(" = " + value + " " + length_unit.symbol + ")"));
+        label.anchor = ends.empty() ? sketch.spot(from) : ends.front();
+        label.clearance = ends.empty() ? 6 : 1.2;
+        sketch.labels.push_back(std::move(label));
+    }
+
+    /// ω as an arc about the centre, with its value.
+    void draw_spin(Sketch& sketch, Spot at) const {
+        const auto& omega = solution_.bodies[at_index(act_.body)].omega;
+        if (!omega || omega->is_zero()) return;
+        constexpr double radius = 6, half = 0.75;
+        // On the side where no ray leaves: away from the body.
+        const Box box = sketch.mechanism_box();
+        const Spot away = unit(at - 0.5 * (box.min + box.max));
+        const double middle = std::atan2(away.y, away.x);
+        // Counter-clockwise is towards smaller angles on paper.
+        const double turn = omega->sign() > 0 ? -half : half;
+        const BodyColour body = context_.theme.body(act_.body);
+        const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
+        const int statement = std::max(statement_of_centre(), statement_of_turning(solution_, symbol));
+        const std::size_t first = sketch.arrows.size();
+        draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);
+        belong(sketch.arrows, first, statement);
+        const Unit& unit_of = solution_.mechanism.units.angular_velocity;
+        LabelRequest label;
+        label.statement = statement;
+        label.text = typeset(symbol, context_.language);
+        const std::string value = number((*omega / unit_of.si).to_double(), 3, context_.language);
+        append(label.text, with_powers(" = " + value + " " + unit_of.symbol));
+        label.size = context_.theme.label;
+        label.colour = body.letter;
+        label.anchor = at + radius * away;
+        label.clearance = 1.5;
+        sketch.labels.push_back(std::move(label));
+    }
+
+    void draw_acceleration_centre(Sketch& sketch) const {
+        if (!act_.acceleration_centre) return;
+        const Spot at = sketch.spot(*act_.acceleration_centre);
+        if (!contains(grown(sketch.mechanism_box(), 0.6 * sketch.size()), at)) return;
+        const Theme& theme = context_.theme;
+        sketch.centres.emplace_back(ring(at, 1.0, theme.paper, {theme.outline, theme.text, {}, false}));
+        const std::vector<Statement>& statements = solution_.protocol.statements;
+        const auto finds_it = std::find_if(statements.begin(), statements.end(), [](const Statement& statement) {
+            return statement.message.sentence == Sentence::act_acceleration_centre;
+        });
+        LabelRequest label;
+        if (finds_it != statements.end()) label.statement = static_cast<int>(finds_it - statements.begin());
+        belong(sketch.centres, sketch.centres.size() - 1, label.statement);
+        label.text = typeset(Symbol{Symbol::Letter::point, act_.acceleration_centre_name, ""}, context_.language);
+        append(label.text, one_piece(" ("));
+        append(label.text, typeset(Symbol{Symbol::Letter::a, act_.acceleration_centre_name, ""}, context_.language));
+        append(label.text, one_piece(" = 0)"));
+        label.size = theme.label;
+        label.colour = theme.text;
+        label.anchor = at;
+        label.clearance = 1.7;
+        sketch.labels.push_back(std::move(label));
+    }
+
+    // --- velocities that no rigid body has -----------------------------------------------------------------------------------
+    /// Both projections on the join as arrows from their points, with the perpendiculars that cut them off.
+    void draw_projections(Sketch& sketch, double scale) const {
+        if (!act_.differing) return;
+        const ActFigure::Projections& differing = *act_.differing;
+        const Spot first = sketch.spot(differing.first), second = sketch.spot(differing.second);
+        const Spot along = unit(second - first);
+        double from = 0, to = length(second - first);
+        const Theme& theme = context_.theme;
+        const BodyColour accent = theme.body(act_.body);
+        const auto draw = [&](PointIndex point, const Vector& projection) {
+            const Spot at = sketch.spot(point);
+            const Vector in_unit{projection.x / unit_.si, projection.y / unit_.si};
+            const Spot foot = at + (1 / scale) * paper_spot(in_unit);
+            from = std::min(from, dot(foot - first, along));
+            to = std::max(to, dot(foot - first, along));
+            if (const Shown* const shown = shown_at(point)) {
+                const Spot tip = tip_of(sketch, *shown, scale);
+                if (length(tip - foot) > shortest_drawn) {
+                    sketch.construction.emplace_back(line(tip, foot, thin()));
+                    if (length(tip - foot) > 2 * corner && length(foot - at) > 2 * corner) {
+                        const Spot up = corner * unit(tip - foot), back = corner * unit(at - foot);
+                        sketch.construction.emplace_back(polyline({foot + up, foot + up + back, foot + back}, thin()));
+                    }
+                }
+            }
+            const double value = kinegraph::length(in_unit);
+            if (length(foot - at) > shortest_drawn) draw_arrow(sketch.arrows, at, foot, 1.6 * theme.vector, accent.line);
+            LabelRequest label;
+            label.text = one_piece(number(value, 3, context_.language) + " ");
+            append(label.text, with_powers(unit_.symbol));
+            label.size = theme.label;
+            label.colour = accent.letter;
+            label.anchor = 0.5 * (at + foot);
+            if (length(foot - at) > shortest_drawn) label.toward = foot;
+            label.clearance = 1.6;
+            sketch.labels.push_back(std::move(label));
+        };
+        draw(differing.first, differing.of_first);
+        draw(differing.second, differing.of_second);
+        sketch.construction.emplace_back(line(first + (from - overshoot) * along, first + (to + overshoot) * along, thin()));
+    }
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    const ActFigure& act_;
+    const Unit& unit_;
+    const InstantCentre* centre_ = nullptr;
+    std::vector<Shown> shown_;
+    std::vector<std::pair<PointIndex, Spot>> directions_;
+    double longest_ = 0;  ///< in the unit of velocity
+};
+
+}  // namespace
+
+Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y) {
+    KG_ASSERT(context.solution.act_of_motion, "the figure of an act of motion wants one");
+    const Subject subject(context.solution);
+    const Act act(context);
+    const Mechanism& mechanism = context.solution.mechanism;
+    Box extent = subject.box;
+    if (const auto centre = act.centre_near(subject.box)) {
+        extent.min = {std::min(extent.min.x, centre->x), std::min(extent.min.y, centre->y)};
+        extent.max = {std::max(extent.max.x, centre->x), std::max(extent.max.y, centre->y)};
+    }
+    const std::optional<double> asked = asked_scale(mechanism, "mechanism");
+    const double first =
+        choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), asked);
+    return fitted_figure(first, asked.has_value(), room_x, room_y, any_scale, [&](double scale, bool last, bool strict) {
+        Sketch sketch(subject, context, scale, "");
+        const double reach = std::clamp(0.55 * sketch.size(), 14.0, longest_velocity);
+        const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);
+        act.draw(sketch, velocity_scale);
+        Figure figure = sketch.finish("mechanism", "mechanism", "m");
+        figure.caption = one_piece(word("act of motion", context.language));
+        if (act.longest() > 0)
+            figure.further_scale = "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;
+        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, mechanism.units.length, strict);
+        return figure;
+    });
+}
+
+}  // namespace kinegraph::render

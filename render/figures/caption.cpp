@@ -1,0 +1,82 @@
+// Captions and scales in words.
+#include "render/figures/caption.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/page/shapes.hpp"
+#include "render/page/sheet_parts.hpp"
+#include "render/tables/tables.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// A scale is a short decimal up to the last bits of a division.
+std::string shortest_scale(double value, Language language) {
+    const double power = std::pow(10.0, 6 - std::floor(std::log10(value)));
+    const double round = std::round(value * power) / power;
+    const std::string text = shortest(std::abs(round - value) < 1e-12 * value ? round : value, language);
+    // A scale of the file's own, 14 mm = 16.28 MN, may have no end.
+    constexpr std::size_t longest = 10;  // 2.5 × 10⁻⁴
+    return character_count(text) > longest ? number(value, 5, language) : text;
+}
+
+/// A diagram has no scale, nor has a polygon of which all vectors are zero.
+bool has_scale(const Figure& figure) {
+    if (figure.kind == "centres" || figure.unit.empty()) return false;
+    return (figure.kind != "velocity" && figure.kind != "acceleration") ||
+           std::any_of(figure.marks.begin(), figure.marks.end(),
+                       [](const Mark& mark) { return std::holds_alternative<Axis>(mark); });
+}
+
+}  // namespace
+
+std::string ratio_words(double scale, Language language) {
+    const double ratio = scale * 1000;
+    return ratio >= 1 ? "1 : " + shortest(std::round(ratio * 1e9) / 1e9, language)
+                      : shortest(std::round(1e9 / ratio) / 1e9, language) + " : 1";
+}
+
+RichText scale_words(const DrawingContext& context, const Figure& figure) {
+    const Units& units = context.solution.mechanism.units;
+    std::string text;
+    if (figure.unit == "m") {
+        text = ratio_words(figure.scale, context.language);
+        if (units.length.symbol != "mm")
+            text += ";  1 mm ≙ " + shortest_scale(figure.scale / units.length.si.to_double(), context.language) + " " +
+                    units.length.symbol;
+    } else {
+        text = "1 mm ≙ " + shortest_scale(figure.scale, context.language) + " " + figure.unit;
+    }
+    if (!figure.further_scale.empty()) text += ";  " + figure.further_scale;
+    return with_powers(text);
+}
+
+double set_caption(std::vector<Mark>& marks, const DrawingContext& context, const Figure& figure, int number, Spot at,
+                   double width) {
+    const Theme& theme = context.theme;
+    RichText text = one_piece(word("figure", context.language) + " " + std::to_string(number), Face::bold);
+    append(text, one_piece("   "));
+    append(text, figure.caption);
+    const ShapedLine caption = context.fonts.shape(text, theme.label);
+    const ShapedLine scale =
+        has_scale(figure) ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
+    if (caption.width + 5 + scale.width <= width) {
+        set_text(marks, caption, {at.x, at.y + 3.8}, theme.text, "text");
+        set_text(marks, scale, {at.x + caption.width + 5, at.y + 3.8}, theme.secondary, "text");
+        return 7;
+    }
+    double baseline = at.y + 3.8;
+    for (const ShapedLine& each : context.fonts.wrap(text, theme.label, width)) {
+        set_text(marks, each, {at.x, baseline}, theme.text, "text");
+        baseline += 4.7;
+    }
+    if (scale.width > 0) {
+        set_text(marks, scale, {at.x, baseline}, theme.secondary, "text");
+        baseline += 4.4;
+    }
+    return baseline - 3.8 - at.y + 2;
+}
+
+}  // namespace kinegraph::render

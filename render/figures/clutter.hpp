@@ -1,0 +1,27 @@
+// Clutter: the strokes of a drawing, to see where an arrow would stand in the way. Mechanisms only; labels have their ink map.
+#pragma once
+
+#include <vector>
+
+#include "render/figures/mechanism_sketch.hpp"
+
+namespace kinegraph::render::drawing {
+
+class Clutter {
+public:
+    void add(const std::vector<Mark>& marks);
+    void add(Spot from, Spot to) { strokes_.push_back({{from, to}, 1.0}); }
+    /// The share of the stretch that lies near strokes.
+    double along(Spot from, Spot to) const;
+    /// The mean of that over the pieces of an arc, `sweep` radians clockwise on paper.
+    double along_arc(Spot centre, double radius, double from, double sweep) const;
+
+private:
+    struct Stroke {
+        Bar bar;
+        double half;
+    };
+    std::vector<Stroke> strokes_;
+};
+
+}  // namespace kinegraph::render::drawing

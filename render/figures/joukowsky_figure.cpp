@@ -1,0 +1,449 @@
+// Joukowsky's lever: the velocities of the points of application turned a quarter turn, the forces at their tips, the arms from
+// the pole; and its table. Owns what they show; takes forces, velocities and powers from the Solution, computes no statics.
+//
+// Method: z∧v is counter-clockwise of v, so the moment of F at the tip of z∧v about the pole is −F·v; the powers of all that acts
+// from outside on a mechanism with ideal pairs add up to nothing, hence so do the moments (N. E. Joukowsky, the lever).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "engine/assert.hpp"
+#include "render/figures/mechanism_sketch.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/force_tables.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using drawing::at_index;
+
+constexpr double longest_force = 25;  // mm
+constexpr double least_shown = 12;    // of the longest velocity, mm
+constexpr double label_reach = 3;     // what labels may add beyond the strokes on each side, as a first guess
+constexpr double coincident = 0.02;   // mm: drawn as one
+constexpr double overshoot = 5;       // of a line of action past the arm's foot
+constexpr double least_arm = 0.2;     // mm: shorter ones are the pole itself
+constexpr double corner_size = 1.7;   // of the mark of a right angle
+constexpr double pole_radius = 0.9;
+
+const VirtualWork& work_of(const Solution& solution) {
+    KG_ASSERT(solution.virtual_work, "the lever wants the powers");
+    return *solution.virtual_work;
+}
+
+/// What powers are printed against: the largest of them.
+double largest_power(const VirtualWork& work) {
+    double largest = 0;
+    for (const VirtualWork::Entry& entry : work.entries) largest = std::max(largest, std::abs(entry.power.to_double()));
+    return largest;
+}
+
+/// A force at the tip of its turned velocity; y downwards, in the file's units.
+struct Placed {
+    const VirtualWork::Entry* entry;
+    Spot turned_velocity, force;
+    double value;
+};
+
+class Lever {
+public:
+    explicit Lever(const DrawingContext& context)
+        : context_(context),
+          velocity_(context.solution.mechanism.units.velocity),
+          force_(context.solution.mechanism.units.force) {
+        double most = 0;
+        for (const VirtualWork::Entry& entry : work_of(context.solution).entries) {
+            if (entry.force.is_zero()) continue;
+            const Spot v = in(entry.velocity, velocity_), f = in(entry.force, force_);
+            placed_.push_back({&entry, {v.y, -v.x}, f, kinegraph::length(entry.force) / force_.si.to_double()});
+            most = std::max(most, placed_.back().value);
+        }
+        force_scale_ = choose_scale(most, 0, longest_force, 1, std::nullopt);
+        for (const Placed& each : placed_) {
+            min_ = {std::min(min_.x, each.turned_velocity.x), std::min(min_.y, each.turned_velocity.y)};
+            max_ = {std::max(max_.x, each.turned_velocity.x), std::max(max_.y, each.turned_velocity.y)};
+        }
+    }
+    double width() const { return max_.x - min_.x; }
+    double height() const { return max_.y - min_.y; }
+
+    Figure at(double scale) const {
+        Figure figure;
+        figure.kind = "velocity";
+        figure.id = "joukowsky";
+        figure.caption = one_piece(word("lever", context_.language));
+        figure.further_scale = "1 mm ≙ " + shortest(force_scale_, context_.language) + " " + force_.symbol;
+        figure.scale = scale;
+        figure.unit = velocity_.symbol;
+        figure.marks.emplace_back(
+            GroupBegin{"figure",
+                       figure.id,
+                       plain(figure.caption) + ", " + figure.further_scale,
+                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", figure.unit}}});
+        const std::vector<Arrow> arrows = arrows_at(scale);
+        draw_rays(figure);
+        draw_arms(figure, arrows);
+        draw_forces(figure, arrows);
+        figure.marks.emplace_back(
+            ring({0, 0}, pole_radius, context_.theme.paper, {context_.theme.outline, context_.theme.text, {}, false}));
+        label_tips(figure);
+        figure.box = box_of(figure.marks);
+        draw_bars(figure);
+        return figure;
+    }
+
+private:
+    struct Arrow {
+        Spot tail, tip;
+    };
+
+    static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }
+    static Spot tip_of(const Placed& each, double scale) { return (1 / scale) * each.turned_velocity; }
+
+    /// Each from its point on, or up to it, or past those that stand there: its line of action is the same.
+    std::vector<Arrow> arrows_at(double scale) const {
+        std::vector<Arrow> arrows;
+        for (const Placed& each : placed_) {
+            const Spot at = tip_of(each, scale), whole = (1 / force_scale_) * each.force;
+            Arrow best{at, at + whole};
+            double least = 1e300;
+            for (int k = 0; k < 6; ++k) {
+                // 0: pulls; 1: pushes; then further and further off.
+                const int steps_off = k / 2;
+                const double gap = 2.5 * steps_off;
+                const Spot along = unit(whole);
+                const Spot tail = k % 2 == 0 ? at + gap * along : at - gap * along - whole;
+                const Arrow tried{tail, tail + whole};
+                double price = 0.3 * k;
+                for (const Arrow& other : arrows) price += 8 * shared(tried, other);
+                for (const Placed& other : placed_) price += 3 * shared(tried, {{0, 0}, tip_of(other, scale)});
+                if (price < least - 1e-9) least = price, best = tried;
+            }
+            arrows.push_back(best);
+        }
+        return arrows;
+    }
+    /// The share of an arrow that lies nearly on another stroke.
+    static double shared(const Arrow& arrow, const Arrow& other) {
+        constexpr int pieces = 16;
+        const Spot way = other.tip - other.tail;
+        const double square = dot(way, way);
+        int met = 0;
+        for (int i = 0; i <= pieces; ++i) {
+            const Spot at = arrow.tail + (static_cast<double>(i) / pieces) * (arrow.tip - arrow.tail);
+            const double t = square > 0 ? std::clamp(dot(at - other.tail, way) / square, 0.0, 1.0) : 0;
+            if (length(at - other.tail - t * way) < 1.4) ++met;
+        }
+        return static_cast<double>(met) / (pieces + 1);
+    }
+
+    void draw_arms(Figure& figure, const std::vector<Arrow>& arrows) const {
+        const Theme& theme = context_.theme;
+        const Pen action{theme.thin, theme.secondary, dash_dot(), false}, arm{theme.outline, theme.text, dashes(), false},
+            corner{theme.thin, theme.text, {}, false};
+        std::vector<std::pair<Spot, Spot>> done;  // foot and direction
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            const Spot along = unit(placed_[i].force), tail = arrows[i].tail, tip = arrows[i].tip;
+            const Spot foot = tail - dot(tail, along) * along;
+            // The line of action as far as the arm, and the place of the force on it.
+            const Spot at = tip_of(placed_[i], figure.scale);
+            const double from = dot(tail, along), to = dot(tip, along), place = dot(at, along);
+            const double low = std::min({0.0, place, from}), high = std::max({0.0, place, to});
+            const auto on_line = [&](double t) { return foot + t * along; };
+            if (low < from) figure.marks.emplace_back(line(on_line(low - (low == 0 ? overshoot : 0)), on_line(from), action));
+            if (high > to) figure.marks.emplace_back(line(on_line(to), on_line(high + (high == 0 ? overshoot : 0)), action));
+            if (length(foot) < least_arm) continue;
+            if (std::any_of(done.begin(), done.end(), [&](const auto& other) { return length(other.first - foot) < coincident; }))
+                continue;
+            done.emplace_back(foot, along);
+            figure.marks.emplace_back(line({0, 0}, foot, arm));
+            if (length(foot) < 1.6 * corner_size) continue;
+            // Into the corner away from the arrow, where there is one.
+            const Spot back = -corner_size * unit(foot), aside = (0.5 * (from + to) > 0 ? -corner_size : corner_size) * along;
+            figure.marks.emplace_back(polyline({foot + back, foot + back + aside, foot + aside}, corner));
+        }
+    }
+
+    void draw_rays(Figure& figure) const {
+        const Pen pen{context_.theme.thin, context_.theme.secondary, {}, false};
+        std::vector<Spot> done;
+        for (const Placed& each : placed_) {
+            const Spot tip = tip_of(each, figure.scale);
+            if (length(tip) < coincident) continue;
+            if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; })) continue;
+            done.push_back(tip);
+            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}});
+            figure.marks.emplace_back(Axis{{0, 0}, tip});
+            figure.marks.emplace_back(line({0, 0}, tip, pen));
+            figure.marks.emplace_back(GroupEnd{});
+        }
+        for (const Spot tip : done) figure.marks.emplace_back(disc(tip, 0.6, context_.theme.text));
+    }
+
+    void draw_forces(Figure& figure, const std::vector<Arrow>& arrows) const {
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            const VirtualWork::Entry& entry = *placed_[i].entry;
+            const std::string base = name_of(entry.symbol);
+            std::string name = base;
+            for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
+            const BodyColour colour = context_.theme.colour_of(entry.body);
+            figure.marks.emplace_back(GroupBegin{"force",
+                                                 figure.id + "-" + legal_id(name),
+                                                 name + " = " + shortest(placed_[i].value) + " " + force_.symbol,
+                                                 {{"data-name", name},
+                                                  {"data-value", shortest(placed_[i].value)},
+                                                  {"data-scale", shortest(force_scale_)},
+                                                  {"data-unit", force_.symbol}}});
+            figure.marks.emplace_back(Axis{arrows[i].tail, arrows[i].tip});
+            draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line, colour.dashes);
+            figure.marks.emplace_back(GroupEnd{});
+            LabelRequest label;
+            label.text = typeset(entry.symbol, context_.language);
+            label.size = context_.theme.equation;
+            label.colour = colour.letter;
+            label.anchor = 0.5 * (arrows[i].tail + arrows[i].tip);
+            label.toward = arrows[i].tip;
+            label.clearance = 1.5;
+            figure.labels.push_back(std::move(label));
+        }
+    }
+
+    /// The image of the point that a force acts at, where it has a name; the pole first.
+    void label_tips(Figure& figure) const {
+        struct Cluster {
+            Spot at;
+            RichText text;
+            std::set<std::string> names;
+        };
+        const Solution& solution = context_.solution;
+        const Symbol pole{Symbol::Letter::pole, "v", ""};
+        std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}}};
+        for (const Placed& each : placed_) {
+            const auto& points = solution.mechanism.bodies[at_index(each.entry->body)].points;
+            const auto found = std::find_if(points.begin(), points.end(),
+                                            [&](PointIndex p) { return (solution.pose.at(p) - each.entry->at).is_zero(); });
+            if (found == points.end()) continue;
+            const Symbol image{Symbol::Letter::image, solution.mechanism.points[at_index(*found)].name, ""};
+            const Spot at = tip_of(each, figure.scale);
+            const auto same =
+                std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
+            const RichText text = typeset(image, context_.language);
+            if (same == clusters.end()) {
+                clusters.push_back({at, text, {name_of(image)}});
+            } else if (same->names.insert(name_of(image)).second) {
+                append(same->text, one_piece(" ≡ "));
+                append(same->text, text);
+            }
+        }
+        for (Cluster& cluster : clusters) {
+            LabelRequest label;
+            label.text = std::move(cluster.text);
+            label.size = context_.theme.label;
+            label.colour = context_.theme.text;
+            label.anchor = cluster.at;
+            label.clearance = 2.0;
+            figure.labels.push_back(std::move(label));
+        }
+    }
+
+    /// Both scales as bars, one beside the other under the figure.
+    void draw_bars(Figure& figure) const {
+        const Language language = context_.language;
+        std::vector<Mark> bars, second;
+        draw_scale_bar(bars, context_.fonts, context_.theme, {0, 0}, 22, figure.scale, 1, velocity_.symbol, language);
+        draw_scale_bar(second, context_.fonts, context_.theme, {0, 0}, 22, force_scale_, 1, force_.symbol, language);
+        render::move(second, box_of(bars).max.x + 8 - box_of(second).min.x, 0);
+        bars.insert(bars.end(), second.begin(), second.end());
+        const Box size = box_of(bars);
+        const double middle = 0.5 * (figure.box.min.x + figure.box.max.x);
+        render::move(bars, middle - 0.5 * (size.min.x + size.max.x), figure.box.max.y + 6 - size.min.y);
+        figure.marks.insert(figure.marks.end(), bars.begin(), bars.end());
+        figure.box = box_of(figure.marks);
+    }
+
+    const DrawingContext& context_;
+    const Unit &velocity_, &force_;
+    std::vector<Placed> placed_;
+    double force_scale_ = 1;
+    Spot min_, max_;  // of the turned velocities, the pole at the origin
+};
+
+/// F, h, M and ω of a sentence are set as what they are: quantities.
+RichText with_quantities(const std::string& words) {
+    RichText text;
+    std::string rest = words;
+    for (;;) {
+        std::size_t at = std::string::npos;
+        std::string_view met;
+        for (const std::string_view formula : {std::string_view("F·h"), std::string_view("Mω")})
+            if (const std::size_t found = rest.find(formula); found < at) at = found, met = formula;
+        if (at == std::string::npos) break;
+        append(text, one_piece(rest.substr(0, at)));
+        if (met == "Mω") {
+            append(text, one_piece("Mω", Face::italic));
+        } else {
+            append(text, one_piece("F", Face::italic));
+            append(text, one_piece("·"));
+            append(text, one_piece("h", Face::italic));
+        }
+        rest = rest.substr(at + met.size());
+    }
+    append(text, one_piece(rest));
+    return text;
+}
+
+/// A quantity in a table is a scalar.
+RichText scalar(RichText text) {
+    for (Piece& piece : text)
+        if (piece.face == Face::bold_italic) piece.face = Face::italic;
+    return text;
+}
+
+}  // namespace
+
+NoLever no_lever(const Solution& solution) {
+    if (solution.free_bodies.empty()) return NoLever::no_forces;
+    if (!solution.virtual_work) return NoLever::no_velocities;
+    const auto& entries = solution.virtual_work->entries;
+    const bool any = std::any_of(entries.begin(), entries.end(), [](const VirtualWork::Entry& entry) {
+        return !entry.force.is_zero() && !entry.velocity.is_zero();
+    });
+    return any ? NoLever::none : NoLever::nothing_moves;
+}
+
+Box extent_of_lever(const Solution& solution) {
+    Box box;
+    for (const VirtualWork::Entry& entry : work_of(solution).entries) {
+        if (entry.force.is_zero()) continue;
+        const double si = solution.mechanism.units.velocity.si.to_double();
+        const Spot tip{-entry.velocity.y.to_double() / si, -entry.velocity.x.to_double() / si};
+        box.min = {std::min(box.min.x, tip.x), std::min(box.min.y, tip.y)};
+        box.max = {std::max(box.max.x, tip.x), std::max(box.max.y, tip.y)};
+    }
+    return box;
+}
+
+Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y) {
+    KG_ASSERT(no_lever(context.solution) == NoLever::none, "a lever needs a force that moves");
+    const Lever lever(context);
+    double scale = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt);
+    for (;;) {
+        const double next = choose_scale(scale * 1.01, 0, 1, 1, std::nullopt);
+        const bool last = std::max(lever.width(), lever.height()) / next < least_shown;
+        Figure figure = lever.at(scale);
+        const auto fits = [&](double reach) {
+            return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
+        };
+        scale = next;
+        if (!last && !fits(label_reach)) continue;
+        if (!place_labels(figure, context.fonts, Spot{room_x, room_y}, last ? Labelling::free : Labelling::if_it_fits)) continue;
+        if (!last && !fits(0)) continue;
+        figure.marks.emplace_back(GroupEnd{});
+        return figure;
+    }
+}
+
+Block joukowsky_block(const DrawingContext& context, double most) {
+    const Solution& solution = context.solution;
+    const Units& units = solution.mechanism.units;
+    const Theme& theme = context.theme;
+    const Language language = context.language;
+    const VirtualWork& work = work_of(solution);
+    struct Line {
+        std::array<ShapedLine, 4> cells;  // force, how much, arm or ω, power
+        Colour letters;
+    };
+    const double largest = largest_power(work);
+    const int decimals = largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 0;
+    const bool plain_powers = largest == 0 || (largest >= 1e-3 && largest < 1e7);
+    const auto power = [&](double value) {
+        if (std::abs(value) <= 1e-9 * largest) return std::string("0");
+        return plain_powers ? fixed(value, decimals, language) : number(value, 4, language);
+    };
+    const auto shape = [&](const std::string& text, double size) { return context.fonts.shape(with_powers(text), size); };
+    Line head{{shape("", theme.small), shape(word("magnitude", language), theme.small), {}, {}}, theme.secondary};
+    RichText arm = one_piece(word("lever arm", language) + " ");
+    append(arm, one_piece("h", Face::italic));
+    append(arm, with_powers(", " + units.velocity.symbol));
+    head.cells[2] = context.fonts.shape(arm, theme.small);
+    head.cells[3] = shape(word("power", language) + ", W", theme.small);
+    std::vector<Line> lines;
+    bool couples = false;
+    for (const VirtualWork::Entry& entry : work.entries) {
+        const Colour letters = theme.colour_of(entry.body).letter;
+        if (!entry.force.is_zero()) {
+            const double f = kinegraph::length(entry.force), p = dot(entry.force, entry.velocity).to_double();
+            const double reach = std::abs(p) / f / units.velocity.si.to_double();
+            lines.push_back(
+                {{context.fonts.shape(scalar(typeset(entry.symbol, language)), theme.body_text + 0.5),
+                  shape(number(f / units.force.si.to_double(), 4, language) + " " + units.force.symbol, theme.body_text),
+                  shape(number(reach, 4, language), theme.body_text), shape(power(p), theme.body_text)},
+                 letters});
+        }
+        if (!entry.couple.is_zero()) {
+            couples = true;
+            Symbol symbol = entry.symbol;
+            symbol.letter = Symbol::Letter::M;
+            RichText omega =
+                typeset(Symbol{Symbol::Letter::omega, solution.mechanism.bodies[at_index(entry.body)].name, ""}, language);
+            append(omega,
+                   with_powers(" = " + number(entry.omega.to_double() / units.angular_velocity.si.to_double(), 4, language) +
+                               " " + units.angular_velocity.symbol));
+            lines.push_back(
+                {{context.fonts.shape(scalar(typeset(symbol, language)), theme.body_text + 0.5),
+                  shape(number(entry.couple.to_double() / units.moment.si.to_double(), 4, language) + " " + units.moment.symbol,
+                        theme.body_text),
+                  context.fonts.shape(omega, theme.body_text),
+                  shape(power((entry.couple * entry.omega).to_double()), theme.body_text)},
+                 letters});
+        }
+    }
+    Line sum{{}, theme.text};
+    sum.cells[0] = shape(word("sum", language), theme.body_text);
+    sum.cells[3] = shape(power(work.total.to_double()), theme.body_text);
+
+    std::array<double, 4> widths{};
+    const auto measure = [&](const Line& each) {
+        for (std::size_t c = 0; c < 4; ++c) widths[c] = std::max(widths[c], each.cells[c].width);
+    };
+    measure(head);
+    measure(sum);
+    for (const Line& each : lines) measure(each);
+    const double gap = std::clamp((most - widths[0] - widths[1] - widths[2] - widths[3]) / 3, 2.0, 4.0);
+    Block block;
+    std::array<double, 4> right{};
+    for (std::size_t c = 0; c < 4; ++c) right[c] = (c == 0 ? 0 : right[c - 1] + gap) + widths[c];
+    block.width = right[3];
+    const auto rule = [&](double y, double width) {
+        block.marks.emplace_back(line({0, y}, {block.width, y}, {width, theme.text, {}, false}));
+    };
+    const auto set_line = [&](const Line& each, double baseline, Colour colour) {
+        set_text(block.marks, each.cells[0], {0, baseline}, each.letters, "text");
+        for (std::size_t c = 1; c < 4; ++c)
+            set_text(block.marks, each.cells[c], {right[c] - each.cells[c].width, baseline}, colour, "text");
+    };
+    rule(0, theme.outline);
+    set_line(head, 3.4, theme.secondary);
+    rule(5, theme.thin);
+    double baseline = 9;
+    for (const Line& each : lines) {
+        set_line(each, baseline, theme.text);
+        baseline += 4.5;
+    }
+    rule(baseline - 2.9, theme.thin);
+    set_line(sum, baseline + 0.8, theme.text);
+    rule(baseline + 2.5, theme.outline);
+    baseline += 7;
+    for (const ShapedLine& each : context.fonts.wrap(
+             with_quantities(word(couples ? "lever with couples" : "lever of forces", language)), theme.small, block.width)) {
+        set_text(block.marks, each, {0, baseline}, theme.secondary, "text");
+        baseline += 3.9;
+    }
+    block.height = baseline - 3.9 + 1.2;
+    return block;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,387 @@
+// Instant centres on the mechanism: the lines of Kennedy and the normals that find them, the dots, the arrows to those that are
+// far or at infinity. Owns what is shown of them and where it ends; finds no centre itself.
+#include <algorithm>
+#include <cmath>
+
+#include "render/figures/mechanism_sketch.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render::drawing {
+
+class CentresDrawing {
+public:
+    explicit CentresDrawing(Sketch& sketch)
+        : sketch_(sketch),
+          all_(sketch.s_.solution.centres),
+          where_(all_.size(), Where::nowhere),
+          place_(all_.size()),
+          drawn_(all_.size(), true),
+          arrows_(all_.size()),
+          counted_from_(all_.size()) {
+        locate();
+        choose();
+    }
+
+    void draw() {
+        for (const std::size_t c : order_)
+            if (where_[c] != Where::nowhere && drawn_[c] && !is_primary(c)) construct(c);
+        for (const Ray& ray : rays_) {
+            const Interval seen = within(grown(view_, 12), ray.at, ray.along);
+            const double from = std::max(ray.from, seen.from), to = std::min(ray.to, seen.to);
+            if (to <= from) continue;
+            sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, thin()));
+            belong(sketch_.construction, sketch_.construction.size() - 1, ray.statement);
+        }
+        // Centres at one place are one dot with one label. Bodies that do not move against each other have none to show.
+        std::vector<bool> done(all_.size(), false);
+        for (const std::size_t c : order_) {
+            if (where_[c] == Where::nowhere || done[c] || !drawn_[c]) continue;
+            std::vector<std::size_t> cluster{c};
+            for (const std::size_t d : order_)
+                if (d != c && !done[d] && drawn_[d] && together(c, d)) cluster.push_back(d);
+            for (const std::size_t d : cluster) done[d] = true;
+            LabelRequest label = where_[c] == Where::here ? draw_dots(cluster) : draw_arrows(cluster);
+            if (!label.text.empty()) sketch_.labels.push_back(std::move(label));
+        }
+    }
+
+private:
+    enum class Where { nowhere, here, far, infinity };
+    /// A construction line, drawn once however many centres lie on it.
+    struct Ray {
+        Spot at, along;
+        double from, to;
+        int statement;  // that draws it first
+    };
+    struct Arrow {
+        Spot base, along;
+    };
+    struct Named {
+        RichText name;
+        Spot at;
+    };
+
+    static constexpr double broken_end = 10;  // of a line to a far centre, mm
+
+    bool is_primary(std::size_t c) const { return all_[c].how == InstantCentre::How::primary; }
+    Pen thin() const { return {sketch_.theme_.thin, sketch_.theme_.secondary, {}, false}; }
+    RichText name_of_centre(std::size_t c) const { return typeset(sketch_.symbol_of(all_[c]), sketch_.context_.language); }
+    GroupBegin group(std::size_t c) const {
+        const std::string& i = sketch_.m_.bodies[at_index(all_[c].first)].name;
+        const std::string& j = sketch_.m_.bodies[at_index(all_[c].second)].name;
+        return GroupBegin{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}, all_[c].statement};
+    }
+
+    /// Where each centre is: near the mechanism, far from it, or at infinity.
+    void locate() {
+        view_ = sketch_.mechanism_box();
+        const Box near = grown(view_, 0.6 * sketch_.size());
+        for (std::size_t c = 0; c < all_.size(); ++c) {
+            if (!all_[c].at) continue;
+            if (all_[c].at->at_infinity()) {
+                where_[c] = Where::infinity;
+                place_[c] = paper_direction(all_[c].at->place());
+                continue;
+            }
+            place_[c] = sketch_.spot(all_[c].at->place());
+            if (!std::isfinite(place_[c].x) || !std::isfinite(place_[c].y)) continue;  // past the range of doubles
+            where_[c] = contains(near, place_[c]) ? Where::here : Where::far;
+            if (where_[c] != Where::here) continue;
+            view_.min = {std::min(view_.min.x, place_[c].x), std::min(view_.min.y, place_[c].y)};
+            view_.max = {std::max(view_.max.x, place_[c].x), std::max(view_.max.y, place_[c].y)};
+        }
+        view_ = grown(view_, 9);
+    }
+
+    /// In the order found; where there are many or little room, only what leads to the absolute centres.
+    void choose() {
+        for (std::size_t c = 0; c < all_.size(); ++c) order_.push_back(c);
+        std::stable_sort(order_.begin(), order_.end(),
+                         [&](std::size_t a, std::size_t b) { return all_[a].order < all_[b].order; });
+        double secondary = 0;
+        for (std::size_t c = 0; c < all_.size(); ++c) secondary += all_[c].at && !is_primary(c) ? 1 : 0;
+        constexpr double room_for_one = 700;  // mm²
+        if (secondary <= 14 && view_.width() * view_.height() >= room_for_one * secondary) return;
+        drawn_.assign(all_.size(), false);
+        std::vector<std::size_t> wanted;
+        for (std::size_t c = 0; c < all_.size(); ++c)
+            if (all_[c].first == 0 || is_primary(c)) wanted.push_back(c);
+        while (!wanted.empty()) {
+            const std::size_t c = wanted.back();
+            wanted.pop_back();
+            if (drawn_[c]) continue;
+            drawn_[c] = true;
+            for (const auto& [a, b] : all_[c].through)
+                for (const int one : {a, b}) wanted.push_back(at_index(one));
+        }
+    }
+
+    /// The lines that found centre c.
+    void construct(std::size_t c) {
+        for (const auto& [a, b] : all_[c].through) {
+            std::vector<Spot> known;
+            std::optional<Spot> direction;
+            for (const int one : {a, b}) {
+                const std::size_t k = at_index(one);
+                if (where_[k] == Where::infinity) direction = place_[k];
+                if (where_[k] == Where::here || where_[k] == Where::far) known.push_back(place_[k]);
+            }
+            // Start from what can be seen.
+            std::stable_sort(known.begin(), known.end(),
+                             [&](Spot p, Spot q) { return contains(view_, p) && !contains(view_, q); });
+            construct(c, known, direction);
+        }
+        for (const PointIndex point : all_[c].normals) construct(c, {sketch_.spot(point)}, std::nullopt);
+    }
+
+    /// A line through `known` finite places (and towards `direction`) to centre c, a little beyond it.
+    void construct(std::size_t c, const std::vector<Spot>& known, std::optional<Spot> direction) {
+        if (known.empty()) return;
+        const Spot start = known[0];
+        Spot along;
+        if (where_[c] != Where::infinity && length(place_[c] - start) > same_place)
+            along = unit(place_[c] - start);
+        else if (direction)
+            along = *direction;
+        else if (where_[c] == Where::infinity)
+            along = place_[c];
+        else if (known.size() > 1 && length(known[1] - start) > same_place)
+            along = unit(known[1] - start);
+        else
+            return;
+        Ray ray{start, along, 0, 0, all_[c].statement};
+        const auto take = [&](Spot spot) {
+            ray.from = std::min(ray.from, dot(spot - start, along));
+            ray.to = std::max(ray.to, dot(spot - start, along));
+        };
+        for (const Spot spot : known)
+            if (contains(view_, spot)) take(spot);
+        if (where_[c] == Where::here) {
+            take(place_[c]);
+            const double t = dot(place_[c] - start, along);
+            if (t >= ray.to - 1e-9) ray.to += overshoot;
+            if (t <= ray.from + 1e-9) ray.from -= overshoot;
+        } else {
+            leave_the_drawing(c, ray);
+            for (std::size_t k = 0; k < known.size() && !counted_from_[c]; ++k) counted_from_[c] = name_at(known[k]);
+        }
+        draw_once(ray);
+    }
+
+    /// The line runs on towards a centre that is far (to the edge of the view) or at infinity (a little), and says where to.
+    void leave_the_drawing(std::size_t c, Ray& ray) {
+        const Interval seen = within(view_, ray.at, ray.along);
+        bool forward = dot(place_[c] - ray.at, ray.along) > 0;
+        if (where_[c] == Where::infinity) {
+            // Either end will do, but the same for all lines: where fewer things are in the way.
+            if (!arrows_[c].empty())
+                forward = dot(arrows_[c].front().along, ray.along) > 0;
+            else
+                forward = obstruction(ray, ray.to, 1) + 0.01 * (seen.to - ray.to) <=
+                          obstruction(ray, ray.from, -1) + 0.01 * (ray.from - seen.from);
+        }
+        constexpr double beyond = 16;
+        if (forward)
+            ray.to = where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + 4) : ray.to + beyond;
+        else
+            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - 4) : ray.from - beyond;
+        arrows_[c].push_back({ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along});
+    }
+    double obstruction(const Ray& ray, double end, double sense) const {
+        double sum = 0;
+        for (int step = 1; step <= 6; ++step) {
+            const Spot at = ray.at + (end + sense * 3.0 * step) * ray.along;
+            sum += 2 * sketch_.crowding(at, at);
+            for (const Joint& joint : sketch_.m_.joints)
+                if (Subject::is_fixed_pin(joint) && length(sketch_.spot(joint.point) + Spot{0, 5} - at) < 6) sum += 3;
+        }
+        return sum;
+    }
+
+    void draw_once(const Ray& added) {
+        for (Ray& ray : rays_)
+            if (std::abs(cross(ray.along, added.along)) < 1e-6 && std::abs(cross(ray.along, added.at - ray.at)) < 1e-3) {
+                const double a = dot(added.at + added.from * added.along - ray.at, ray.along);
+                const double b = dot(added.at + added.to * added.along - ray.at, ray.along);
+                ray.from = std::min({ray.from, a, b});
+                ray.to = std::max({ray.to, a, b});
+                return;
+            }
+        rays_.push_back(added);
+    }
+
+    std::optional<Named> name_at(Spot at) const {
+        if (const auto name = sketch_.name_of_point_at(at)) return Named{*name, at};
+        for (std::size_t c = 0; c < all_.size(); ++c)
+            if (where_[c] == Where::here && length(place_[c] - at) < same_place) return Named{name_of_centre(c), at};
+        return std::nullopt;
+    }
+
+    bool together(std::size_t c, std::size_t d) const {
+        if (where_[c] != where_[d]) return false;
+        if (where_[c] == Where::here) return length(place_[d] - place_[c]) < same_place;
+        if (where_[c] == Where::far) return length(place_[d] - place_[c]) < 1e-6 * length(place_[c]) + same_place;
+        return !is_primary(d) && !arrows_[c].empty() && !arrows_[d].empty() &&
+               length(arrows_[c].front().base - arrows_[d].front().base) < 2;
+    }
+
+    LabelRequest label_of(const std::vector<std::size_t>& cluster, bool at_pin) const {
+        LabelRequest label;
+        label.size = sketch_.theme_.label;
+        label.colour = sketch_.theme_.text;
+        label.statement = all_[cluster.front()].statement;
+        for (const std::size_t d : cluster) {
+            // A pin has its own name; the centre there is for the reader who points at it.
+            if (at_pin && is_primary(d)) continue;
+            if (!label.text.empty()) append(label.text, one_piece(" ≡ "));
+            append(label.text, name_of_centre(d));
+            label.names.push_back(name_of(sketch_.symbol_of(all_[d])));
+        }
+        return label;
+    }
+
+    LabelRequest draw_dots(const std::vector<std::size_t>& cluster) {
+        const Spot at = place_[cluster.front()];
+        const std::vector<Joint>& joints = sketch_.m_.joints;
+        const bool pin_there = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+            return (joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot || joint.kind == JointKind::weld) &&
+                   length(sketch_.spot(joint.point) - at) < same_place;
+        });
+        const bool at_pin =
+            pin_there && std::any_of(cluster.begin(), cluster.end(), [&](std::size_t d) { return is_primary(d); });
+        const Theme& theme = sketch_.theme_;
+        for (const std::size_t d : cluster) {
+            std::vector<Mark>& marks = sketch_.centres;
+            marks.emplace_back(group(d));
+            // On a stroke the dot stands in a white ring, or a dark link would swallow it.
+            if (!pin_there && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
+            if (at_pin && is_primary(d))
+                marks.emplace_back(tinted(disc(at, 0.6 * sketch_.pin_radius_, theme.paper)));
+            else
+                marks.emplace_back(disc(at, at_pin ? 0.55 : 0.8, theme.text));
+            marks.emplace_back(GroupEnd{});
+        }
+        LabelRequest label = label_of(cluster, at_pin);
+        label.anchor = at;
+        label.clearance = at_pin ? sketch_.pin_radius_ + 0.8 : 1.7;
+        return label;
+    }
+
+    /// Where the arrow to a centre outside of the drawing starts and how long it is.
+    struct Shaft {
+        Spot base, along;
+        double length = 3;
+        bool broken = false;
+    };
+    Shaft shaft_of(std::size_t c) const {
+        if (where_[c] == Where::infinity && is_primary(c)) {
+            // ⟂ to the guide, from the slider, on the side that its links leave free.
+            for (const Joint& joint : sketch_.m_.joints) {
+                const auto has = [&](BodyIndex body) {
+                    return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
+                };
+                if (joint.kind != JointKind::prismatic || !has(all_[c].first) || !has(all_[c].second)) continue;
+                const Spot at = sketch_.spot(joint.point);
+                double up = 0, down = 0;
+                for (const Spot link : sketch_.leaving(joint.point)) {
+                    up = std::max(up, dot(link, place_[c]));
+                    down = std::max(down, -dot(link, place_[c]));
+                }
+                const Box mechanism = sketch_.mechanism_box();
+                const bool inward = dot(place_[c], at - 0.5 * (mechanism.min + mechanism.max)) < 0;
+                const bool flip = up > down + 0.05 || (std::abs(up - down) <= 0.05 && inward);
+                return {at, (flip ? -1.0 : 1.0) * place_[c], sketch_.slider_side_ + 15};
+            }
+        }
+        if (!arrows_[c].empty()) {
+            const auto& [base, along] = arrows_[c].front();
+            return where_[c] == Where::far ? Shaft{base, along, broken_end, true} : Shaft{base, along};
+        }
+        const Spot start = sketch_.shape(all_[c].second).middle;
+        return {start, where_[c] == Where::infinity ? place_[c] : unit(place_[c] - start), 18};
+    }
+
+    LabelRequest draw_arrows(const std::vector<std::size_t>& cluster) {
+        const std::size_t c = cluster.front();
+        const Shaft shaft = shaft_of(c);
+        const Spot tip = shaft.base + shaft.length * shaft.along;
+        const Theme& theme = sketch_.theme_;
+        // The arrow lies under the blocks, its head beyond them.
+        std::vector<Mark>& marks = sketch_.construction;
+        for (const std::size_t d : cluster) {
+            marks.emplace_back(group(d));
+            draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary, shaft.broken ? dashes() : std::vector<double>{});
+            // Parallels all say where they go; of two lines to a far centre one says it.
+            for (std::size_t k = 1; k < arrows_[d].size() && where_[d] == Where::infinity; ++k)
+                draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,
+                           theme.secondary);
+            marks.emplace_back(GroupEnd{});
+        }
+        LabelRequest label = label_of(cluster, false);
+        if (where_[c] == Where::far && counted_from_[c] && all_[c].first == 0) {
+            // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
+            const Unit& unit_of_length = sketch_.m_.units.length;
+            const double metres = length(place_[c] - counted_from_[c]->at) * sketch_.scale_;
+            const std::string value = number(metres / unit_of_length.si.to_double(), 3, sketch_.context_.language);
+            append(label.text, one_piece("  ("));
+            append(label.text, counted_from_[c]->name);
+            append(label.text, name_of_centre(c));
+            append(label.text, with_powers(" = " + value + " " + unit_of_length.symbol + ")"));
+        }
+        label.anchor = tip;
+        label.clearance = 1.2;
+        return label;
+    }
+
+    Sketch& sketch_;
+    const std::vector<InstantCentre>& all_;
+    std::vector<Where> where_;
+    std::vector<Spot> place_;  // on paper, or the unit direction at infinity
+    std::vector<bool> drawn_;
+    std::vector<std::size_t> order_;
+    Box view_;
+    std::vector<Ray> rays_;
+    std::vector<std::vector<Arrow>> arrows_;          // to each centre, one on each line that leaves the drawing
+    std::vector<std::optional<Named>> counted_from_;  // what the distance of a far centre is counted from
+};
+
+Symbol Sketch::symbol_of(const InstantCentre& centre) const {
+    const std::string& i = m_.bodies[at_index(centre.first)].name;
+    const std::string& j = m_.bodies[at_index(centre.second)].name;
+    const bool short_names = i.size() == 1 && j.size() == 1;
+    return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j, centre.at && centre.at->at_infinity() ? "∞" : ""};
+}
+
+std::optional<RichText> Sketch::name_of_point_at(Spot at) const {
+    for (std::size_t p = 0; p < spots_.size(); ++p)
+        if (s_.shown[p] && length(spots_[p] - at) < same_place)
+            return typeset(Symbol{Symbol::Letter::point, m_.points[p].name, ""}, context_.language);
+    return std::nullopt;
+}
+
+/// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
+void Sketch::draw_pole(const InstantCentre& centre) {
+    const Spot at = spot(centre.at->place());
+    for (const Joint& joint : m_.joints)
+        if (length(spot(joint.point) - at) < same_place) return;
+    const RichText name = typeset(symbol_of(centre), context_.language);
+    for (LabelRequest& label : labels)
+        if (!label.toward && length(label.anchor - at) < same_place) {
+            const bool said = plain(label.text).find(plain(name)) != std::string::npos;
+            if (!said) append(label.text, one_piece(" ≡ "));
+            if (!said) append(label.text, name);
+            return;
+        }
+    centres.emplace_back(disc(at, 0.8, theme_.text));
+    LabelRequest request;
+    request.text = name;
+    request.size = theme_.label;
+    request.colour = theme_.text;
+    request.anchor = at;
+    request.clearance = 1.7;
+    labels.push_back(std::move(request));
+}
+
+void Sketch::draw_centres() { CentresDrawing(*this).draw(); }
+
+}  // namespace kinegraph::render::drawing

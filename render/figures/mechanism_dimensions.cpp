@@ -1,0 +1,461 @@
+// Dimensions of the given data on the mechanism (ISO 129): lengths, radii and angles as the file states them, each where it is in
+// nobody's way. Owns which data are dimensioned and where; measures nothing, all values are those of the file.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/figures/mechanism_sketch.hpp"
+#include "render/page/ink_map.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render::drawing {
+
+class DimensionsDrawing {
+public:
+    DimensionsDrawing(Sketch& sketch, Spot room, const std::set<std::string>& left_out)
+        : sketch_(sketch), room_(room), left_out_(left_out), box_(sketch.mechanism_box()) {
+        // A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
+        for (const std::vector<Mark>* layer : {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.centres})
+            add(*layer, heavy_);
+        add(sketch.construction, light_);
+        for (const std::vector<Mark>* layer :
+             {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.construction})
+            if (!layer->empty()) include(box_of(*layer));
+        gather();
+    }
+
+    /// `all`: each datum is drawn at its best place, else only where that is free.
+    void draw(bool all) {
+        constexpr std::size_t most = 8;  // data that a figure can carry and still be read
+        if (!all && lengths_.size() + angles_.size() + radii_.size() > 2 * most) return;
+        std::size_t count = 0;
+        for (const Length& length : lengths_) count += all || count < most ? draw(length, all) : 0;
+        for (const Radius& radius : radii_) count += all || count < most ? draw(radius, all) : 0;
+        for (const AngleOf& angle : angles_) count += all || count < most ? draw(angle, all) : 0;
+    }
+
+private:
+    struct Length {
+        Spot from, to;
+        Spot along;  // unit: of the dimension line
+        double value;
+        std::string name;
+    };
+    struct Radius {
+        Spot centre;
+        double radius, value;
+        std::string name;
+    };
+    struct AngleOf {
+        Spot vertex;
+        double from, sweep;  // radians clockwise on paper
+        std::string text, name;
+    };
+    /// What a try would draw.
+    struct Trial {
+        std::vector<Mark> marks;
+        std::vector<Bar> strokes;
+        std::vector<Bar> extensions;
+        Spot text_at;
+        double text_angle = 0;
+        double price = 0;
+    };
+
+    const Sketch& s() const { return sketch_; }
+    const Mechanism& m() const { return sketch_.m_; }
+    Pen thin() const { return {sketch_.theme_.thin, sketch_.theme_.text, {}, false}; }
+
+    void include(const Box& box) {
+        box_.min = {std::min(box_.min.x, box.min.x), std::min(box_.min.y, box.min.y)};
+        box_.max = {std::max(box_.max.x, box.max.x), std::max(box_.max.y, box.max.y)};
+    }
+
+    static void add(const std::vector<Mark>& marks, std::vector<Bar>& to) {
+        for (const Mark& mark : marks) {
+            const auto* path = std::get_if<Path>(&mark);
+            if (!path) continue;
+            Spot pen, start;
+            for (const Segment& segment : path->segments) {
+                if (const auto* m = std::get_if<MoveTo>(&segment)) pen = start = m->to;
+                if (const auto* l = std::get_if<LineTo>(&segment)) {
+                    to.push_back({pen, l->to});
+                    pen = l->to;
+                }
+                if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                    const int parts = std::clamp(static_cast<int>(std::abs(a->to - a->from) * a->radius / 3), 2, 24);
+                    for (int i = 0; i <= parts; ++i) {
+                        const Spot at = a->centre + a->radius * polar_spot(a->from + (a->to - a->from) * i / parts);
+                        if (i > 0) to.push_back({pen, at});
+                        pen = at;
+                    }
+                }
+                if (std::holds_alternative<Close>(segment)) {
+                    to.push_back({pen, start});
+                    pen = start;
+                }
+            }
+        }
+    }
+
+    // ---- which data ----
+
+    std::string name_of(PointIndex point) const { return m().points[at_index(point)].name; }
+
+    void add_length(PointIndex from, PointIndex to, double value) {
+        const Spot a = s().spot(from), b = s().spot(to);
+        if (length(b - a) < 1 || !sketch_.s_.shown[at_index(to)]) return;
+        add_length({a, b, unit(b - a), value, name_of(from) + "." + name_of(to)});
+    }
+    void add_length(Length added) {
+        for (const Length& known : lengths_) {
+            const bool same = length(known.from - added.from) < same_place && length(known.to - added.to) < same_place;
+            const bool turned_about = length(known.from - added.to) < same_place && length(known.to - added.from) < same_place;
+            if (same || turned_about) return;
+        }
+        lengths_.push_back(std::move(added));
+    }
+
+    void add_angle(PointIndex vertex, PointIndex to, const Angle& angle, std::optional<Spot> reference) {
+        if (!sketch_.s_.shown[at_index(vertex)] || !sketch_.s_.shown[at_index(to)]) return;
+        const Spot base = reference.value_or(Spot{1, 0});
+        const double value = angle.value.to_double();
+        const double sweep = -(angle.in_degrees ? value * pi_number / 180 : value);
+        if (std::abs(sweep) < 0.12 || std::abs(sweep) > 3.5) return;
+        const std::string figure = given_number(value, sketch_.context_.language);
+        angles_.push_back({s().spot(vertex), std::atan2(base.y, base.x), sweep, figure + (angle.in_degrees ? "°" : " rad"),
+                           name_of(vertex) + "." + name_of(to)});
+    }
+
+    void gather() {
+        for (std::size_t p = 0; p < m().points.size(); ++p) {
+            const auto point = static_cast<PointIndex>(p);
+            if (!sketch_.s_.shown[p]) continue;
+            const Placement& placement = m().points[p].placement;
+            if (const auto* polar = std::get_if<Polar>(&placement)) {
+                add_length(polar->from, point, polar->distance.to_double());
+                if (!polar->relative_to)
+                    add_angle(polar->from, point, polar->angle, std::nullopt);
+                else if (polar->relative_to->from == polar->from)
+                    add_angle(polar->from, point, polar->angle, unit(s().spot(polar->relative_to->to) - s().spot(polar->from)));
+            } else if (const auto* on = std::get_if<Along>(&placement)) {
+                if (!on->is_ratio) add_length(on->from, point, std::abs(on->amount.to_double()));
+            } else if (const auto* meet = std::get_if<Meet>(&placement)) {
+                for (const Curve* curve : {&meet->first, &meet->second})
+                    if (const auto* circle = std::get_if<CircleCurve>(curve))
+                        if (const auto* centre = std::get_if<PointIndex>(&circle->centre))
+                            add_length(*centre, point, circle->radius.to_double());
+            }
+        }
+        gather_coordinates();
+        for (const Body& body : m().bodies)
+            if (body.circle)
+                radii_.push_back({s().spot(body.circle->centre), body.circle->radius.to_double() / sketch_.scale_,
+                                  body.circle->radius.to_double(), body.name});
+    }
+
+    /// Fixed pins given by coordinates: how far each stands from the first, across and up.
+    void gather_coordinates() {
+        std::vector<PointIndex> fixed;
+        for (const Joint& joint : m().joints)
+            if (Subject::is_fixed_pin(joint) &&
+                std::holds_alternative<Coordinates>(m().points[at_index(joint.point)].placement) &&
+                std::find(fixed.begin(), fixed.end(), joint.point) == fixed.end())
+                fixed.push_back(joint.point);
+        for (std::size_t i = 1; i < fixed.size(); ++i) {
+            const Spot a = s().spot(fixed[0]), b = s().spot(fixed[i]);
+            const Vector& first = std::get<Coordinates>(m().points[at_index(fixed[0])].placement).at;
+            const Vector& other = std::get<Coordinates>(m().points[at_index(fixed[i])].placement).at;
+            const std::string name = name_of(fixed[0]) + "." + name_of(fixed[i]);
+            if (const double across = (other.x - first.x).to_double(); across != 0)
+                add_length({a, b, {b.x > a.x ? 1.0 : -1.0, 0}, std::abs(across), name});
+            if (const double up = (other.y - first.y).to_double(); up != 0 && other.x != first.x)
+                lengths_.push_back({a, b, {0, b.y > a.y ? 1.0 : -1.0}, std::abs(up), name});
+            else if (up != 0)
+                add_length({a, b, unit(b - a), std::abs(up), name});
+        }
+    }
+
+    // ---- where ----
+
+    /// Signed gap between a bar and obstacles: how many are nearer than `gap`.
+    static int count_near(const Bar& bar, const std::vector<Bar>& obstacles, double gap, const std::array<Spot, 2>& except) {
+        int count = 0;
+        for (const Bar& other : obstacles) {
+            if (std::max(bar.from.x, bar.to.x) + gap < std::min(other.from.x, other.to.x) ||
+                std::min(bar.from.x, bar.to.x) - gap > std::max(other.from.x, other.to.x) ||
+                std::max(bar.from.y, bar.to.y) + gap < std::min(other.from.y, other.to.y) ||
+                std::min(bar.from.y, bar.to.y) - gap > std::max(other.from.y, other.to.y))
+                continue;
+            const double apart = std::min({distance(bar.from, other), distance(bar.to, other), distance(other.from, bar),
+                                           distance(other.to, bar), crosses(bar, other) ? 0 : 1e300});
+            if (apart >= gap) continue;
+            // What stands at the measured points themselves is no obstacle.
+            const bool own = std::any_of(except.begin(), except.end(), [&](Spot spot) {
+                return length(other.from - spot) < 3.5 && length(other.to - spot) < 3.5;
+            });
+            if (!own) ++count;
+        }
+        return count;
+    }
+    static bool crosses(const Bar& a, const Bar& b) {
+        const Spot u = a.to - a.from, v = b.to - b.from;
+        const double turn = cross(u, v);
+        if (std::abs(turn) < 1e-12) return false;
+        const double t = cross(b.from - a.from, v) / turn, w = cross(b.from - a.from, u) / turn;
+        return t >= 0 && t <= 1 && w >= 0 && w <= 1;
+    }
+
+    /// Text on its baseline's middle, read from below or from the right.
+    struct Text {
+        ShapedLine shaped;
+        double size;
+        double width() const { return shaped.width; }
+    };
+    Text text_of(const std::string& words) const {
+        const double size = sketch_.theme_.small;
+        return {sketch_.context_.fonts.shape(with_powers(words), size), size};
+    }
+    static double readable(double angle) {
+        double a = std::remainder(angle, pi_number);      // within ±90°
+        if (a >= 0.5 * pi_number - 1e-6) a -= pi_number;  // upright ones are read from the right
+        return a;
+    }
+    static constexpr double cap_height = 2.1, text_gap = 1.0;
+
+    /// The text's outline as bars about its middle.
+    static std::array<Bar, 3> frame_of(Spot baseline_middle, double angle, double width) {
+        const Spot along = polar_spot(angle), up = -1.0 * turned(along);
+        const Spot left = baseline_middle - (width / 2) * along, right = baseline_middle + (width / 2) * along;
+        return {Bar{left, right}, Bar{left + (cap_height / 2) * up, right + (cap_height / 2) * up},
+                Bar{left + cap_height * up, right + cap_height * up}};
+    }
+
+    double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends) const {
+        double price = trial.price;
+        for (const Bar& stroke : trial.strokes) {
+            price += 3 * count_near(stroke, heavy_, 1.2, ends);
+            price += 0.6 * count_near(stroke, light_, 0.3, ends);
+            price += 3 * count_near(stroke, taken_, 1.0, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
+        }
+        for (const Bar& extension : trial.extensions) {
+            price += 1.5 * count_near(extension, heavy_, 0.4, ends);
+            price += 0.3 * count_near(extension, light_, 0.2, ends);
+            price += 1.5 * count_near(extension, taken_, 0.4, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
+        }
+        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width())) {
+            price += 4 * count_near(bar, heavy_, 1.5, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
+            price += 4 * count_near(bar, light_, 0.6, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
+            price += 4 * count_near(bar, taken_, 0.6, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
+        }
+        Box box = box_;
+        const auto take = [&](Spot spot) {
+            box.min = {std::min(box.min.x, spot.x), std::min(box.min.y, spot.y)};
+            box.max = {std::max(box.max.x, spot.x), std::max(box.max.y, spot.y)};
+        };
+        for (const Bar& stroke : trial.strokes) {
+            take(stroke.from);
+            take(stroke.to);
+        }
+        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width())) {
+            take(bar.from);
+            take(bar.to);
+        }
+        // Names need a rim, the scale bar its place below.
+        if (box.width() > std::max(room_.x - 10, box_.width()) || box.height() > std::max(room_.y - 18, box_.height()))
+            price += 10;
+        return price;
+    }
+
+    /// Draws the best of the trials where it is free enough.
+    bool draw_best(std::vector<Trial>& trials, const Text& text, const std::array<Spot, 2>& ends, const std::string& name,
+                   const std::string& title, bool all) {
+        constexpr double free_enough = 2.2;
+        Trial* best = nullptr;
+        double least = 1e300;
+        for (Trial& trial : trials)
+            if (const double price = price_of(trial, text, ends); price < least - 1e-9) {
+                least = price;
+                best = &trial;
+            }
+        if (!best || (!all && least > free_enough)) return false;
+        std::string group = sketch_.id("dimension", name);
+        if (left_out_.contains(group)) return false;
+        std::vector<Mark>& marks = sketch_.dimensions;
+        marks.emplace_back(GroupBegin{"dimension", std::move(group), title, {}});
+        for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
+        for (Mark& mark : best->marks) marks.push_back(std::move(mark));
+        const std::size_t before = marks.size();
+        const Spot along = polar_spot(best->text_angle);
+        set_text(marks, text.shaped, best->text_at - Spot{text.width() / 2, 0}, sketch_.theme_.text, "label");
+        for (std::size_t i = before; i < marks.size(); ++i)
+            if (auto* set = std::get_if<TextMark>(&marks[i])) {
+                set->angle = std::atan2(along.y, along.x);
+                set->pivot = best->text_at;
+            }
+        marks.emplace_back(GroupEnd{});
+        taken_.insert(taken_.end(), best->strokes.begin(), best->strokes.end());
+        taken_.insert(taken_.end(), best->extensions.begin(), best->extensions.end());
+        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) {
+            taken_.push_back(bar);
+            include({{std::min(bar.from.x, bar.to.x), std::min(bar.from.y, bar.to.y)},
+                     {std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)}});
+        }
+        for (const Bar& bar : best->strokes)
+            include({{std::min(bar.from.x, bar.to.x), std::min(bar.from.y, bar.to.y)},
+                     {std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)}});
+        return true;
+    }
+
+    std::string with_unit(double metres) const {
+        const Unit& unit_of_length = m().units.length;
+        return given_number(metres / unit_of_length.si.to_double(), sketch_.context_.language) + " " + unit_of_length.symbol;
+    }
+
+    bool draw(const Length& datum, bool all) {
+        const std::string words = with_unit(datum.value);
+        const Text text = text_of(words);
+        const Spot along = datum.along, across = turned(along);
+        const double run = dot(datum.to - datum.from, along), rise = dot(datum.to - datum.from, across);
+        if (run < std::max(text.width() + 3, 9.0)) return false;
+        std::vector<Trial> trials;
+        const double near = std::min(0.0, rise), far = std::max(0.0, rise);
+        for (const double reach : {8.5, 12.0, 15.5, 19.0})
+            for (const double side : {1.0, -1.0}) {
+                const double level = side > 0 ? far + reach : near - reach;
+                Trial trial;
+                const Spot a = datum.from + level * across, b = a + run * along;
+                draw_arrow(trial.marks, 0.5 * (a + b), b, sketch_.theme_.thin, sketch_.theme_.text);
+                draw_arrow(trial.marks, 0.5 * (a + b), a, sketch_.theme_.thin, sketch_.theme_.text);
+                trial.strokes = {{a, b}};
+                const double clear = sketch_.pin_radius_ + 0.7;
+                for (const auto& [point, foot] : {std::pair{datum.from, a}, std::pair{datum.to, b}}) {
+                    const Spot out = unit(foot - point);
+                    if (length(foot - point) > clear) trial.extensions.push_back({point + clear * out, foot + 1.4 * out});
+                }
+                trial.text_angle = readable(std::atan2(along.y, along.x));
+                trial.text_at = 0.5 * (a + b) + text_gap * Spot{std::sin(trial.text_angle), -std::cos(trial.text_angle)};
+                // Nearer is better, outside of the mechanism, too.
+                const Box inner = s().mechanism_box();
+                trial.price = 0.06 * reach + (dot(0.5 * (a + b) - 0.5 * (inner.min + inner.max), side * across) < 0 ? 0.35 : 0);
+                trials.push_back(std::move(trial));
+            }
+        return draw_best(trials, text, {datum.from, datum.to}, datum.name, words, all);
+    }
+
+    bool draw(const Radius& datum, bool all) {
+        const std::string words = "R " + with_unit(datum.value);
+        const Text text = text_of(words);
+        if (datum.radius < 5) return false;
+        std::vector<Trial> trials;
+        for (int i = 0; i < 12; ++i) {
+            const Spot out = polar_spot(-pi_number / 4 + pi_number / 6 * i + 0.05);
+            Trial trial;
+            // From outside onto the rim, the figure beyond on a shelf.
+            const Spot rim = datum.centre + datum.radius * out, knee = rim + 6.5 * out;
+            const Spot shelf{out.x >= 0 ? 1.0 : -1.0, 0};
+            draw_arrow(trial.marks, knee, rim, sketch_.theme_.thin, sketch_.theme_.text);
+            const Spot end = knee + (text.width() + 0.8) * shelf;
+            trial.marks.emplace_back(line(knee, end, thin()));
+            trial.strokes = {{rim + 1.6 * out, knee}, {knee, end}};
+            trial.text_at = 0.5 * (knee + end) + Spot{0, -text_gap};
+            trial.price = 0.02 * i;
+            trials.push_back(std::move(trial));
+        }
+        return draw_best(trials, text, {datum.centre, datum.centre}, datum.name, words, all);
+    }
+
+    bool draw(const AngleOf& datum, bool all) {
+        const Text text = text_of(datum.text);
+        std::vector<Trial> trials;
+        for (const double radius : {9.0, 12.0, 15.0, 18.5, 22.0}) {
+            if (std::abs(datum.sweep) * radius < 4) continue;
+            Trial trial;
+            draw_arc_arrow(trial.marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme_.thin,
+                           sketch_.theme_.text);
+            const int parts = 6;
+            const double turn = datum.sweep > 0 ? 1 : -1;
+            // Where arc and link meet is meant: it ends a little before.
+            const double shy = std::min(0.3, 2.4 / radius) * turn;
+            for (int i = 0; i < parts; ++i)
+                trial.strokes.push_back({datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * i / parts),
+                                         datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * (i + 1) / parts)});
+            const Spot base = polar_spot(datum.from);
+            trial.extensions = {{datum.vertex + (sketch_.pin_radius_ + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
+            for (const double share : {0.5, 0.35, 0.65}) {
+                Trial one = trial;
+                const double middle = datum.from + share * datum.sweep;
+                const Spot out = polar_spot(middle);
+                const Spot reach{std::abs(out.x) * text.width() / 2, std::abs(out.y) * cap_height / 2};
+                one.text_at = datum.vertex + (radius + 1.0 + reach.x + reach.y) * out + Spot{0, cap_height / 2};
+                one.price = 0.05 * radius + std::abs(share - 0.5);
+                trials.push_back(std::move(one));
+            }
+        }
+        return draw_best(trials, text, {datum.vertex, datum.vertex}, "angle." + datum.name, datum.text, all);
+    }
+
+    Sketch& sketch_;
+    Spot room_;
+    const std::set<std::string>& left_out_;  // ids of groups
+    Box box_;                                // of all that is drawn
+    std::vector<Bar> heavy_, light_, taken_;
+    std::vector<Length> lengths_;
+    std::vector<Radius> radii_;
+    std::vector<AngleOf> angles_;
+};
+
+void Sketch::draw_dimensions(Spot room, bool all, const std::set<std::string>& left_out) {
+    DimensionsDrawing(*this, room, left_out).draw(all);
+}
+
+namespace {
+
+struct DimensionText {
+    InkBox box;
+    std::string dimension;  // its group's id
+};
+struct DimensionPath {
+    const Path* path;
+    std::string dimension;
+};
+
+}  // namespace
+
+std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {
+    InkMap others(figure.box);
+    std::vector<DimensionText> texts;
+    std::vector<DimensionPath> paths;
+    std::string dimension;  // that a mark belongs to, while its group is open
+    int dimension_depth = 0, depth = 0;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+            ++depth;
+            if (dimension_depth == 0 && group->cls == "dimension") {
+                dimension_depth = depth;
+                dimension = group->id;
+            }
+        }
+        if (std::holds_alternative<GroupEnd>(mark)) {
+            if (dimension_depth == depth) dimension_depth = 0;
+            --depth;
+        }
+        if (const auto* text = std::get_if<TextMark>(&mark); text && dimension_depth > 0)
+            if (const auto ink = ink_of(*text, fonts)) texts.push_back({ink->grown(0.3), dimension});
+        if (const auto* path = std::get_if<Path>(&mark)) {
+            if (dimension_depth > 0)
+                paths.push_back({path, dimension});
+            else
+                others.ink(*path);
+        }
+    }
+    std::set<std::string> covered;
+    for (const DimensionText& text : texts) {
+        InkMap of_other_dimensions(figure.box);
+        for (const DimensionPath& path : paths)
+            if (path.dimension != text.dimension && !covered.contains(path.dimension)) of_other_dimensions.ink(*path.path);
+        if (others.touches(text.box) || of_other_dimensions.touches(text.box)) covered.insert(text.dimension);
+    }
+    return covered;
+}
+
+}  // namespace kinegraph::render::drawing

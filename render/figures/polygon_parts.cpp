@@ -1,0 +1,680 @@
+// Polygon parts: how they are drawn, which places want a detail, and where the details stand.
+#include "render/figures/polygon_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "render/figures/caption.hpp"
+#include "render/page/free_room.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double pole_radius = 0.9;
+constexpr double coincident = 0.02;  // mm: drawn as one
+constexpr double corner_side = 1.8;  // of the mark of a right angle
+
+// A vector shorter than its own arrowhead is none any more, and is read off to no better than some 2 %.
+constexpr double too_short = 4.6;
+constexpr double beside_long = 8;   // … where the polygon is so many times as long
+constexpr double most_across = 22;  // of what the detail is for, at its own scale …
+constexpr double least_across = 12;
+constexpr double share_across = 0.28;    // … and of the longest vector: a detail does not outshine its polygon
+constexpr double rim = 7;                // round it in the detail, for the letters
+constexpr double least_magnified = 2.5;  // or it shows nothing new
+constexpr double most_magnified = 1e4;   // of the polygon: what is smaller yet is no longer beside the rest
+constexpr double least_circle = 2.2;     // radius of the circle round the place
+constexpr std::size_t most_details = 3;  // of one figure
+constexpr double between_circles = 1.5;
+constexpr double apart_from_figure = 3.5;  // of the detail from all else
+
+double distance_to_pole(const PolygonParts& parts, Spot spot) {
+    double least = 1e300;
+    for (const PolygonImage& image : parts.images)
+        if (image.kind == PolygonImage::Kind::pole) least = std::min(least, length(image.at - spot));
+    return least;
+}
+
+/// The part of a segment within a circle about the origin: from and to as shares of it.
+std::optional<std::pair<double, double>> within_circle(Spot from, Spot to, double radius) {
+    const Spot d = to - from;
+    const double a = dot(d, d), b = dot(from, d), c = dot(from, from) - radius * radius;
+    if (!(a > 0) || b * b - a * c <= 0) return std::nullopt;
+    const double root = std::sqrt(b * b - a * c);
+    const double enter = std::max(0.0, (-b - root) / a), leave = std::min(1.0, (-b + root) / a);
+    if (enter >= leave) return std::nullopt;
+    return std::pair{enter, leave};
+}
+
+/// What a detail shows entirely, with some paper round it.
+bool is_in(const Detail& detail, Spot spot) { return length(spot - detail.centre) <= detail.radius - 2 / detail.magnification; }
+bool is_in(const Detail& detail, const PolygonVector& vector) { return is_in(detail, vector.tail) && is_in(detail, vector.tip); }
+template <class Part>
+bool is_in_any(const std::vector<Detail>& details, const Part& part) {
+    return std::any_of(details.begin(), details.end(), [&](const Detail& detail) { return is_in(detail, part); });
+}
+
+// --- one figure
+// ------------------------------------------------------------------------------------------------------------------
+
+class Drawing {
+public:
+    Drawing(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details)
+        : figure_(figure), context_(context), theme_(context.theme), parts_(parts), details_(details) {}
+
+    void draw() {
+        draw_trial_images();
+        draw_lines();
+        draw_corners();
+        draw_vectors();
+        draw_pole();
+        draw_images();
+        draw_circles();
+    }
+
+private:
+    LabelRequest& ask_label(RichText text, double size, Colour colour, Spot anchor, double clearance, int statement) {
+        LabelRequest& label = figure_.labels.emplace_back();
+        label.text = std::move(text);
+        label.size = size;
+        label.colour = colour;
+        label.anchor = anchor;
+        label.clearance = clearance;
+        label.statement = statement;
+        return label;
+    }
+
+    void draw_lines() {
+        for (const PolygonLine& each : parts_.lines) {
+            figure_.marks.emplace_back(line(each.from, each.to, each.pen));
+            belong(figure_.marks, figure_.marks.size() - 1, each.statement);
+            if (each.mark.empty()) continue;
+            LabelRequest& mark = ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
+            mark.toward = each.mark_toward;
+            mark.along = true;
+        }
+    }
+
+    void draw_trial_images() {
+        for (const PolygonImage& image : parts_.images) {
+            if (image.kind != PolygonImage::Kind::trial) continue;
+            figure_.marks.emplace_back(disc(image.at, 0.4, theme_.secondary));
+            belong(figure_.marks, figure_.marks.size() - 1, image.statement);
+            if (!is_in_any(details_, image.at))
+                ask_label(image.text, theme_.small, theme_.secondary, image.at, 1.4, image.statement);
+        }
+    }
+
+    /// A small square, where its legs are long enough to be seen and nothing runs through it.
+    void draw_corners() {
+        for (const PolygonCorner& corner : parts_.corners) {
+            if (corner.shorter_leg < 3 * corner_side || distance_to_pole(parts_, corner.at) < 2 * corner_side) continue;
+            const bool crossed = std::any_of(parts_.vectors.begin(), parts_.vectors.end(),
+                                             [&](const PolygonVector& v) { return runs_through(corner, v.tail, v.tip); }) ||
+                                 std::any_of(parts_.pieces.begin(), parts_.pieces.end(),
+                                             [&](const PolygonPiece& p) { return runs_through(corner, p.from, p.to); }) ||
+                                 std::any_of(parts_.lines.begin(), parts_.lines.end(),
+                                             [&](const PolygonLine& l) { return runs_through(corner, l.from, l.to); });
+            if (crossed) continue;
+            const Spot u = corner_side * corner.first, v = corner_side * corner.second;
+            figure_.marks.emplace_back(
+                polyline({corner.at + u, corner.at + u + v, corner.at + v}, {theme_.thin, theme_.secondary, {}, false}));
+            belong(figure_.marks, figure_.marks.size() - 1, corner.statement);
+        }
+    }
+    static bool runs_through(const PolygonCorner& corner, Spot from, Spot to) {
+        const auto local = [&](Spot spot) {
+            return Spot{dot(spot - corner.at, corner.first), dot(spot - corner.at, corner.second)};
+        };
+        const Spot start = local(from), step = local(to) - start;
+        double enter = 0, leave = 1;
+        const auto clip = [&](double at, double by) {
+            constexpr double low = 0.1 * corner_side, high = 1.2 * corner_side;
+            if (std::abs(by) < 1e-12) return at > low && at < high;
+            enter = std::max(enter, std::min((low - at) / by, (high - at) / by));
+            leave = std::min(leave, std::max((low - at) / by, (high - at) / by));
+            return enter < leave;
+        };
+        return clip(start.x, step.x) && clip(start.y, step.y);
+    }
+
+    void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
+                    int statement, double width) const {
+        const std::size_t first = marks.size();
+        if (internal)
+            marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
+        else if (has_tip)
+            draw_arrow(marks, from, to, width, colour.line, colour.dashes);
+        else
+            marks.emplace_back(line(from, to, {width, colour.line, colour.dashes, false}));
+        belong(marks, first, statement);
+    }
+
+    /// Where a vector lies already.
+    struct Drawn {
+        Spot tail, tip;
+        bool arrow = false;  // else a broken line
+        std::optional<std::size_t> label;
+        bool is_same(const PolygonVector& vector) const {
+            return length(tail - vector.tail) < coincident && length(tip - vector.tip) < coincident;
+        }
+        bool is_opposite(const PolygonVector& vector) const {
+            return length(tail - vector.tip) < coincident && length(tip - vector.tail) < coincident;
+        }
+    };
+    /// Whether one would hide the other: so far along one line, in different inks. Of one ink the heads tell them apart.
+    static bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
+        constexpr double beside = 0.5, shared = 2;  // mm
+        if (a.internal || b.internal || (a.colour.line == b.colour.line && a.colour.dashes == b.colour.dashes)) return false;
+        const Spot along = unit(a.tip - a.tail);
+        if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside) return false;
+        const double from = dot(b.tail - a.tail, along), to = dot(b.tip - a.tail, along);
+        return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
+    }
+    /// A vector upon another is drawn thinner, and that one broader, so that both are seen, shafts and heads.
+    double width_of(const PolygonVector& vector) const {
+        const auto hides = [&](const PolygonVector& other) {
+            const Drawn drawn{vector.tail, vector.tip, true, std::nullopt};
+            return !drawn.is_same(other) && hide_each_other(vector, other);
+        };
+        const auto own = parts_.vectors.begin() + (&vector - parts_.vectors.data());
+        const bool lies_upon = std::any_of(parts_.vectors.begin(), own, hides);
+        const bool bears = std::any_of(own + 1, parts_.vectors.end(), hides);
+        return lies_upon ? theme_.vector * (bears ? 0.8 : 0.5) : theme_.vector * (bears ? 1.6 : 1.0);
+    }
+    /// Broken lines lie below arrows; labels are in the order of the vectors.
+    void draw_vectors() {
+        for (const PolygonPiece& piece : parts_.pieces)
+            draw_shaft(figure_.marks, piece.from, piece.to, piece.has_tip, piece.colour, piece.internal, piece.statement,
+                       theme_.vector);
+        std::vector<Drawn> drawn;
+        std::vector<Mark> broken, arrows;
+        for (const PolygonVector& vector : parts_.vectors) draw_vector(vector, drawn, vector.internal ? broken : arrows);
+        for (std::vector<Mark>* const marks : {&broken, &arrows})
+            figure_.marks.insert(figure_.marks.end(), std::make_move_iterator(marks->begin()),
+                                 std::make_move_iterator(marks->end()));
+    }
+    void draw_vector(const PolygonVector& vector, std::vector<Drawn>& drawn, std::vector<Mark>& marks) {
+        // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n. A side of forces met
+        // again (a two-force body lies between) is one stroke with both names; an outer force is the arrow.
+        const auto with = std::find_if(drawn.begin(), drawn.end(), [&](const Drawn& other) {
+            return other.is_same(vector) || (parts_.opposites_share_label && other.is_opposite(vector));
+        });
+        const bool alike = with != drawn.end() && with->is_same(vector);
+        const std::size_t first = marks.size();
+        marks.emplace_back(GroupBegin{"vector",
+                                      figure_.id + "-" + legal_id(vector.name),
+                                      vector.name + " = " + shortest(vector.value) + " " + figure_.unit,
+                                      {{"data-name", vector.name}, {"data-value", shortest(vector.value)}}});
+        marks.emplace_back(Axis{vector.tail, vector.tip});
+        if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
+            draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, width_of(vector));
+        marks.emplace_back(GroupEnd{});
+        belong(marks, first, vector.statement);
+        if (with != drawn.end()) {
+            if (!with->label) return;
+            LabelRequest& label = figure_.labels[*with->label];
+            append(label.text, one_piece(alike ? " = " : " = −"));
+            append(label.text, vector.text);
+            label.names.push_back(vector.name);
+            if (!vector.internal && !with->arrow) {
+                label.size = theme_.equation;
+                label.colour = vector.colour.letter;
+                with->arrow = true;
+            }
+            return;
+        }
+        drawn.push_back({vector.tail, vector.tip, !vector.internal, std::nullopt});
+        if (is_in_any(details_, vector)) return;
+        drawn.back().label = figure_.labels.size();
+        LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,
+                                        0.5 * (vector.tail + vector.tip), 1.5, vector.statement);
+        label.toward = vector.tip;
+        label.names = {vector.name};
+    }
+
+    void draw_pole() {
+        for (const PolygonImage& image : parts_.images)
+            if (image.kind == PolygonImage::Kind::pole)
+                figure_.marks.emplace_back(ring(image.at, pole_radius, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+    }
+
+    /// Images that fall together share a label: b ≡ c; those at the pole stand with it.
+    struct Cluster {
+        Spot at;
+        RichText text;
+        std::set<std::string> names;
+        int statement = -1;
+        bool pole = false;
+    };
+    void draw_images() {
+        std::vector<Cluster> clusters;
+        for (const PolygonImage& image : parts_.images) {
+            if (image.kind == PolygonImage::Kind::trial) continue;
+            double near = coincident;
+            for (const Detail& detail : details_)
+                if (is_in(detail, image.at)) near = coincident / detail.magnification;
+            const auto same =
+                std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - image.at) < near; });
+            if (same == clusters.end()) {
+                clusters.push_back({image.at, image.text, {image.name}, image.statement, image.kind == PolygonImage::Kind::pole});
+            } else if (same->names.insert(image.name).second) {
+                append(same->text, one_piece(" ≡ "));
+                append(same->text, image.text);
+            }
+        }
+        for (const Cluster& cluster : clusters) {
+            if (!cluster.pole && !touched_by_vector(cluster.at)) {
+                figure_.marks.emplace_back(disc(cluster.at, 0.5, theme_.text));
+                belong(figure_.marks, figure_.marks.size() - 1, cluster.statement);
+            }
+            if (is_named_in_detail_only(clusters, cluster) || cluster.text.empty()) continue;
+            ask_label(cluster.text, theme_.label, theme_.text, cluster.at, 2.0, cluster.statement)
+                .names.assign(cluster.names.begin(), cluster.names.end());
+        }
+    }
+    /// Where a detail tells several images apart; the pole is always named, and so is an image that stands alone.
+    bool is_named_in_detail_only(const std::vector<Cluster>& clusters, const Cluster& cluster) const {
+        if (cluster.pole) return false;
+        return std::any_of(details_.begin(), details_.end(), [&](const Detail& detail) {
+            return is_in(detail, cluster.at) &&
+                   std::count_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return is_in(detail, c.at); }) > 1;
+        });
+    }
+    bool touched_by_vector(Spot at) const {
+        const auto near = [&](Spot end) { return length(end - at) < coincident; };
+        return std::any_of(parts_.vectors.begin(), parts_.vectors.end(),
+                           [&](const PolygonVector& v) { return near(v.tail) || near(v.tip); }) ||
+               std::any_of(parts_.pieces.begin(), parts_.pieces.end(),
+                           [&](const PolygonPiece& p) { return near(p.from) || near(p.to); });
+    }
+
+    /// The circle round a place that is drawn again, with its letter.
+    void draw_circles() {
+        for (const Detail& detail : details_) {
+            const double radius = std::max(detail.radius, least_circle);
+            int statement = -1;
+            for (const PolygonVector& vector : parts_.vectors)
+                if (is_in(detail, vector) && (statement < 0 || vector.statement < statement)) statement = vector.statement;
+            const std::size_t first = figure_.marks.size();
+            figure_.marks.emplace_back(
+                GroupBegin{"detail", "", word("detail", context_.language) + " " + detail.letter, {}, statement});
+            figure_.marks.emplace_back(circle(detail.centre, radius, {theme_.thin, theme_.text, {}, false}));
+            figure_.marks.emplace_back(GroupEnd{});
+            belong(figure_.marks, first, statement);
+            ask_label(one_piece(detail.letter), theme_.label, theme_.text, detail.centre, radius + 0.8, statement);
+        }
+    }
+
+    Figure& figure_;
+    const DrawingContext& context_;
+    const Theme& theme_;
+    const PolygonParts& parts_;
+    const std::vector<Detail>& details_;
+};
+
+// --- details
+// ---------------------------------------------------------------------------------------------------------------------
+
+std::string roman(std::size_t number) {
+    constexpr std::array<const char*, 10> numerals{"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
+    return number <= numerals.size() ? numerals[number - 1] : std::to_string(number);
+}
+
+/// The group of a detail, a figure within a figure.
+bool is_detail(const GroupBegin& group) {
+    return group.cls == "figure" && !group.attributes.empty() && group.attributes.front().second == "detail";
+}
+
+/// Short vectors near each other.
+struct Cluster {
+    std::vector<Spot> ends;
+    double shortest = 1e300;
+};
+
+/// `across`: at its own scale, mm.
+Detail detail_round(const std::vector<Spot>& ends, double scale, double across) {
+    Box box{ends.front(), ends.front()};
+    for (const Spot end : ends) {
+        box.min = {std::min(box.min.x, end.x), std::min(box.min.y, end.y)};
+        box.max = {std::max(box.max.x, end.x), std::max(box.max.y, end.y)};
+    }
+    Detail detail;
+    detail.centre = 0.5 * (box.min + box.max);
+    double reach = 0;
+    for (const Spot end : ends) reach = std::max(reach, length(end - detail.centre));
+    detail.scale = choose_scale(2 * reach * scale, 0, across, across, std::nullopt);
+    detail.magnification = scale / detail.scale;
+    detail.radius = reach + rim / detail.magnification;
+    return detail;
+}
+
+/// The parts that a detail shows, about its own centre and in its own mm; cut at its circle.
+PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
+    const double radius = detail.magnification * detail.radius;
+    const auto larger = [&](Spot spot) { return detail.magnification * (spot - detail.centre); };
+    PolygonParts all;
+    all.opposites_share_label = parts.opposites_share_label;
+    for (const PolygonLine& each : parts.lines) {
+        const Spot from = larger(each.from), to = larger(each.to);
+        if (const auto chord = within_circle(from, to, radius))
+            all.lines.push_back(
+                {from + chord->first * (to - from), from + chord->second * (to - from), each.pen, {}, {}, {}, each.statement});
+    }
+    for (const PolygonVector& each : parts.vectors) {
+        const Spot tail = larger(each.tail), tip = larger(each.tip);
+        if (is_in(detail, each)) {
+            all.vectors.push_back(each);
+            all.vectors.back().tail = tail;
+            all.vectors.back().tip = tip;
+        } else if (const auto chord = within_circle(tail, tip, radius)) {
+            const Spot from = tail + chord->first * (tip - tail), to = tail + chord->second * (tip - tail);
+            const bool again = std::any_of(all.pieces.begin(), all.pieces.end(), [&](const PolygonPiece& other) {
+                return length(other.from - from) < coincident && length(other.to - to) < coincident;
+            });
+            if (!again) all.pieces.push_back({from, to, chord->second == 1.0, each.colour, each.internal, each.statement});
+        }
+    }
+    for (const PolygonImage& each : parts.images)
+        if (each.kind == PolygonImage::Kind::pole ? length(larger(each.at)) < radius - pole_radius : is_in(detail, each.at)) {
+            all.images.push_back(each);
+            all.images.back().at = larger(each.at);
+            // The pole is named in the polygon; here its ring says enough.
+            if (each.kind == PolygonImage::Kind::pole) all.images.back().text.clear();
+        }
+    // What falls on the pole is named with it.
+    std::erase_if(all.images, [&](const PolygonImage& image) {
+        return image.kind == PolygonImage::Kind::image && distance_to_pole(all, image.at) < coincident;
+    });
+    for (const PolygonCorner& each : parts.corners)
+        if (is_in(detail, each.at)) {
+            all.corners.push_back(each);
+            all.corners.back().at = larger(each.at);
+            all.corners.back().shorter_leg *= detail.magnification;
+        }
+    return all;
+}
+
+/// A detail with its circle and caption, labels placed, to be moved.
+struct Inset {
+    Figure figure;
+    Spot of;  ///< the place it shows, in the figure that it stands in
+};
+
+class Insets {
+public:
+    Insets(Figure& figure, const DrawingContext& context, Spot room, std::size_t& letters)
+        : figure_(figure), context_(context), room_(room), letters_(letters) {}
+
+    bool set(const PolygonParts& parts, const std::vector<Detail>& details) {
+        for (const Detail& detail : details) {
+            const PolygonParts larger = magnified(parts, detail);
+            // Nested once: what is too short in the detail too.
+            const std::vector<Detail> inner = details_of(larger, detail.scale, detail.magnification, letters_);
+            const Spot at = place(inset(larger, detail, inner), detail.centre);
+            for (const Detail& each : inner) place(inset(magnified(larger, each), each, {}), at + each.centre);
+        }
+        return all_free_;
+    }
+
+private:
+    Figure inset(const PolygonParts& parts, const Detail& detail, const std::vector<Detail>& inner) {
+        const Theme& theme = context_.theme;
+        const double radius = detail.magnification * detail.radius;
+        Figure inset;
+        inset.kind = "detail";
+        inset.id = figure_.id + "-detail-" + detail.letter;
+        inset.caption = one_piece(word("detail", context_.language) + " " + detail.letter);
+        inset.scale = detail.scale;
+        inset.unit = figure_.unit;
+        int statement = -1;
+        for (const PolygonVector& vector : parts.vectors)
+            if (statement < 0 || vector.statement < statement) statement = vector.statement;
+        inset.marks.emplace_back(
+            GroupBegin{"figure",
+                       inset.id,
+                       plain(inset.caption),
+                       {{"data-figure", inset.kind}, {"data-scale", shortest(detail.scale)}, {"data-unit", inset.unit}},
+                       statement});
+        inset.marks.emplace_back(circle({0, 0}, radius, {theme.thin, theme.text, {}, false}));
+        draw_parts(inset, context_, parts, inner);
+        inset.box = {{-radius, -radius}, {radius, radius}};
+        all_free_ =
+            place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free) && all_free_;
+        const Box drawn = box_of(inset.marks);
+        const ShapedLine name = context_.fonts.shape(inset.caption, theme.label);
+        const ShapedLine scale = context_.fonts.shape(scale_words(context_, inset), theme.body_text);
+        set_text(inset.marks, name, {-name.width / 2, drawn.min.y - 6.2}, theme.text, "text");
+        set_text(inset.marks, scale, {-scale.width / 2, drawn.min.y - 2}, theme.secondary, "text");
+        std::vector<Mark> bar;
+        draw_scale_bar(bar, context_.fonts, theme, {0, 0}, 1.4 * radius, detail.scale, 1, inset.unit, context_.language);
+        const Box size = box_of(bar);
+        render::move(bar, -0.5 * (size.min.x + size.max.x), drawn.max.y + 2 - size.min.y);
+        inset.marks.insert(inset.marks.end(), bar.begin(), bar.end());
+        inset.marks.emplace_back(GroupEnd{});
+        inset.box = box_of(inset.marks);
+        return inset;
+    }
+
+    /// Where nothing is drawn yet: as little outside of the figure and as near to what it shows as can be. The centre it got.
+    Spot place(Figure inset, Spot of) {
+        const Box box = figure_.box;
+        // What may be inked after all: the room about the figure as it stands, wherever the inset goes.
+        const Spot reach{std::max(room_.x - box.width(), inset.box.width() + apart_from_figure),
+                         std::max(room_.y - box.height(), inset.box.height() + apart_from_figure)};
+        const Spot origin = box.min - reach;
+        Occupancy occupancy(box.width() + 2 * reach.x, box.height() + 2 * reach.y);
+        std::vector<Spot> spots = covered(figure_.marks);
+        for (Spot& spot : spots) spot = spot - origin;
+        occupancy.block(spots);
+        const FreeBoxes free(occupancy);
+        Spot best;
+        double least = 1e300;
+        constexpr double step = 2;
+        for (double x = origin.x; x + inset.box.width() <= box.max.x + reach.x; x += step)
+            for (double y = origin.y; y + inset.box.height() <= box.max.y + reach.y; y += step) {
+                const Spot far{x + inset.box.width(), y + inset.box.height()};
+                const double width = std::max(box.max.x, far.x) - std::min(box.min.x, x);
+                const double height = std::max(box.max.y, far.y) - std::min(box.min.y, y);
+                const double outside = std::max(0.0, width - room_.x) + std::max(0.0, height - room_.y);
+                const Spot middle{0.5 * (x + far.x), 0.5 * (y + far.y)};
+                const double price =
+                    1000 * outside + (width - box.width()) + (height - box.height()) + 0.15 * length(middle - of);
+                if (price >= least) continue;
+                const Box wanted{Spot{x - apart_from_figure, y - apart_from_figure} - origin,
+                                 far + Spot{apart_from_figure, apart_from_figure} - origin};
+                if (!free.has(wanted)) continue;
+                least = price;
+                best = {x, y};
+            }
+        inset.move(best.x - inset.box.min.x, best.y - inset.box.min.y);
+        const Spot centre = 0.5 * (inset.box.min + inset.box.max);
+        figure_.marks.insert(figure_.marks.end(), inset.marks.begin(), inset.marks.end());
+        figure_.box = {{std::min(box.min.x, inset.box.min.x), std::min(box.min.y, inset.box.min.y)},
+                       {std::max(box.max.x, inset.box.max.x), std::max(box.max.y, inset.box.max.y)}};
+        return centre;
+    }
+
+    Figure& figure_;
+    const DrawingContext& context_;
+    Spot room_;
+    std::size_t& letters_;
+    bool all_free_ = true;
+};
+
+}  // namespace
+
+std::vector<Detail> details_of(const PolygonParts& parts, double scale, double magnified, std::size_t& letters) {
+    double longest = 0;
+    for (const PolygonVector& vector : parts.vectors) longest = std::max(longest, length(vector.tip - vector.tail));
+    for (const PolygonPiece& piece : parts.pieces) longest = std::max(longest, length(piece.to - piece.from));
+    const double across = std::clamp(share_across * longest, least_across, most_across);
+    std::vector<Cluster> clusters;
+    for (const PolygonVector& vector : parts.vectors) {
+        const double whole = length(vector.tip - vector.tail);
+        if (whole < too_short && whole * beside_long < longest && whole * most_magnified > across * magnified)
+            clusters.push_back({{vector.tail, vector.tip}, whole});
+    }
+    const auto overlap = [&](const Detail& a, const Detail& b) {
+        return length(a.centre - b.centre) <
+               std::max(a.radius, least_circle) + std::max(b.radius, least_circle) + between_circles;
+    };
+    // Neighbours share a detail as long as it is one.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < clusters.size() && !changed; ++i)
+            for (std::size_t j = i + 1; j < clusters.size() && !changed; ++j) {
+                std::vector<Spot> ends = clusters[i].ends;
+                ends.insert(ends.end(), clusters[j].ends.begin(), clusters[j].ends.end());
+                if (!overlap(detail_round(clusters[i].ends, scale, across), detail_round(clusters[j].ends, scale, across)) ||
+                    detail_round(ends, scale, across).magnification < least_magnified)
+                    continue;
+                clusters[i] = {std::move(ends), std::min(clusters[i].shortest, clusters[j].shortest)};
+                clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
+                changed = true;
+            }
+    }
+    // Else the one with the shortest vector has it.
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < clusters.size(); ++i) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return clusters[a].shortest < clusters[b].shortest; });
+    std::set<std::size_t> kept;
+    for (const std::size_t i : order) {
+        const Detail detail = detail_round(clusters[i].ends, scale, across);
+        if (kept.size() == most_details || detail.magnification < least_magnified) continue;
+        if (std::none_of(kept.begin(), kept.end(),
+                         [&](std::size_t k) { return overlap(detail, detail_round(clusters[k].ends, scale, across)); }))
+            kept.insert(i);
+    }
+    std::vector<Detail> details;
+    for (const std::size_t i : kept) {
+        details.push_back(detail_round(clusters[i].ends, scale, across));
+        details.back().letter = roman(++letters);
+    }
+    return details;
+}
+
+void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details) {
+    Drawing(figure, context, parts, details).draw();
+}
+
+bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details,
+                 Spot room, std::size_t& letters) {
+    return Insets(figure, context, room, letters).set(parts, details);
+}
+
+std::size_t details_on(const Figure& figure) {
+    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+        const auto* group = std::get_if<GroupBegin>(&mark);
+        return group && is_detail(*group);
+    }));
+}
+
+void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before) {
+    struct Lettered {
+        std::string id, letter;
+        std::string new_id, new_letter;
+        Spot circle;
+        double radius = 0;
+    };
+    std::vector<Lettered> details;
+    for (const Mark& mark : figure.marks)
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && is_detail(*group)) {
+            const std::size_t at = group->id.rfind('-') + 1;
+            details.push_back({group->id, group->id.substr(at), group->id.substr(0, at), "", {}, 0});
+        }
+    if (details.empty() || before == 0) return;
+    const auto lettered = [&](const std::string& letter) {
+        return std::find_if(details.begin(), details.end(), [&](const Lettered& each) { return each.letter == letter; });
+    };
+    // They stand in the order in which they were lettered, those within others last.
+    for (std::size_t k = 0; k < details.size(); ++k)
+        if (const auto detail = lettered(roman(k + 1)); detail != details.end()) {
+            detail->new_letter = roman(before + k + 1);
+            detail->new_id += detail->new_letter;
+        }
+    const std::string heading = word("detail", context.language) + " ";
+    const auto is_heading = [&](const std::string& words) { return words.starts_with(heading); };
+    for (std::size_t i = 0; i < figure.marks.size(); ++i)
+        if (auto* group = std::get_if<GroupBegin>(&figure.marks[i])) {
+            if (is_heading(group->title) && (group->cls == "detail" || is_detail(*group)))
+                if (const auto detail = lettered(group->title.substr(heading.size())); detail != details.end()) {
+                    group->title = heading + detail->new_letter;
+                    const auto* path = std::get_if<Path>(&figure.marks[i + 1]);
+                    const auto* arc = path && path->segments.size() > 1 ? std::get_if<ArcTo>(&path->segments[1]) : nullptr;
+                    if (group->cls == "detail" && arc) detail->circle = arc->centre, detail->radius = arc->radius;
+                }
+            for (const Lettered& detail : details)
+                if (group->id == detail.id || group->id.starts_with(detail.id + "-")) {
+                    group->id.replace(0, detail.id.size(), detail.new_id);
+                    break;
+                }
+        }
+    std::vector<LabelRequest> circles;
+    std::vector<Mark> kept;
+    for (Mark& mark : figure.marks) {
+        auto* text = std::get_if<TextMark>(&mark);
+        const bool headed = text && is_heading(text->words);
+        const bool label = text && text->cls == "label" && text->names.empty();
+        const auto detail = headed ? lettered(text->words.substr(heading.size())) : label ? lettered(text->words) : details.end();
+        if (detail == details.end()) {
+            kept.push_back(std::move(mark));
+        } else if (headed) {
+            // A heading stays in the middle.
+            const auto shaped = [&](const std::string& letter) {
+                return context.fonts.shape(one_piece(heading + letter), context.theme.label);
+            };
+            const ShapedLine old = shaped(detail->letter), now = shaped(detail->new_letter);
+            const Spot at = text->glyphs.front().origin + Spot{0.5 * (old.width - now.width), 0};
+            set_text(kept, now, at, text->colour, text->cls);
+            belong(kept, kept.size() - 1, text->statement);
+        } else {
+            // A longer letter may want another place, and no leader or another one.
+            const auto* leader = kept.empty() ? nullptr : std::get_if<Path>(&kept.back());
+            if (leader && leader->stroked && leader->segments.size() == 2 && leader->pen.colour == text->colour) kept.pop_back();
+            LabelRequest& again = circles.emplace_back();
+            again.text = one_piece(detail->new_letter);
+            again.size = context.theme.label;
+            again.colour = context.theme.text;
+            again.anchor = detail->circle;
+            again.clearance = detail->radius + 0.8;
+            again.statement = text->statement;
+        }
+    }
+    figure.marks = std::move(kept);
+    // Outside of all groups, so that none of the details takes them in: what ends with no group has none open.
+    const auto end = static_cast<std::ptrdiff_t>(figure.marks.size());
+    figure.marks.emplace_back(Path{});
+    figure.labels = std::move(circles);
+    place_labels(figure, context.fonts, Spot{figure.box.width(), figure.box.height()});
+    figure.marks.erase(figure.marks.begin() + end);
+    const Box drawn = box_of(figure.marks);
+    figure.box = {{std::min(figure.box.min.x, drawn.min.x), std::min(figure.box.min.y, drawn.min.y)},
+                  {std::max(figure.box.max.x, drawn.max.x), std::max(figure.box.max.y, drawn.max.y)}};
+}
+
+std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {
+    std::optional<Measured> longest;
+    std::string detail;
+    for (std::size_t i = 0; i + 1 < figure.marks.size(); ++i) {
+        const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
+        if (!group) continue;
+        if (const std::string* kind = group->attribute("data-figure"))
+            detail = *kind == "detail" ? group->id.substr(group->id.rfind('-') + 1) : "";
+        const std::string* own = group->cls == "vector" ? group->attribute("data-name") : nullptr;
+        if (!own || *own != name) continue;
+        if (const auto* axis = std::get_if<Axis>(&figure.marks[i + 1]))
+            if (const double whole = length(axis->tip - axis->tail); !longest || whole > longest->millimetres)
+                longest = {whole, detail};
+    }
+    return longest;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,97 @@
+// Polygon parts: what a polygon figure shows, vectors, construction lines, images, right angles, in mm about its pole; and the
+// details, places where vectors are too short to be drawn as such, drawn again at a larger scale. Owns how these look and which
+// of them get a detail; knows no protocol and no mechanics.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/figure.hpp"
+
+namespace kinegraph::render {
+
+/// A thin line; where it is a direction of the construction, with its words beyond the meet that it was drawn to.
+struct PolygonLine {
+    Spot from, to;
+    Pen pen;
+    RichText mark;  ///< empty: none
+    Spot mark_at, mark_toward;
+    int statement = -1;
+};
+struct PolygonVector {
+    Spot tail, tip;
+    std::string name;  ///< unique in the polygon
+    double value = 0;  ///< in the figure's unit
+    RichText text;
+    BodyColour colour;
+    bool internal = false;          ///< a broken line without a head: it falls out of the sum
+    bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
+    int statement = -1;
+};
+/// What a detail shows of a vector that leaves it.
+struct PolygonPiece {
+    Spot from, to;
+    bool has_tip = false;
+    BodyColour colour;
+    bool internal = false;
+    int statement = -1;
+};
+struct PolygonImage {
+    enum class Kind { pole, image, trial } kind = Kind::image;
+    Spot at;
+    std::string name;
+    RichText text;
+    int statement = -1;
+};
+/// A right angle of the construction: at an end of a known vector the line of the next one begins.
+struct PolygonCorner {
+    Spot at;
+    Spot first, second;  ///< unit vectors of its legs
+    double shorter_leg = 0;
+    int statement = -1;
+};
+struct PolygonParts {
+    std::vector<PolygonLine> lines;
+    std::vector<PolygonVector> vectors;
+    std::vector<PolygonPiece> pieces;
+    std::vector<PolygonImage> images;
+    std::vector<PolygonCorner> corners;
+    bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
+};
+
+/// A place of a figure that is drawn again, larger.
+struct Detail {
+    Spot centre;
+    double radius = 0;  ///< of what it shows, mm of the figure
+    double scale = 1;   ///< its own, units per mm
+    double magnification = 1;
+    std::string letter;  ///< "I", "II", …
+};
+/// The details that the parts of a figure want; none overlaps another. `letters`: how many the sheet's figure has already; it
+/// counts on. `magnified`: how much larger than the polygon the figure is already.
+std::vector<Detail> details_of(const PolygonParts& parts, double scale, double magnified, std::size_t& letters);
+
+/// Marks and label requests of the parts. What lies in a detail gets its label there, and the detail a circle here.
+void draw_parts(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details);
+
+/// Draws the details, and their own, each into a free place of the figure or beside it, as figures of kind "detail" after its
+/// own group. The figure is finished, its labels are placed. `room`: mm; the figure leaves it only where it has no more.
+/// `letters` as above. False where a label of a detail found no free place; the figure is of no use then.
+bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details,
+                 Spot room, std::size_t& letters);
+
+/// How many details a finished figure has.
+std::size_t details_on(const Figure& figure);
+/// Letters the details of a finished figure anew, from the `before` that the sheet has already.
+void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before);
+
+/// A vector's length on paper, in a detail where it has one.
+struct Measured {
+    double millimetres = 0;
+    std::string detail;  ///< its letter; empty: the figure itself
+};
+/// Nothing where the figure has no such vector (by its data-name).
+std::optional<Measured> measured_on(const Figure& figure, const std::string& name);
+
+}  // namespace kinegraph::render

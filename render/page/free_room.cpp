@@ -1,0 +1,193 @@
+// Free room: a raster of the page, the places that marks cover, corners beside a figure.
+#include "render/page/free_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+Occupancy::Occupancy(double width, double height)
+    : columns_(static_cast<int>(std::ceil(width))),
+      rows_(static_cast<int>(std::ceil(height))),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+
+void Occupancy::block(const Box& box) {
+    const int left = std::clamp(static_cast<int>(std::floor(box.min.x)), 0, columns_);
+    const int right = std::clamp(static_cast<int>(std::ceil(box.max.x)), 0, columns_);
+    const int top = std::clamp(static_cast<int>(std::floor(box.min.y)), 0, rows_);
+    const int bottom = std::clamp(static_cast<int>(std::ceil(box.max.y)), 0, rows_);
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x) cells_[index(x, y)] = 1;
+}
+void Occupancy::block(const std::vector<Spot>& spots) {
+    for (const Spot spot : spots) {
+        const int x = static_cast<int>(spot.x), y = static_cast<int>(spot.y);
+        if (x >= 0 && y >= 0 && x < columns_ && y < rows_) cells_[index(x, y)] = 1;
+    }
+}
+bool Occupancy::is_free(int row, int from, int to) const {
+    return from >= to || std::memchr(cells_.data() + index(from, row), 1, static_cast<std::size_t>(to - from)) == nullptr;
+}
+std::pair<double, double> Occupancy::longest_run(double left, double right, double top, double bottom) const {
+    const int from = std::clamp(static_cast<int>(std::floor(left)), 0, columns_);
+    const int to = std::clamp(static_cast<int>(std::ceil(right)), 0, columns_);
+    std::pair<double, double> best{0, 0};
+    int start = static_cast<int>(std::ceil(top));
+    const int end = static_cast<int>(std::floor(bottom));
+    const auto close = [&](int y, bool at_edge) {
+        const double run_top = start + (start == static_cast<int>(std::ceil(top)) ? 0 : clear);
+        const double run_bottom = y - (at_edge ? 0 : clear);
+        if (run_bottom - run_top > best.second - best.first) best = {run_top, run_bottom};
+    };
+    for (int y = start; y < end; ++y) {
+        if (is_free(y, from, to)) continue;
+        close(y, false);
+        start = y + 1;
+    }
+    close(end, true);
+    return best;
+}
+
+FreeBoxes::FreeBoxes(const Occupancy& page)
+    : columns_(page.columns_),
+      rows_(page.rows_),
+      inked_(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0) {
+    const auto width = static_cast<std::size_t>(columns_) + 1;
+    for (std::size_t y = 1; y <= static_cast<std::size_t>(rows_); ++y) {
+        int in_row = 0;
+        for (std::size_t x = 1; x < width; ++x) {
+            in_row += page.cells_[(y - 1) * (width - 1) + x - 1];
+            inked_[y * width + x] = inked_[(y - 1) * width + x] + in_row;
+        }
+    }
+}
+bool FreeBoxes::has(const Box& box) const {
+    const auto cell = [](double at, int most) { return static_cast<std::size_t>(std::clamp(static_cast<int>(at), 0, most)); };
+    const std::size_t left = cell(std::floor(box.min.x), columns_), right = cell(std::ceil(box.max.x), columns_);
+    const std::size_t top = cell(std::floor(box.min.y), rows_), bottom = cell(std::ceil(box.max.y), rows_);
+    const auto width = static_cast<std::size_t>(columns_) + 1;
+    return inked_[bottom * width + right] - inked_[top * width + right] ==
+           inked_[bottom * width + left] - inked_[top * width + left];
+}
+
+std::vector<Spot> covered(const std::vector<Mark>& marks) {
+    std::vector<Spot> spots;
+    const auto fill = [&](const Box& box) {
+        for (double y = box.min.y; y < box.max.y + 0.9; y += 0.9)
+            for (double x = box.min.x; x < box.max.x + 0.9; x += 0.9)
+                spots.push_back({std::min(x, box.max.x), std::min(y, box.max.y)});
+    };
+    const auto stroke = [&](Spot from, Spot to) {
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length(to - from) / 0.9)));
+        for (int i = 0; i <= pieces; ++i) spots.push_back(from + (static_cast<double>(i) / pieces) * (to - from));
+    };
+    for (const Mark& mark : marks) {
+        if (const auto* path = std::get_if<Path>(&mark)) {
+            if (path->filled) {
+                fill(box_of({mark}));
+                continue;
+            }
+            Spot pen, start;
+            for (const Segment& segment : path->segments) {
+                if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                    pen = start = m->to;
+                } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                    stroke(pen, l->to);
+                    pen = l->to;
+                } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                    stroke(pen, c->control_1);
+                    stroke(c->control_1, c->control_2);
+                    stroke(c->control_2, c->to);
+                    pen = c->to;
+                } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                    const double sweep = a->to - a->from;
+                    const int pieces = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) * a->radius / 0.9)));
+                    for (int i = 0; i <= pieces; ++i) {
+                        const double angle = a->from + sweep * i / pieces;
+                        pen = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
+                        spots.push_back(pen);
+                    }
+                } else {
+                    stroke(pen, start);
+                }
+            }
+        } else if (std::holds_alternative<TextMark>(mark)) {
+            fill(box_of({mark}));
+        }
+    }
+    return spots;
+}
+
+namespace {
+
+bool is_free(const std::vector<Spot>& spots, Spot moved, const Box& box, double margin) {
+    const Box wide = rectangle(box.min.x - margin - moved.x, box.min.y - margin - moved.y, box.max.x + margin - moved.x,
+                               box.max.y + margin - moved.y);
+    return std::none_of(spots.begin(), spots.end(),
+                        [&](Spot s) { return s.x > wide.min.x && s.x < wide.max.x && s.y > wide.min.y && s.y < wide.max.y; });
+}
+
+void align(Figure& figure, const Box& room, double across, double down) {
+    figure.move(room.min.x - figure.box.min.x + across * (room.width() - figure.box.width()),
+                room.min.y - figure.box.min.y + down * (room.height() - figure.box.height()));
+}
+
+}  // namespace
+
+Block arranged(const std::vector<Block>& blocks, bool in_a_row) {
+    Block all;
+    for (const Block& block : blocks) {
+        std::vector<Mark> marks = block.marks;
+        if (in_a_row) {
+            if (all.width > 0) all.width += 7;
+            move(marks, all.width, 0);
+            all.width += block.width;
+            all.height = std::max(all.height, block.height);
+        } else {
+            if (all.height > 0) all.height += 5;
+            move(marks, 0, all.height);
+            all.height += block.height;
+            all.width = std::max(all.width, block.width);
+        }
+        all.marks.insert(all.marks.end(), marks.begin(), marks.end());
+    }
+    return all;
+}
+
+void centre(Figure& figure, const Box& room) { align(figure, room, 0.5, 0.0); }
+
+bool set_beside(std::vector<Mark>& marks, Figure& figure, const std::array<Block, 2>& blocks, const Box& room) {
+    const std::vector<Spot> spots = covered(figure.marks);
+    const double spare_x = room.width() - figure.box.width(), spare_y = room.height() - figure.box.height();
+    if (spare_x < 0 || spare_y < 0) return false;
+    for (const Block& block : blocks) {
+        if (block.width > room.width() || block.height > room.height()) continue;
+        const double right = room.max.x - block.width, bottom = room.max.y - block.height;
+        const Spot top_left = room.min, top_right{right, room.min.y}, bottom_left{room.min.x, bottom},
+                   bottom_right{right, bottom};
+        // The figure stays in the middle and under its caption as far as the equations let it.
+        struct Try {
+            Spot corner;
+            double across, down;
+        };
+        for (const Try& each :
+             {Try{top_left, 0.5, 0}, Try{top_right, 0.5, 0}, Try{top_left, 0.75, 0}, Try{top_right, 0.25, 0}, Try{top_left, 1, 0},
+              Try{top_right, 0, 0}, Try{bottom_right, 0.5, 0}, Try{bottom_left, 0.5, 0}, Try{bottom_right, 0, 0},
+              Try{bottom_left, 1, 0}, Try{top_left, 0.5, 0.5}, Try{top_right, 0.5, 0.5}, Try{top_left, 1, 0.5},
+              Try{top_right, 0, 0.5}, Try{top_left, 0.5, 1}, Try{top_right, 0.5, 1}, Try{top_left, 1, 1}, Try{top_right, 0, 1}}) {
+            const Spot moved{room.min.x - figure.box.min.x + each.across * spare_x,
+                             room.min.y - figure.box.min.y + each.down * spare_y};
+            const Box box = rectangle(each.corner.x, each.corner.y, each.corner.x + block.width, each.corner.y + block.height);
+            if (!is_free(spots, moved, box, clear)) continue;
+            figure.move(moved.x, moved.y);
+            set(marks, block, each.corner);
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,318 @@
+// How the ink map is filled and asked: convex shapes as one run of bits in each row; paths as chords.
+#include "render/page/ink_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+namespace {
+
+constexpr double most_bits = 3000;  // on a side
+constexpr std::size_t band = 4;     // rows asked together
+
+// What std::ceil and std::floor do, without a call, for what is neither negative nor beyond an int.
+int up(double value) {
+    const int whole = static_cast<int>(value);
+    return whole + (whole < value ? 1 : 0);
+}
+int down(double value) { return static_cast<int>(value); }
+
+/// Calls look(row, from, to) with the run of a box in each row, until it says no; rows are those whose middle it meets.
+template <class Look>
+void runs_of(const InkBox& box, double top, double pitch, int rows, Look look) {
+    const double reach = box.reach().y;
+    const double low = (box.centre.y - reach - top) / pitch - 0.5, high = (box.centre.y + reach - top) / pitch - 0.5;
+    if (!(high >= 0 && low <= rows - 1)) return;
+    // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
+    constexpr double endless = 1e300, least = 1e-9;
+    const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x, sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
+    const double along = cosine != 0 ? box.half.x / std::abs(cosine) : endless;
+    const double across = sine != 0 ? box.half.y / std::abs(sine) : endless;
+    const double lean_along = cosine != 0 ? -sine / cosine : 0, lean_across = sine != 0 ? cosine / sine : 0;
+    const int last = down(std::min(rows - 1.0, high));
+    for (int row = up(std::max(0.0, low)); row <= last; ++row) {
+        const double y = top + (row + 0.5) * pitch - box.centre.y;
+        const double from = std::max(lean_along * y - along, lean_across * y - across);
+        const double to = std::min(lean_along * y + along, lean_across * y + across);
+        if (from <= to && !look(row, box.centre.x + from, box.centre.x + to)) return;
+    }
+}
+
+/// Bits that are set. The baseline of x86-64 has no instruction for it, and std::popcount calls a function.
+int count(std::uint64_t word) {
+    word -= (word >> 1) & 0x5555555555555555U;
+    word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
+    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0FU;
+    return static_cast<int>((word * 0x0101010101010101U) >> 56);
+}
+
+constexpr double largest_dot = 3;  // radius, mm
+
+/// Goes along a path in straight pieces: begin(at) where the pen is set down, stroke(from, to) for each piece.
+template <class Begin, class Stroke>
+void go_along(const Path& path, Begin begin, Stroke stroke) {
+    Spot pen, start;
+    bool down = false;
+    const auto stroke_to = [&](Spot to) {
+        stroke(pen, to);
+        pen = to;
+    };
+    const auto set_down = [&](Spot at) {
+        pen = start = at;
+        down = true;
+        begin(at);
+    };
+    for (const Segment& segment : path.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) {
+            set_down(m->to);
+        } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+            stroke_to(l->to);
+        } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+            const Spot p0 = pen;
+            for (int i = 1; i <= 8; ++i) {
+                const double t = i / 8.0, u = 1 - t;
+                stroke_to((u * u * u) * p0 + (3 * u * u * t) * c->control_1 + (3 * u * t * t) * c->control_2 +
+                          (t * t * t) * c->to);
+            }
+        } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+            const double sweep = a->to - a->from;
+            const double step = std::clamp(2 * std::acos(std::max(0.0, 1 - 0.05 / std::max(a->radius, 0.06))), 0.05, 0.8);
+            const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
+            for (int i = 0; i <= parts; ++i) {
+                const double angle = a->from + sweep * i / parts;
+                const Spot at = a->centre + a->radius * Spot{std::cos(angle), std::sin(angle)};
+                if (i == 0 && !down) set_down(at);
+                stroke_to(at);
+            }
+        } else {
+            stroke_to(start);
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<InkBox> ink_of(const TextMark& text, const Fonts& fonts) {
+    Box box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const Glyph& glyph : text.glyphs) {
+        const auto add = [&](Spot spot) {
+            const Spot at = glyph.origin + glyph.size * Spot{spot.x, -spot.y};
+            box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
+                   {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
+        };
+        for (const Segment& segment : fonts.outline(glyph.face, glyph.index).segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) add(m->to);
+            if (const auto* l = std::get_if<LineTo>(&segment)) add(l->to);
+            if (const auto* c = std::get_if<CurveTo>(&segment)) add(c->control_1), add(c->control_2), add(c->to);
+        }
+    }
+    if (box.min.x > box.max.x) return std::nullopt;
+    const Spot axis{std::cos(text.angle), std::sin(text.angle)}, arm = 0.5 * (box.min + box.max) - text.pivot;
+    return InkBox{text.pivot + arm.x * axis + arm.y * turned(axis), 0.5 * (box.max - box.min), axis};
+}
+
+std::vector<Spot> outline_of(const Path& path) {
+    std::vector<Spot> outline;
+    go_along(
+        path, [&](Spot at) { outline.push_back(at); }, [&](Spot /*from*/, Spot to) { outline.push_back(to); });
+    return outline;
+}
+
+bool is_dot(const Path& path) {
+    if (!path.filled || path.segments.size() != 3) return false;
+    const auto* arc = std::get_if<ArcTo>(&path.segments[1]);
+    return arc != nullptr && arc->radius <= largest_dot;
+}
+
+Spot InkBox::local(Spot spot) const {
+    const Spot d = spot - centre;
+    return {dot(d, axis), cross(axis, d)};
+}
+Spot InkBox::reach() const {
+    return {std::abs(axis.x) * half.x + std::abs(axis.y) * half.y, std::abs(axis.y) * half.x + std::abs(axis.x) * half.y};
+}
+
+InkMap::InkMap(const Box& area) : origin_(area.min) {
+    pitch_ = std::max(pitch, std::max(area.width(), area.height()) / most_bits);
+    columns_ = std::max(1, static_cast<int>(std::ceil(area.width() / pitch_)) + 1);
+    rows_ = std::max(1, static_cast<int>(std::ceil(area.height() / pitch_)) + 1);
+    words_ = (static_cast<std::size_t>(columns_) + 63) / 64;
+    bits_.assign(words_ * static_cast<std::size_t>(rows_), 0);
+    bands_.assign(words_ * (static_cast<std::size_t>(rows_) / band + 1), 0);
+}
+
+template <class Look>
+bool InkMap::words_of(int row, double from, double to, Look look) const {
+    const double first_bit = (from - origin_.x) / pitch_ - 0.5, last_bit = (to - origin_.x) / pitch_ - 0.5;
+    if (!(last_bit >= 0 && first_bit <= columns_ - 1)) return true;
+    const auto first = static_cast<std::size_t>(up(std::max(0.0, first_bit)));
+    const auto last = static_cast<std::size_t>(down(std::min(columns_ - 1.0, last_bit)));
+    const std::size_t base = static_cast<std::size_t>(row) * words_;
+    for (std::size_t word = first / 64; word <= last / 64 && first <= last; ++word) {
+        std::uint64_t mask = ~std::uint64_t{0};
+        if (word == first / 64) mask &= ~std::uint64_t{0} << (first % 64);
+        if (word == last / 64) mask &= ~std::uint64_t{0} >> (63 - last % 64);
+        if (!look(base + word, mask)) return false;
+    }
+    return true;
+}
+
+void InkMap::ink_row(int row, double from, double to) {
+    const std::size_t of_row = static_cast<std::size_t>(row) * words_, of_band = static_cast<std::size_t>(row) / band * words_;
+    words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) {
+        bits_[word] |= mask;
+        bands_[word - of_row + of_band] |= mask;
+        return true;
+    });
+}
+
+void InkMap::stroke(Spot from, Spot to, double half) {
+    // Half a bit more, so that the thinnest line leaves no gap; round ends only where they show.
+    const double reach = half + pitch_ / 2;
+    const bool round = half >= 0.3;
+    fill(InkBox{0.5 * (from + to), {length(to - from) / 2 + (round ? 0 : reach), reach}, unit(to - from)});
+    if (!round) return;
+    for (const Spot end : {from, to}) {
+        const int first = static_cast<int>(std::max(0.0, (end.y - reach - origin_.y) / pitch_ - 0.5));
+        const int last = static_cast<int>(std::min(rows_ - 1.0, (end.y + reach - origin_.y) / pitch_));
+        for (int row = first; row <= last; ++row) {
+            const double y = origin_.y + (row + 0.5) * pitch_ - end.y, left = reach * reach - y * y;
+            if (left >= 0) ink_row(row, end.x - std::sqrt(left), end.x + std::sqrt(left));
+        }
+    }
+}
+
+void InkMap::ink(const Path& path) {
+    const double half = path.stroked ? path.pen.width / 2 : 0;
+    if (is_dot(path)) {
+        const auto& arc = std::get<ArcTo>(path.segments[1]);
+        stroke(arc.centre, arc.centre, arc.radius + half);
+        return;
+    }
+    go_along(
+        path, [](Spot /*at*/) {}, [&](Spot from, Spot to) { stroke(from, to, half); });
+    if (path.filled && !path.tinted) fill(outline_of(path));
+}
+
+void InkMap::fill(const InkBox& box) {
+    runs_of(box, origin_.y, pitch_, rows_, [&](int row, double from, double to) {
+        ink_row(row, from, to);
+        return true;
+    });
+}
+
+void InkMap::fill(const std::vector<Spot>& corners) {
+    if (corners.size() < 3) return;
+    double low = corners[0].y, high = corners[0].y;
+    for (const Spot& corner : corners) low = std::min(low, corner.y), high = std::max(high, corner.y);
+    const int first = static_cast<int>(std::max(0.0, (low - origin_.y) / pitch_ - 0.5));
+    const int last = static_cast<int>(std::min(rows_ - 1.0, (high - origin_.y) / pitch_));
+    std::vector<double> met;
+    for (int row = first; row <= last; ++row) {
+        const double y = origin_.y + (row + 0.5) * pitch_;
+        met.clear();
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Spot a = corners[k], b = corners[(k + 1) % corners.size()];
+            if ((a.y < y) != (b.y < y)) met.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+        }
+        std::sort(met.begin(), met.end());
+        for (std::size_t k = 0; k + 1 < met.size(); k += 2) ink_row(row, met[k], met[k + 1]);
+    }
+}
+
+void InkMap::clear(const Box& box) {
+    const int first = static_cast<int>(std::clamp((box.min.y - origin_.y) / pitch_ - 1, 0.0, rows_ - 1.0));
+    const int last = static_cast<int>(std::clamp((box.max.y - origin_.y) / pitch_, 0.0, rows_ - 1.0));
+    // Bands stay as they are: they may say too much.
+    for (int row = first; row <= last; ++row)
+        words_of(row, box.min.x - pitch_, box.max.x + pitch_, [&](std::size_t word, std::uint64_t mask) {
+            bits_[word] &= ~mask;
+            return true;
+        });
+}
+
+template <class Look>
+void InkMap::rows_of(const InkBox& box, Look look) const {
+    if (box.axis.y != 0) {
+        runs_of(box, origin_.y, pitch_, rows_, [&](int row, double from, double to) {
+            return words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); });
+        });
+        return;
+    }
+    const double first = (box.centre.y - box.half.y - origin_.y) / pitch_ - 0.5;
+    const double last = (box.centre.y + box.half.y - origin_.y) / pitch_ - 0.5;
+    const double left = (box.centre.x - box.half.x - origin_.x) / pitch_ - 0.5;
+    const double right = (box.centre.x + box.half.x - origin_.x) / pitch_ - 0.5;
+    if (!(last >= 0 && first <= rows_ - 1 && right >= 0 && left <= columns_ - 1)) return;
+    // Upright: the same words in every row.
+    const auto from = static_cast<std::size_t>(up(std::max(0.0, left)));
+    const auto to = static_cast<std::size_t>(down(std::min(columns_ - 1.0, right)));
+    if (from > to) return;
+    const std::uint64_t head = ~std::uint64_t{0} << (from % 64), tail = ~std::uint64_t{0} >> (63 - to % 64);
+    const auto each_word = [&](const std::uint64_t* words, auto see) {
+        if (from / 64 == to / 64) return see(words[from / 64] & head & tail);
+        if (!see(words[from / 64] & head)) return false;
+        for (std::size_t word = from / 64 + 1; word < to / 64; ++word)
+            if (!see(words[word])) return false;
+        return see(words[to / 64] & tail);
+    };
+    const auto is_blank = [](std::uint64_t word) { return word == 0; };
+    const auto end = static_cast<std::size_t>(down(std::min(rows_ - 1.0, last))) + 1;
+    for (auto row = static_cast<std::size_t>(up(std::max(0.0, first))); row < end;) {
+        const std::size_t next = (row / band + 1) * band;
+        if (each_word(bands_.data() + row / band * words_, is_blank))
+            row = next;
+        else
+            for (; row < std::min(next, end); ++row)
+                if (!each_word(bits_.data() + row * words_, look)) return;
+    }
+}
+
+double InkMap::inked(const InkBox& box, double most) const {
+    const double bit = pitch_ * pitch_;
+    const int enough = static_cast<int>(std::min(most / bit, 1e9)) + 1;
+    int bits = 0;
+    rows_of(box, [&](std::uint64_t word) {
+        if (word != 0) bits += count(word);
+        return bits < enough;
+    });
+    return bits * bit;
+}
+
+bool InkMap::touches(const InkBox& box) const {
+    bool met = false;
+    rows_of(box, [&](std::uint64_t word) { return !(met = word != 0); });
+    return met;
+}
+
+int InkMap::crossings(Spot from, Spot to, int most) const {
+    const int steps = std::max(1, static_cast<int>(std::ceil(length(to - from) / pitch_)));
+    // In bits, and these in 2⁻³²: whole numbers add up alike everywhere.
+    constexpr double one = 4294967296.0, far = 1e6;
+    const auto place = [&](double at, double origin) {
+        return static_cast<std::int64_t>(std::clamp((at - origin) / pitch_, -far, far) * one);
+    };
+    std::int64_t x = place(from.x, origin_.x), y = place(from.y, origin_.y);
+    const std::int64_t dx = (place(to.x, origin_.x) - x) / steps, dy = (place(to.y, origin_.y) - y) / steps;
+    bool own = true;            // what it starts in is its own object's, but it must soon get out of it
+    constexpr double soon = 3;  // mm
+    int count = 0;
+    int run = 0;                   // of ink, in steps
+    constexpr double broad = 0.8;  // mm; a link is worse to cross than a thin line
+    const int broad_run = std::max(1, static_cast<int>(broad / pitch_));
+    for (int i = 0; i <= steps && count < most; ++i, x += dx, y += dy) {
+        const auto column = static_cast<std::uint64_t>(x >> 32), row = static_cast<std::uint64_t>(y >> 32);
+        const bool inked = column < static_cast<std::uint64_t>(columns_) && row < static_cast<std::uint64_t>(rows_) &&
+                           ((bits_[row * words_ + column / 64] >> (column % 64)) & 1U) != 0;
+        const bool left = own && !(inked && i * pitch_ < soon);
+        own = own && !left;
+        run = inked ? (left ? 1 : run + 1) : 0;
+        count += inked && !own && (run == 1 || run % broad_run == 0);
+    }
+    return count;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,73 @@
+// Shapes: the strokes and symbols that figures are made of, as marks of the page (mm, y downwards). Owns their geometry and the
+// box they cover; knows no mechanism and no scale but that of the bar it draws.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/figures/figure.hpp"
+#include "render/page/page.hpp"
+#include "render/text/text.hpp"
+
+namespace kinegraph::render {
+
+inline Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
+inline Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
+inline Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
+inline double dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Spot a, Spot b) { return a.x * b.y - a.y * b.x; }
+double length(Spot a);
+/// a / |a|; (1, 0) for the zero vector.
+Spot unit(Spot a);
+/// A quarter turn clockwise on paper.
+inline Spot turned(Spot a) { return {-a.y, a.x}; }
+
+/// Line kinds of the drawing: dash-dot axes and lines of action, dashed auxiliary sides.
+const std::vector<double>& dash_dot();
+const std::vector<double>& dashes();
+
+/// A line kind stretched or shrunk a little, so that it goes round a length a whole number of times.
+std::vector<double> going_round(std::vector<double> dashes, double length);
+
+Path line(Spot from, Spot to, Pen pen);
+Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed = false);
+/// A filled polygon with no edge.
+Path filled(const std::vector<Spot>& spots, Colour fill);
+Path circle(Spot centre, double radius, Pen pen);
+Path disc(Spot centre, double radius, Colour fill);
+/// The same, its fill a body's tint or the paper.
+Path tinted(Path path);
+/// A circle filled with a tint or the paper, and stroked: pins, balloons, poles.
+Path ring(Spot centre, double radius, Colour tint, Pen pen);
+/// Overlays the heavy strokes of `marks` (`least` wide or wider, from the mark `first` on) with the line kind of a body that has
+/// one: an edge in its colour, dashes in it on the paper's ground.
+void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme);
+
+/// An arc with an arrowhead at its end `to` (radians, clockwise on paper), head 3.2 × 1.15.
+void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour);
+
+/// One stretch of text in one face.
+inline RichText one_piece(std::string text, Face face = Face::regular) {
+    Piece piece;
+    piece.text = std::move(text);
+    piece.face = face;
+    return {piece};
+}
+inline void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
+/// Text on a baseline starting at `origin`; one TextMark for each colour, the words on the first.
+void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls);
+
+/// A two-tone scale bar of a round length, `target` mm or less, its top left at `origin`, with its end values: copies keep it
+/// true. `scale` and `unit_in_si` say what a mm is worth and in which unit the values are printed.
+void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& theme, Spot origin, double target, double scale,
+                    double unit_in_si, const std::string& unit, Language language);
+
+/// Marks from index `first` on are drawn by a statement of the solution, where they have none yet.
+void belong(std::vector<Mark>& marks, std::size_t first, int statement);
+/// Everything drawn, strokes with their width, text with its ink; an empty list gives an empty box at the origin.
+Box box_of(const std::vector<Mark>& marks);
+/// Moves marks; coordinates are snapped to 1e-8 mm.
+void move(std::vector<Mark>& marks, double dx, double dy);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,228 @@
+// The built-in themes, and the reading of the user's: what a theme file may say, and what is wrong with one.
+#include "render/page/theme.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "engine/json_source.hpp"
+#include "engine/units.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// Black, one grey and the paper, for a copier or a book in one ink: a body's tint is the paper's.
+Theme print() {
+    constexpr Colour black{0x00, 0x00, 0x00}, grey{0x6E, 0x6E, 0x6E}, white{0xFF, 0xFF, 0xFF};
+    Theme theme;
+    theme.bodies.clear();
+    theme.paper = white;
+    theme.text = black;
+    theme.secondary = theme.skeleton = theme.faint = grey;
+    theme.accent = theme.text;
+    for (const std::vector<double>& dashes :
+         {std::vector<double>{}, {3.2, 1.1}, {0.8, 0.8}, {3.2, 0.8, 0.8, 0.8}, {3.2, 0.8, 0.8, 0.8, 0.8, 0.8}})
+        for (const Colour ink : {black, grey}) theme.bodies.push_back({ink, white, ink, dashes});
+    return theme;
+}
+
+/// Light on a dark ground, for slides. The lines keep the distances of the colour theme for colour-blind eyes and in grey.
+Theme dark() {
+    Theme theme;
+    theme.paper = {0x15, 0x17, 0x1C};
+    theme.text = {0xEC, 0xEC, 0xEF};
+    theme.secondary = {0xA6, 0xAA, 0xB4};
+    theme.accent = {0xFF, 0x7F, 0xD0};
+    theme.skeleton = {0x7C, 0x81, 0x8E};
+    theme.faint = {0x4A, 0x4F, 0x5A};
+    theme.bodies = with_line_kinds({{{0xD1, 0x89, 0x3E}, {0x33, 0x29, 0x21}, {0xE2, 0x9B, 0x52}},
+                                    {{0xF7, 0xD0, 0x35}, {0x39, 0x35, 0x20}, {0xF7, 0xD0, 0x35}},
+                                    {{0x72, 0x66, 0xF6}, {0x24, 0x24, 0x3F}, {0x9C, 0x93, 0xFF}},
+                                    {{0x4D, 0xC9, 0x97}, {0x1E, 0x33, 0x30}, {0x4D, 0xC9, 0x97}},
+                                    {{0xE2, 0xF4, 0xFF}, {0x36, 0x3A, 0x40}, {0xE2, 0xF4, 0xFF}}});
+    return theme;
+}
+
+using Names = std::vector<std::string_view>;
+
+std::string listed(const Names& names) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) list += i + 1 == names.size() ? " and " : ", ";
+        list += quoted(names[i]);
+    }
+    return list;
+}
+
+/// What a misspelt word may have meant, or all that it could be.
+std::string remedy(std::string_view word, const Names& names, const char* all) {
+    constexpr std::size_t near = 2;
+    std::size_t least = near + 1;
+    std::string_view best;
+    for (const std::string_view name : names)
+        if (const std::size_t distance = edit_distance(word, name, near); distance < least && distance < name.size()) {
+            least = distance;
+            best = name;
+        }
+    return best.empty() ? std::string("; ") + all + " are " + listed(names) : " (did you mean " + quoted(best) + "?)";
+}
+
+class ThemeReader {
+public:
+    explicit ThemeReader(const JsonSource& source) : source_(source) {}
+
+    Result<Theme> read() {
+        for (const JsonValue& twice : source_.duplicates())
+            fault(twice, quoted(twice.key()) + " stands twice in this object; take one of them out");
+        const JsonValue root = source_.root();
+        if (is_object(root, "a theme")) read_theme(root);
+        if (errors_.empty()) return std::move(theme_);
+        return tl::make_unexpected(std::move(errors_));
+    }
+
+private:
+    void fault(JsonValue at, std::string message) { errors_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)}); }
+
+    bool is_object(JsonValue value, const std::string& what) {
+        if (!value.is_object()) fault(value, what + " is a JSON object");
+        return value.is_object();
+    }
+
+    void check_keys(JsonValue object, const Names& known, const char* all) {
+        for (const JsonValue member : object)
+            if (std::find(known.begin(), known.end(), member.key()) == known.end())
+                fault(member, "unknown key " + quoted(member.key()) + remedy(member.key(), known, all));
+    }
+
+    void read_theme(JsonValue root) {
+        if (const JsonValue base = root["based on"]) {
+            auto named = base.is_string() ? built_in_theme(base.text()) : std::nullopt;
+            if (named)
+                theme_ = *std::move(named);
+            else if (base.is_string())
+                fault(base,
+                      "no theme is named " + quoted(base.text()) + remedy(base.text(), theme_names(), "the built-in themes"));
+            else
+                fault(base, "the name of a built-in theme is wanted here: " + listed(theme_names()));
+        }
+        check_keys(root, {"based on", "paper", "text", "secondary", "skeleton", "faint", "accent", "bodies", "lines"},
+                   "the keys of a theme");
+        read(root["paper"], theme_.paper);
+        read(root["text"], theme_.text);
+        read(root["secondary"], theme_.secondary);
+        read(root["accent"], theme_.accent);
+        read(root["skeleton"], theme_.skeleton);
+        read(root["faint"], theme_.faint);
+        if (const JsonValue bodies = root["bodies"]) read_bodies(bodies);
+        if (const JsonValue lines = root["lines"]; lines && is_object(lines, "\"lines\"")) {
+            check_keys(lines, {"link", "vector", "outline", "thin"}, "the weights of line");
+            read(lines["link"], theme_.link, 0.3, 4);
+            read(lines["vector"], theme_.vector, 0.1, 2);
+            read(lines["outline"], theme_.outline, 0.05, 1);
+            read(lines["thin"], theme_.thin, 0.05, 0.7);
+        }
+    }
+
+    void read_bodies(JsonValue list) {
+        constexpr std::size_t most = 24;
+        if (!list.is_array() || list.size() == 0 || list.size() > most) {
+            fault(list, "1 to 24 bodies are wanted here, as an array");
+            return;
+        }
+        // What a body does not say it has from the theme that this one is based on.
+        std::vector<BodyColour> bodies;
+        for (const JsonValue each : list) {
+            bodies.push_back(theme_.body(static_cast<int>(bodies.size()) + 1));
+            if (!is_object(each, "a body's look")) continue;
+            check_keys(each, {"line", "tint", "letter", "dashes"}, "the keys of a body's look");
+            read(each["line"], bodies.back().line);
+            read(each["tint"], bodies.back().tint);
+            read(each["letter"], bodies.back().letter);
+            if (const JsonValue dashes = each["dashes"]) read_dashes(dashes, bodies.back().dashes);
+        }
+        theme_.bodies = std::move(bodies);
+    }
+
+    void read_dashes(JsonValue list, std::vector<double>& dashes) {
+        constexpr std::size_t most = 8;
+        if (!list.is_array() || list.size() % 2 != 0 || list.size() > most) {
+            fault(list, "an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for a full line");
+            return;
+        }
+        dashes.clear();
+        for (const JsonValue each : list) {
+            double measure = 0;
+            read(each, measure, 0.2, 20);
+            dashes.push_back(measure);
+        }
+    }
+
+    void read(JsonValue value, Colour& colour) {
+        if (!value) return;
+        const std::string_view text = value.text();
+        unsigned number = 0;
+        const bool written = value.is_string() && text.size() == 7 && text[0] == '#' &&
+                             std::from_chars(text.data() + 1, text.data() + text.size(), number, 16).ptr == text.data() + 7;
+        if (!written) {
+            fault(value, "a colour is wanted here, as \"#RRGGBB\"");
+            return;
+        }
+        colour = {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8 & 0xFF),
+                  static_cast<std::uint8_t>(number & 0xFF)};
+    }
+
+    void read(JsonValue value, double& measure, double least, double most) {
+        if (!value) return;
+        const std::string_view text = value.text();
+        double number = 0;
+        const bool written =
+            value.is_number() && std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc{};
+        if (written && number >= least && number <= most) {
+            measure = number;
+            return;
+        }
+        const auto plain = [](double bound) {
+            char digits[16];
+            return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
+        };
+        fault(value, "a length from " + plain(least) + " to " + plain(most) + " mm is wanted here");
+    }
+
+    const JsonSource& source_;
+    Theme theme_;
+    Errors errors_;
+};
+
+}  // namespace
+
+std::vector<BodyColour> with_line_kinds(std::vector<BodyColour> bodies) {
+    const std::size_t count = bodies.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        BodyColour again = bodies[i];
+        again.dashes = {3.6, 0.9};
+        bodies.push_back(std::move(again));
+    }
+    return bodies;
+}
+
+const std::vector<std::string_view>& theme_names() {
+    static const Names names{"colour", "print", "dark"};
+    return names;
+}
+
+std::optional<Theme> built_in_theme(std::string_view name) {
+    if (name == "colour") return Theme{};
+    if (name == "print") return print();
+    if (name == "dark") return dark();
+    return std::nullopt;
+}
+
+Result<Theme> read_theme(std::string_view text) {
+    const auto source = JsonSource::read(text);
+    if (!source) return tl::make_unexpected(source.error());
+    return ThemeReader(*source).read();
+}
+
+}  // namespace kinegraph::render

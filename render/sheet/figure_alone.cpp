@@ -1,0 +1,65 @@
+// A figure alone: the same figures as on the sheet, the page cut to what they cover.
+#include "render/sheet/figure_alone.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "render/page/shapes.hpp"
+#include "render/sheet/title_block.hpp"
+#include "render/sheet/wanted_figures.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double margin = 4;     // round the figure, mm
+constexpr double tallest = 130;  // less than half a sheet: the text of a book goes on below
+
+struct Choice {
+    std::string name;
+    std::function<Figure(double room_x, double room_y, double coarsest)> draw;
+};
+
+std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
+    std::vector<Choice> all;
+    all.push_back({"mechanism", [&context](double x, double y, double) {
+                       return context.solution.act_of_motion ? act_of_motion_figure(context, x, y)
+                                                             : mechanism_figure(context, x, y, false);
+                   }});
+    for (Wanted& each : wanted.list)
+        if (each.name != "mechanism") all.push_back({each.name, each.draw});
+    for (Wanted& each : wanted.late) all.push_back({each.name, each.draw});
+    return all;
+}
+
+}  // namespace
+
+std::vector<std::string> figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
+    WantedFigures wanted(context, format_of(options.paper, options.orientation).measure, options.joukowsky);
+    std::vector<std::string> names;
+    for (const Choice& each : choices(context, wanted)) names.push_back(each.name);
+    return names;
+}
+
+std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& options, const std::string& name,
+                                  const Fonts& fonts) {
+    const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
+    const SheetFormat format = format_of(options.paper, options.orientation);
+    WantedFigures wanted(context, format.measure, options.joukowsky);
+    const std::vector<Choice> all = choices(context, wanted);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
+    if (found == all.end()) return std::nullopt;
+    Figure figure = found->draw(2 * format.measure + gap, tallest, any_scale);
+    const Box box = box_of(figure.marks);
+    figure.move(margin - box.min.x, margin - box.min.y);
+    Page page;
+    page.width = box.width() + 2 * margin;
+    page.height = box.height() + 2 * margin;
+    page.paper = options.theme.paper;
+    page.title = title_of(solution, options.language) + ": " + plain(figure.caption);
+    page.language = options.language == Language::it ? "it" : "en";
+    page.marks = std::move(figure.marks);
+    return page;
+}
+
+}  // namespace kinegraph::render

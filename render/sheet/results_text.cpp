@@ -1,0 +1,215 @@
+// The results as plain text for a terminal: one aligned table for each kind of quantity, in the file's units. Knows no font.
+#include <algorithm>
+#include <cmath>
+
+#include "render/page/shapes.hpp"
+#include "render/sheet/sheet.hpp"
+#include "render/text/utf8.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/// Rows under a heading; the first column left, the others right aligned.
+std::string table(const std::string& heading, const std::vector<Cells>& rows) {
+    if (rows.size() < 2) return {};  // the head alone
+    std::vector<std::size_t> widths;
+    for (const Cells& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
+    }
+    std::string text = "\n" + heading + "\n";
+    for (const Cells& row : rows) {
+        std::string each = " ";
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string space(widths[c] - character_count(row[c]), ' ');
+            each += c == 0 ? " " + row[c] + space : "  " + space + row[c];
+        }
+        while (!each.empty() && each.back() == ' ') each.pop_back();
+        text += each + "\n";
+    }
+    return text;
+}
+
+class Text {
+public:
+    Text(const Solution& solution, Language language) : solution_(solution), language_(language) {}
+
+    std::string write() const {
+        const std::string& title = in(solution_.mechanism.title, language_);
+        std::string text = title.empty() ? "" : title + "\n";
+        text += mobility();
+        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts();
+        const auto list = [&](const std::string& key, const std::vector<std::string>& lines) {
+            if (lines.empty()) return;
+            text += "\n" + word(key, language_) + "\n";
+            for (const std::string& each : lines) text += "  " + each + "\n";
+        };
+        std::vector<std::string> open;
+        for (const Unsolved& each : solution_.unsolved)
+            open.push_back(tell(each.what, language_) + ": " + tell(each.why, language_));
+        list("unsolved", open);
+        std::vector<std::string> remarks;
+        for (const Message& each : solution_.remarks) remarks.push_back(tell(each, language_));
+        list("remarks", remarks);
+        if (!solution_.checks.empty()) {
+            double worst = 0;
+            for (const CheckRow& row : solution_.checks) worst = std::max(worst, std::abs(row.difference));
+            text += "\n" + word("largest difference", language_) + ": " + number(worst, 2, language_) + " (SI)\n";
+        }
+        return text;
+    }
+
+private:
+    std::string value(double v) const { return number(v, 6, language_); }
+    std::string value(const Exact& v, const Unit& unit) const { return value((v / unit.si).to_double()); }
+    std::string length_of(const Vector& v, const Unit& unit) const {
+        return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
+    }
+    const std::string& body(BodyIndex index) const { return solution_.mechanism.bodies[static_cast<std::size_t>(index)].name; }
+
+    std::string mobility() const {
+        const Mobility& m = solution_.mobility;
+        const auto n = [](int v) { return (v < 0 ? "−" : "") + std::to_string(std::abs(v)); };
+        std::string text =
+            word("mobility", language_) + ": n = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2);
+        if (m.welds > 0) text += " − 3·" + n(m.welds);
+        text += " = " + n(m.gruebler) + " " + word("by Grübler", language_) + ", " + n(m.effective) + " " +
+                word("effective", language_) + ": " + verdict_words(m, language_);
+        return text + "\n";
+    }
+
+    std::string bodies() const {
+        const Units& units = solution_.mechanism.units;
+        const std::string alpha = language_ == Language::it ? "ω̇" : "α";
+        const bool has_alpha = std::any_of(solution_.bodies.begin(), solution_.bodies.end(),
+                                           [](const BodyMotion& b) { return b.alpha.has_value(); });
+        std::vector<Cells> rows{{word("body", language_), "ω [" + units.angular_velocity.symbol + "]"}};
+        if (has_alpha) rows[0].push_back(alpha + " [rad/s²]");
+        for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
+            const BodyMotion& motion = solution_.bodies[b];
+            if (!motion.omega && !motion.alpha) continue;
+            rows.push_back({body(static_cast<BodyIndex>(b)), motion.omega ? value(*motion.omega, units.angular_velocity) : "–"});
+            if (has_alpha) rows.back().push_back(motion.alpha ? value(*motion.alpha, Unit{"rad/s²", 1}) : "–");
+        }
+        return table(word("bodies", language_), rows);
+    }
+
+    std::string points(bool velocity) const {
+        const Unit& unit = velocity ? solution_.mechanism.units.velocity : solution_.mechanism.units.acceleration;
+        const std::string v = velocity ? "v" : "a", in_unit = " [" + unit.symbol + "]";
+        std::vector<Cells> rows{{word("point", language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
+        for (const PointMotion& motion : solution_.points) {
+            const auto& vector = velocity ? motion.velocity : motion.acceleration;
+            if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), 0) != motion.bodies.end()) continue;
+            const std::string& name = solution_.mechanism.points[static_cast<std::size_t>(motion.point)].name;
+            std::string label = name;
+            const auto twins = std::count_if(solution_.points.begin(), solution_.points.end(),
+                                             [&](const PointMotion& other) { return other.point == motion.point; });
+            if (twins > 1 && !motion.bodies.empty()) {
+                label += " " + word("on", language_) + " ";
+                for (std::size_t i = 0; i < motion.bodies.size(); ++i) label += (i > 0 ? ", " : "") + body(motion.bodies[i]);
+            }
+            rows.push_back({label, value(vector->x, unit), value(vector->y, unit), length_of(*vector, unit)});
+        }
+        return table(word(velocity ? "velocities" : "accelerations", language_), rows);
+    }
+
+    std::string sliding() const {
+        const Units& units = solution_.mechanism.units;
+        std::vector<Cells> rows{{word("at", language_), "|v| [" + units.velocity.symbol + "]",
+                                 "|a| [" + units.acceleration.symbol + "]",
+                                 word("coriolis", language_) + " [" + units.acceleration.symbol + "]"}};
+        for (const Sliding& each : solution_.sliding) {
+            const Joint& joint = solution_.mechanism.joints[static_cast<std::size_t>(each.joint)];
+            std::string label = joint.name;
+            if (joint.bodies.size() == 2)
+                label += ": " + body(joint.bodies[0]) + " " + word("on", language_) + " " + body(joint.bodies[1]);
+            rows.push_back({label, each.velocity ? length_of(*each.velocity, units.velocity) : "–",
+                            each.acceleration ? length_of(*each.acceleration, units.acceleration) : "–",
+                            each.coriolis ? length_of(*each.coriolis, units.acceleration) : "–"});
+        }
+        return table(word("sliding", language_), rows);
+    }
+
+    std::string relative() const {
+        const Units& units = solution_.mechanism.units;
+        std::vector<Cells> rows{
+            {word("point", language_), "|v| [" + units.velocity.symbol + "]", "|a| [" + units.acceleration.symbol + "]"}};
+        for (const RelativeMotion& each : solution_.relative_motion) {
+            const auto point = [&](PointIndex p) { return solution_.mechanism.points[static_cast<std::size_t>(p)].name; };
+            const std::string observer =
+                each.query.translating_with >= 0
+                    ? word("seen from axes translating with", language_) + " " + point(each.query.translating_with)
+                    : word("seen from body", language_) + " " + body(each.query.observer);
+            rows.push_back({point(each.query.point) + " " + observer,
+                            each.relative_velocity ? length_of(*each.relative_velocity, units.velocity) : "–",
+                            each.relative_acceleration ? length_of(*each.relative_acceleration, units.acceleration) : "–"});
+        }
+        return table(word("relative motion", language_), rows);
+    }
+
+    std::string reactions() const {
+        const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
+        const std::string in_force = " [" + force.symbol + "]";
+        const bool couples = std::any_of(solution_.forces.begin(), solution_.forces.end(),
+                                         [](const JointForce& f) { return f.couple && !f.couple->is_zero(); });
+        std::vector<Cells> rows{{word("joint", language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
+        if (couples) rows[0].push_back("M [" + moment.symbol + "]");
+        for (const JointForce& each : solution_.forces) {
+            const std::string from = each.from < 0 ? word("pin", language_) : body(each.from);
+            const std::string on = each.on < 0 ? word("pin", language_) : body(each.on);
+            rows.push_back({solution_.mechanism.joints[static_cast<std::size_t>(each.joint)].name + ": " + from + " " +
+                                word("on", language_) + " " + on,
+                            each.force ? value(each.force->x, force) : "–", each.force ? value(each.force->y, force) : "–",
+                            each.force ? length_of(*each.force, force) : "–"});
+            if (couples) rows.back().push_back(each.couple ? value(*each.couple, moment) : "–");
+        }
+        return table(word("reactions heading", language_), rows);
+    }
+
+    std::string efforts() const {
+        std::vector<Cells> rows{{word("effort", language_), "", ""}};
+        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
+            const bool couple = std::holds_alternative<CoupleEffort>(solution_.mechanism.efforts[e]);
+            const Unit& unit = couple ? solution_.mechanism.units.moment : solution_.mechanism.units.force;
+            const EffortValue& effort = solution_.efforts[e];
+            rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
+        }
+        return table(word("efforts", language_), rows);
+    }
+
+    std::string centres() const {
+        const Unit& unit = solution_.mechanism.units.length;
+        std::vector<Cells> rows{{word("centre", language_), "x [" + unit.symbol + "]", "y [" + unit.symbol + "]"}};
+        for (const InstantCentre& centre : solution_.centres) {
+            const std::string name = body(centre.first) + "," + body(centre.second);
+            if (centre.at && !centre.at->at_infinity()) {
+                const Vector at = centre.at->place();
+                rows.push_back({name, value(at.x / centre.at->w, unit), value(at.y / centre.at->w, unit)});
+            } else if (centre.at) {
+                const Spot along = unit_of(centre.at->place());
+                rows.push_back({name, "∞ · " + value(along.x), "∞ · " + value(along.y)});
+            } else {
+                rows.push_back({name, word(centre.everywhere ? "everywhere" : "not found", language_), ""});
+            }
+        }
+        return table(word("instant centres", language_), rows);
+    }
+    static Spot unit_of(const Vector& v) {
+        const Exact largest = std::max(abs(v.x), abs(v.y));
+        Spot along = render::unit({(v.x / largest).to_double(), (v.y / largest).to_double()});
+        return along.x < 0 || (along.x == 0 && along.y < 0) ? -1.0 * along : along;
+    }
+
+    const Solution& solution_;
+    Language language_;
+};
+
+}  // namespace
+
+std::string results_table(const Solution& solution, Language language) { return Text(solution, language).write(); }
+
+}  // namespace kinegraph::render

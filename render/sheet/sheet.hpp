@@ -1,0 +1,33 @@
+// The sheet: figures, equations, tables and steps of a solution laid out on pages, nothing overlapping, nothing cut; what does
+// not fit goes to further pages. Computes no mechanics.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/solution.hpp"
+#include "render/figures/figure.hpp"
+#include "render/page/page.hpp"
+#include "render/page/sheet_parts.hpp"
+#include "render/text/text.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::render {
+
+struct SheetOptions {
+    Paper paper = Paper::a4;
+    Language language = Language::en;
+    Theme theme;
+    bool joukowsky = false;  ///< with the lever figure, where forces and velocities are known
+    Orientation orientation = Orientation::landscape;
+    Dimensions dimensions = Dimensions::automatic;  ///< of the given data, on the mechanism figure
+    std::string author = "", date = "";             ///< in the title block as given, where given
+};
+
+/// The worked solution on one or more pages. All figures come first (page 1 as long as they can be read), then text and tables.
+std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
+
+/// The results table as plain text for a terminal.
+std::string results_table(const Solution& solution, Language language);
+
+}  // namespace kinegraph::render

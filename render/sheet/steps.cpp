@@ -1,0 +1,575 @@
+// Steps: which statements share a page, which figure they belong to, and what of it is shown there.
+#include "render/sheet/steps.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "render/figures/caption.hpp"
+#include "render/figures/mechanism_sketch.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/title_block.hpp"
+#include "render/sheet/wanted_figures.hpp"
+#include "render/tables/force_statements.hpp"
+#include "render/tables/force_tables.hpp"
+#include "render/tables/prose.hpp"
+#include "render/tables/sentences.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+bool inks(const Path& path) { return path.stroked || (path.filled && !path.tinted); }
+
+/// A stroke or a letter in another colour; what is filled with paper or with a body's tint stays.
+struct Recolour {
+    Colour colour;
+    void operator()(Path& path) const {
+        if (path.stroked) path.pen.colour = colour;
+        if (path.filled && !path.tinted) path.fill = colour;
+    }
+    void operator()(TextMark& text) const {
+        text.colour = colour;
+        for (Path& extra : text.extras) (*this)(extra);
+    }
+    template <class Other>
+    void operator()(const Other& /*unseen*/) const {}
+};
+
+/// Its own; −1: none.
+int statement_of(const Mark& mark) {
+    return std::visit(
+        [](const auto& each) {
+            if constexpr (requires { each.statement; })
+                return each.statement;
+            else
+                return -1;
+        },
+        mark);
+}
+
+/// What holds for the marks of a figure one after the other: the statement, their own or that of the group they are in.
+class Nesting {
+public:
+    /// The mark's statement; −1: none. Marks are told in their order.
+    int enter(const Mark& mark) {
+        if (std::holds_alternative<GroupEnd>(mark)) {
+            groups_.pop_back();
+            return -1;
+        }
+        const int own = statement_of(mark);
+        const int statement = own >= 0 || groups_.empty() ? own : groups_.back();
+        if (std::holds_alternative<GroupBegin>(mark)) groups_.push_back(statement);
+        return statement;
+    }
+
+private:
+    std::vector<int> groups_;  // open
+};
+
+/// All statements by which a figure's strokes and letters are drawn, and all names that its labels carry.
+struct Contents {
+    std::set<int> statements;
+    std::vector<std::vector<std::string>> names;  // by label
+
+    explicit Contents(const std::vector<Mark>& marks) {
+        Nesting nesting;
+        for (const Mark& mark : marks) {
+            const int statement = nesting.enter(mark);
+            const auto* text = std::get_if<TextMark>(&mark);
+            const auto* path = std::get_if<Path>(&mark);
+            if (statement >= 0 && (text || (path && inks(*path)))) statements.insert(statement);
+            if (text && !text->names.empty()) names.push_back(text->names);
+        }
+    }
+    /// The names sought that labels carry, and those that stand beside them there: of a_A = a_A^n one arrow is drawn for both.
+    std::set<std::string> found(const std::set<std::string>& sought) const {
+        std::set<std::string> found;
+        for (const std::vector<std::string>& label : names)
+            if (std::any_of(label.begin(), label.end(), [&](const std::string& name) { return sought.contains(name); }))
+                found.insert(label.begin(), label.end());
+        return found;
+    }
+};
+
+class StepPages {
+public:
+    StepPages(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+        : context_{solution, options.theme, fonts, options.language, options.dimensions},
+          solution_(solution),
+          format_(format_of(options.paper, options.orientation)),
+          signature_{options.author, options.date},
+          wanted_(context_, format_.measure, false),
+          force_statements_(solution),
+          prose_theme_(options.theme),
+          prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
+          beside_context_(context_) {
+        // One sentence on a page is read from farther away than a column of them.
+        prose_theme_.body_text *= 1.25;
+        prose_theme_.label *= 1.1;
+        // What stands small beside another figure has no room for more than names.
+        if (options.dimensions == Dimensions::automatic) beside_context_.dimensions = Dimensions::off;
+        const Box& content = format_.content;
+        const double bottom = format_.block.min.y - 4;
+        if (options.orientation == Orientation::portrait) {
+            const double middle = content.min.y + 0.6 * (bottom - content.min.y);
+            large_ = rectangle(content.min.x, content.min.y, content.max.x, middle);
+            small_ = rectangle(content.min.x, middle + gap, content.min.x + format_.measure, bottom);
+            prose_ = rectangle(content.max.x - format_.measure, middle + gap, content.max.x, bottom);
+        } else {
+            const double left = content.max.x - format_.measure;
+            const double below = content.min.y + 0.42 * (bottom - content.min.y);
+            large_ = rectangle(content.min.x, content.min.y, left - gap, bottom);
+            small_ = rectangle(left, content.min.y, content.max.x, below);
+            prose_ = rectangle(left, below + gap, content.max.x, bottom);
+        }
+    }
+
+    std::vector<Page> pages() {
+        collect();
+        std::vector<Page> pages;
+        for (std::size_t i = 0; i < steps_.size(); ++i) pages.push_back(page(i));
+        return pages;
+    }
+
+private:
+    /// What one page adds.
+    struct Step {
+        std::string figure;  ///< name in wanted_, or "mechanism"
+        std::string section;
+        std::vector<std::size_t> statements;
+        std::vector<Block> rows;
+        double height = 0;
+        bool only_pairs = false;  ///< names pairs, and nothing else
+        bool draws = false;       ///< or points at what is drawn
+    };
+    /// A figure as it ends up, in its place on the pages.
+    struct Placed {
+        Figure figure;
+        std::vector<Mark> caption;
+    };
+
+    const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
+    bool is_wanted(const std::string& name) const {
+        return std::any_of(wanted_.list.begin(), wanted_.list.end(), [&](const Wanted& each) { return each.name == name; });
+    }
+
+    // --- what belongs to which page ------------------------------------------------------------------------------------------
+
+    void collect() {
+        page_of_.assign(statements().size(), 0);
+        std::map<std::size_t, int> polygon_of;  // by statement
+        const auto note = [&](int statement, int polygon) {
+            if (statement >= 0 && polygon >= 0) polygon_of.emplace(static_cast<std::size_t>(statement), polygon);
+        };
+        for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
+        for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
+        std::map<std::string, std::string> last_in;  // figure by section
+        for (const std::size_t i : in_order()) {
+            const Statement& statement = statements()[i];
+            std::string figure;
+            const auto found = polygon_of.find(i);
+            if (statement.section == "forces")
+                figure = completes_a_polygon(static_cast<int>(i)) ? "forces" : "lines-of-action";
+            else if (found != polygon_of.end() && is_plane_of_motion(found->second))
+                figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
+            else if (statement.section == "centres" || statement.message.sentence == Sentence::second_way)
+                figure = "centres";
+            else
+                figure = last_in[statement.section];
+            if (figure.empty()) figure = first_polygon_of(statement.section);
+            if (!is_wanted(figure)) figure = "mechanism";
+            if (statement.message.sentence != Sentence::second_way) last_in[statement.section] = figure;
+            add(i, figure);
+        }
+        for (std::size_t s = 0; s < steps_.size(); ++s)
+            for (const std::size_t statement : steps_[s].statements) page_of_[statement] = s;
+        for (const Wanted& wanted : wanted_.list) {
+            if (!wanted.name.starts_with("closure")) continue;
+            Step joined{wanted.name, "forces", {}, {}, 0, false, true};
+            joined.rows.push_back(paragraph(one_piece(word("polygons joined", context_.language))));
+            steps_.push_back(std::move(joined));
+        }
+        if (steps_.empty()) steps_.push_back({"mechanism", "", {}, {}, 0, false, true});
+    }
+    /// Statements section by section, as each section is opened: a sliding told after the centres stands with its polygon. What
+    /// is found a second time comes after the section that has found it.
+    std::vector<std::size_t> in_order() const {
+        std::vector<std::string> sections;
+        for (const Statement& statement : statements())
+            if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
+                sections.push_back(statement.section);
+        std::vector<std::size_t> order;
+        for (const std::string& section : sections)
+            for (const bool again : {false, true})
+                for (std::size_t i = 0; i < statements().size(); ++i)
+                    if (statements()[i].section == section && (statements()[i].message.sentence == Sentence::second_way) == again)
+                        order.push_back(i);
+        return order;
+    }
+    bool completes_a_polygon(int statement) const {
+        return is_wanted("forces") &&
+               std::any_of(solution_.free_bodies.begin(), solution_.free_bodies.end(), [&](const FreeBody& body) {
+                   return has_force_polygon(solution_, body) && force_statements_.polygon(body) == statement;
+               });
+    }
+    bool is_plane_of_motion(int polygon) const {
+        return solution_.protocol.polygons[static_cast<std::size_t>(polygon)].plane != Plane::force;
+    }
+    std::string first_polygon_of(const std::string& section) const {
+        for (const Polygon& polygon : solution_.protocol.polygons)
+            if (polygon.plane == (section == "acceleration" ? Plane::acceleration : Plane::velocity)) return polygon.id;
+        return "";
+    }
+
+    /// A statement has a page of its own where it draws or points at something; else it stands with the one before it in its
+    /// section, or, where it opens the section, with the one after it.
+    void add(std::size_t index, const std::string& figure) {
+        const Statement& statement = statements()[index];
+        std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
+        for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
+        for (const RichText& found : values_found(index)) rows.push_back(paragraph(found, 4));
+        double height = 0;
+        for (const Block& row : rows) height += row.height;
+        Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
+        const Contents contents(large(figure).figure.marks), beside(small(step).marks);
+        step.draws = contents.statements.contains(static_cast<int>(index)) ||
+                     beside.statements.contains(static_cast<int>(index)) || !contents.found(cited({index})).empty();
+        // Loads that act alone begin anew.
+        const bool begins = statement.message.sentence == Sentence::superposition;
+        if (steps_.empty() || begins || steps_.back().section != step.section ||
+            steps_.back().height + height > prose_.height() - head_height) {
+            steps_.push_back(std::move(step));
+            return;
+        }
+        Step& before = steps_.back();
+        const bool pairs = before.only_pairs && step.only_pairs && before.figure == figure;
+        const bool opens = !before.draws && before.statements.size() < 4;
+        if (!pairs && step.draws && !opens) {
+            steps_.push_back(std::move(step));
+            return;
+        }
+        if (!before.draws) before.figure = figure;
+        before.draws = before.draws || step.draws;
+        before.only_pairs = pairs;
+        before.height += height;
+        before.statements.push_back(index);
+        before.rows.insert(before.rows.end(), std::make_move_iterator(step.rows.begin()),
+                           std::make_move_iterator(step.rows.end()));
+    }
+
+    Block paragraph(const RichText& text, double indent = 0) const {
+        Block block = paragraph_block(prose_context_, format_.measure, text, indent);
+        block.height += 1;
+        return block;
+    }
+
+    std::vector<Block> equations_of(std::size_t index) const {
+        const Statement& statement = statements()[index];
+        std::vector<Block> found;
+        if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
+        for (const FreeBody* body : force_statements_.closed_by(index))
+            found.push_back(force_equation_block(context_, *body, true));
+        std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
+        for (Block& block : found) {
+            render::move(block.marks, 0, 2.5);
+            block.height += 5;
+        }
+        return found;
+    }
+
+    // --- what a statement finds ----------------------------------------------------------------------------------------------
+
+    /// "v_B = 0.375 m/s": what its equation sought and what it names, as far as it ends with it.
+    std::vector<RichText> values_found(std::size_t index) const {
+        const Statement& statement = statements()[index];
+        std::vector<Symbol> symbols;
+        if (statement.equation)
+            for (const std::vector<Term>& side : statement.equation->sides)
+                for (const Term& term : side)
+                    if (!term.magnitude_known) symbols.push_back(term.symbol);
+        for (const Argument& argument : statement.message.arguments)
+            if (const auto* symbol = std::get_if<Symbol>(&argument)) symbols.push_back(*symbol);
+        std::vector<RichText> found;
+        std::set<std::string> told;
+        for (const Symbol& symbol : symbols)
+            if (told.insert(name_of(symbol)).second)
+                if (const auto value = value_found(index, symbol)) found.push_back(with_value(symbol, *value));
+        return found;
+    }
+    struct Value {
+        double amount;
+        std::string unit;
+    };
+    static Value in_unit(double si, const Unit& unit) { return {si / unit.si.to_double(), unit.symbol}; }
+    std::optional<Value> value_found(std::size_t index, const Symbol& symbol) const {
+        const Message& message = statements()[index].message;
+        const Units& units = solution_.mechanism.units;
+        if (const Symbol* turning = turning_found(message); turning && *turning == symbol) {
+            const bool omega = symbol.letter == Symbol::Letter::omega;
+            const auto body = solution_.mechanism.body_named(symbol.about);
+            if (!body) return std::nullopt;
+            const BodyMotion& motion = solution_.bodies[static_cast<std::size_t>(*body)];
+            const auto& value = omega ? motion.omega : motion.alpha;
+            if (!value) return std::nullopt;
+            if (omega) return in_unit(value->to_double(), units.angular_velocity);
+            return Value{value->to_double(), "rad/s²"};
+        }
+        if (symbol.letter == Symbol::Letter::v || symbol.letter == Symbol::Letter::a)
+            for (const DrawnVector& vector : solution_.protocol.vectors)
+                if (vector.statement == static_cast<int>(index) && vector.symbol == symbol)
+                    return in_unit(length(solution_.protocol.value_of(vector)),
+                                   symbol.letter == Symbol::Letter::v ? units.velocity : units.acceleration);
+        if ((symbol.letter == Symbol::Letter::F || symbol.letter == Symbol::Letter::M) && closes_a_polygon(message.sentence))
+            for (const FreeBody& body : solution_.free_bodies) {
+                if (!speaks_of(solution_, message, body)) continue;
+                for (const AppliedForce& applied : body.forces) {
+                    // A part of it, before parts are added, is no value of its own.
+                    if (force_statements_.force(body, applied) != static_cast<int>(index)) continue;
+                    if (applied.symbol == symbol && !applied.force.is_zero()) return in_unit(length(applied.force), units.force);
+                    if (couple_symbol(applied) == symbol && !applied.couple.is_zero())
+                        return in_unit(applied.couple.to_double(), units.moment);
+                }
+            }
+        return std::nullopt;
+    }
+    RichText with_value(const Symbol& symbol, const Value& value) const {
+        RichText text = typeset(symbol, context_.language);
+        append(text, with_powers(" = " + number(value.amount, 4, context_.language) + " " + value.unit));
+        return text;
+    }
+
+    /// What the statements name, as `data-name` has it and as the figures write it.
+    std::set<std::string> cited(const std::vector<std::size_t>& indices) const {
+        std::set<std::string> names;
+        for (const std::size_t index : indices)
+            for (const Argument& argument : statements()[index].message.arguments)
+                if (const auto* symbol = std::get_if<Symbol>(&argument)) {
+                    names.insert(name_of(*symbol));
+                    names.insert(plain(typeset(*symbol, context_.language)));
+                }
+        return names;
+    }
+    // --- figures -------------------------------------------------------------------------------------------------------------
+
+    Figure draw(const std::string& name, const DrawingContext& context, double room_x, double room_y) {
+        if (name == "forces") {
+            auto asked = drawing::asked_scale(solution_.mechanism, "forces");
+            if (!asked) asked = drawing::asked_scale(solution_.mechanism, "closure");
+            if (asked) *asked /= solution_.mechanism.units.force.si.to_double();
+            return force_polygons_figure(context, room_x, room_y, asked, asked.has_value(), false);
+        }
+        if (name == "omega" || name == "alpha")
+            return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha, room_x,
+                                           room_y);
+        for (Wanted& wanted : wanted_.list)
+            if (wanted.name == name) return wanted.draw(room_x, room_y, any_scale);
+        if (solution_.act_of_motion) return act_of_motion_figure(context, room_x, room_y);
+        return mechanism_figure(context, room_x, room_y, false);
+    }
+
+    const Placed& large(const std::string& name) {
+        const auto [found, fresh] = large_figures_.try_emplace(name);
+        Placed& placed = found->second;
+        if (!fresh) return placed;
+        Box room = large_;
+        room.min.y += 12;
+        placed.figure = draw(name, context_, room.width(), room.height());
+        const int number = static_cast<int>(large_figures_.size());
+        room.min.y = large_.min.y +
+                     std::max(12.0, set_caption(placed.caption, context_, placed.figure, number, large_.min, large_.width()));
+        const Box box = placed.figure.box;
+        placed.figure.move(room.min.x - box.min.x + 0.5 * (room.width() - box.width()),
+                           room.min.y - box.min.y + 0.3 * std::max(0.0, room.height() - box.height()));
+        return placed;
+    }
+
+    /// What stands small beside a figure: the mechanism with what turns or with its lines of action; beside itself the circle of
+    /// the centres, or nothing.
+    const Figure& small(const Step& step) {
+        const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism";
+        std::string name = itself ? "" : "mechanism";
+        if (step.figure == "centres")
+            name = "circle-diagram";
+        else if (!itself && step.section == "forces")
+            name = "lines-of-action";
+        else if (!itself && !solution_.act_of_motion)
+            name = step.section == "acceleration" ? "alpha" : "omega";
+        const auto [found, fresh] = small_figures_.try_emplace(name);
+        if (!fresh || name.empty()) return found->second;
+        Figure& figure = found->second;
+        if (name != "circle-diagram")
+            figure = draw(name, beside_context_, small_.width(), small_.height());
+        else if (solution_.mechanism.bodies.size() >= 3)
+            figure = circle_diagram(context_, small_.width(), small_.height());
+        figure.move(small_.min.x - figure.box.min.x + 0.5 * (small_.width() - figure.box.width()),
+                    small_.min.y - figure.box.min.y);
+        return figure;
+    }
+
+    Page page(std::size_t index) {
+        const Step& step = steps_[index];
+        const Theme& theme = context_.theme;
+        const Placed& placed = large(step.figure);
+        const Figure& beside = small(step);
+        const Contents contents(placed.figure.marks);
+        const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](std::size_t statement) {
+            return contents.statements.contains(static_cast<int>(statement));
+        });
+        // A page that adds no line shows what it is read off, or at least of what it speaks.
+        std::set<std::string> names;
+        std::vector<Mark> segments;
+        if (!adds) {
+            names = cited(step.statements);
+            const std::set<std::string> found = Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
+            segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
+            if (found.empty() && segments.empty()) names.merge(groups_spoken_of(step.statements));
+            names.insert(found.begin(), found.end());
+        }
+        std::vector<Mark> marks = placed.caption;
+        std::optional<double> scale_of_mechanism;
+        for (const Figure* figure : {&placed.figure, &beside}) {
+            std::vector<Mark> shown = revealed(figure->marks, page_of_, index, theme, names);
+            marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
+            if (figure->kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = figure->scale;
+        }
+        marks.insert(marks.end(), segments.begin(), segments.end());
+        if (!step.rows.empty()) {
+            double y = prose_.min.y;
+            const Block head = heading_block(prose_context_, format_.measure, heading_of(step), {});
+            set(marks, head, {prose_.min.x, y});
+            y += head.height + 0.8;
+            for (const Block& row : step.rows) {
+                set(marks, row, {prose_.min.x, y});
+                y += row.height;
+            }
+        }
+        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, steps_.size());
+    }
+    /// Lengths that a page reads off the mechanism.
+    std::vector<Mark> segments_read(const Step& step, const Figure& mechanism) const {
+        std::vector<Mark> marks;
+        if (mechanism.kind != "mechanism" || !(mechanism.scale > 0)) return marks;
+        const auto spot = [&](PointIndex point) {
+            const Vector& at = solution_.pose.at(point);
+            return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
+        };
+        for (const std::size_t index : step.statements)
+            for (const Argument& argument : statements()[index].message.arguments) {
+                const auto* segment = std::get_if<kinegraph::Segment>(&argument);
+                const auto from = segment ? solution_.mechanism.point_named(segment->from) : std::nullopt;
+                const auto to = segment ? solution_.mechanism.point_named(segment->to) : std::nullopt;
+                if (!from || !to) continue;
+                const Spot a = spot(*from), b = spot(*to);
+                constexpr double pin = 1.8;
+                if (length(b - a) < 3 * pin) continue;
+                const Spot along = unit(b - a);
+                marks.emplace_back(
+                    line(a + pin * along, b - pin * along, {context_.theme.link, context_.theme.accent, {}, false}));
+            }
+        return marks;
+    }
+    /// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
+    std::set<std::string> groups_spoken_of(const std::vector<std::size_t>& indices) const {
+        std::set<std::string> links, joints;
+        const Mechanism& mechanism = solution_.mechanism;
+        for (const std::size_t index : indices) {
+            const Message& message = statements()[index].message;
+            for (const FreeBody& free : solution_.free_bodies)
+                if (free.body > 0 && speaks_of(solution_, message, free))
+                    links.insert("link-" + legal_id(mechanism.bodies[static_cast<std::size_t>(free.body)].name));
+            for (const Argument& argument : message.arguments) {
+                if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
+                const auto* symbol = std::get_if<Symbol>(&argument);
+                if (symbol && (symbol->letter == Symbol::Letter::omega || symbol->letter == Symbol::Letter::alpha))
+                    links.insert("link-" + legal_id(symbol->about));
+                const auto* point = std::get_if<PointName>(&argument);
+                for (const Joint& joint : mechanism.joints)
+                    if (point && mechanism.points[static_cast<std::size_t>(joint.point)].name == point->name)
+                        joints.insert("joint-" + legal_id(joint.name));
+            }
+        }
+        return links.empty() ? joints : links;
+    }
+    std::string heading_of(const Step& step) const {
+        for (const char* known : {"velocity", "acceleration", "relative motion", "centres", "forces"})
+            if (step.section == known) return word("steps " + step.section, context_.language);
+        return word("steps", context_.language);
+    }
+
+    static constexpr double head_height = 9;
+
+    DrawingContext context_;
+    const Solution& solution_;
+    SheetFormat format_;
+    Signature signature_;
+    WantedFigures wanted_;
+    ForceStatements force_statements_;
+    Theme prose_theme_;
+    DrawingContext prose_context_, beside_context_;
+    Box large_, small_, prose_;
+    std::vector<Step> steps_;
+    std::vector<std::size_t> page_of_;  // by statement
+    std::map<std::string, Placed> large_figures_;
+    std::map<std::string, Figure> small_figures_;
+};
+
+/// A label with one of these names, or a group that has one as its id, its `data-name` or, of a centre, its title.
+bool is_cited(const Mark& mark, const std::set<std::string>& names) {
+    if (names.empty()) return false;
+    const auto among = [&](const std::string& name) { return names.contains(name); };
+    if (const auto* text = std::get_if<TextMark>(&mark)) return std::any_of(text->names.begin(), text->names.end(), among);
+    const auto* group = std::get_if<GroupBegin>(&mark);
+    if (!group) return false;
+    if (names.contains(group->id) || (group->cls == "centre" && names.contains(group->title))) return true;
+    const std::string* name = group->attribute("data-name");
+    return name && names.contains(*name);
+}
+
+}  // namespace
+
+std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std::size_t>& page_of, std::size_t page,
+                           const Theme& theme, const std::set<std::string>& cited) {
+    const auto page_of_statement = [&](int statement) -> std::optional<std::size_t> {
+        if (statement < 0 || static_cast<std::size_t>(statement) >= page_of.size()) return std::nullopt;
+        return page_of[static_cast<std::size_t>(statement)];
+    };
+    // Where the accent is the ink of all, what was given must step back too.
+    const bool one_ink = theme.accent == theme.text;
+    std::vector<Mark> shown;
+    Nesting nesting;
+    std::vector<bool> cited_groups;  // by open group: whether it is cited, or within one that is
+    std::size_t hidden = 0;          // groups open since one that is not shown yet
+    for (const Mark& mark : marks) {
+        const int statement = nesting.enter(mark);
+        if (std::holds_alternative<GroupEnd>(mark)) {
+            if (hidden == 0) shown.push_back(mark);
+            if (hidden > 0) --hidden;
+            cited_groups.pop_back();
+            continue;
+        }
+        const bool named = is_cited(mark, cited) || (!cited_groups.empty() && cited_groups.back());
+        const auto at = page_of_statement(statement);
+        const bool later = at && *at > page;
+        if (std::holds_alternative<GroupBegin>(mark)) {
+            cited_groups.push_back(named);
+            if (hidden > 0 || later) ++hidden;
+        }
+        if (hidden > 0 || later) continue;
+        shown.push_back(mark);
+        if (at || named)
+            std::visit(Recolour{named || *at == page ? theme.accent : theme.secondary}, shown.back());
+        else if (one_ink && std::holds_alternative<Path>(mark))
+            std::visit(Recolour{theme.secondary}, shown.back());
+    }
+    return shown;
+}
+
+std::vector<Page> lay_out_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    return StepPages(solution, options, fonts).pages();
+}
+
+}  // namespace kinegraph::render

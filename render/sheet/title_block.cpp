@@ -1,0 +1,159 @@
+// The title block in the corner of the frame.
+#include "render/sheet/title_block.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <system_error>
+
+#include "render/figures/caption.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/wanted_figures.hpp"
+#include "render/tables/tables.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+
+namespace {
+
+constexpr std::size_t most_characters = 1000;  // of a title: far more than any block holds
+
+/// A line in one face, smaller down to `least` points where it is too wide, and cut with an ellipsis where that is not enough.
+ShapedLine fitted(const Fonts& fonts, const std::string& words, Face face, double size, double least, double width) {
+    const RichText text = one_piece(words, face);
+    for (; size > least; size -= 0.5)
+        if (ShapedLine line = fonts.shape(text, size); line.width <= width) return line;
+    return shaped_within(text, size, fonts, width);
+}
+
+/// The title on as many lines as the height holds.
+void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Box& room, double size, double small_print) {
+    constexpr double least = 5, leading = 1.15;
+    const std::string whole = title_of(context.solution, context.language);
+    const RichText title = one_piece(std::string(first_characters(whole, most_characters)), Face::bold);
+    const auto lead = [&] { return millimetres(size) * leading; };
+    std::vector<ShapedLine> lines;
+    const auto most = [&] { return static_cast<std::size_t>(std::max(1.0, std::floor((room.height() - small_print) / lead()))); };
+    for (;; size -= 0.5) {
+        lines = context.fonts.wrap(title, size, room.width());
+        const bool wide =
+            std::any_of(lines.begin(), lines.end(), [&](const ShapedLine& each) { return each.width > room.width(); });
+        if (size <= least || (!wide && lines.size() <= std::min<std::size_t>(most(), size > 8 ? 2 : 4))) break;
+    }
+    if (lines.size() > most()) {
+        lines.resize(most());
+        lines.back() = fitted(context.fonts, lines.back().words + " …", Face::bold, size, size, room.width());
+    }
+    double baseline = room.min.y + (lines.size() > 1 ? 0 : 1.3) + millimetres(size) * 0.72;
+    for (const ShapedLine& each : lines) {
+        const ShapedLine cut =
+            each.width > room.width() ? fitted(context.fonts, each.words, Face::bold, size, size, room.width()) : each;
+        set_text(marks, cut, {room.min.x, baseline}, context.theme.text, "text");
+        baseline += lead();
+    }
+}
+
+std::string subtitle_of(const Solution& solution, Language language) {
+    const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
+                                          [](const Polygon& p) { return p.plane == Plane::acceleration; });
+    return word(is_mixed(solution)                   ? "subtitle mixed"
+                : has_forces(solution)               ? "subtitle forces"
+                : solution.protocol.polygons.empty() ? "subtitle pose"
+                : acceleration                       ? "subtitle acceleration"
+                                                     : "subtitle velocity",
+                language);
+}
+
+}  // namespace
+
+std::string title_of(const Solution& solution, Language language) {
+    const std::string& given = in(solution.mechanism.title, language);
+    return given.empty() ? word("untitled", language) : given;
+}
+
+void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
+                      std::optional<double> scale_of_mechanism, const Signature& signature, std::size_t index,
+                      std::size_t count) {
+    const Solution& solution = context.solution;
+    const Theme& theme = context.theme;
+    const Pen edge{theme.outline, theme.text, {}, false}, inner_pen{theme.thin, theme.text, {}, false};
+    const double cells_width = format.large ? 25 : 17.5, cells_left = format.block.max.x - 3 * cells_width;
+    const double half = format.block.min.y + format.block.height() / 2;
+    marks.emplace_back(line({format.block.min.x, format.block.min.y}, {format.block.max.x, format.block.min.y}, edge));
+    marks.emplace_back(line({format.block.min.x, format.block.min.y}, {format.block.min.x, format.block.max.y}, edge));
+    marks.emplace_back(line({cells_left, format.block.min.y}, {cells_left, format.block.max.y}, inner_pen));
+    marks.emplace_back(
+        line({cells_left + cells_width, format.block.min.y}, {cells_left + cells_width, format.block.max.y}, inner_pen));
+    marks.emplace_back(
+        line({cells_left + 2 * cells_width, format.block.min.y}, {cells_left + 2 * cells_width, format.block.max.y}, inner_pen));
+    marks.emplace_back(line({cells_left, half}, {format.block.max.x, half}, inner_pen));
+
+    const Units& units = solution.mechanism.units;
+    std::string units_text = units.length.symbol + (has_motion(solution) || !has_forces(solution) ? ", s" : "");
+    if (has_forces(solution)) units_text += ", " + units.force.symbol;
+    const std::string scale = scale_of_mechanism ? ratio_words(*scale_of_mechanism, context.language) : "–";
+    const std::array<std::pair<std::string, std::string>, 6> cells{
+        std::pair{word("block scale", context.language), scale},
+        {word("block size", context.language), format.name},
+        {word("block sheet", context.language), std::to_string(index) + "/" + std::to_string(count)},
+        {word("block units", context.language), units_text},
+        {word("block readings", context.language), fixed(0.1, 1, context.language) + " mm"},
+        {word("block bodies", context.language), std::to_string(solution.mechanism.bodies.size())}};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;
+        const double top = i < 3 ? format.block.min.y : half;
+        const double height = format.block.height() / 2;
+        set_text(marks, context.fonts.shape(one_piece(cells[i].first), theme.block), {x, top + 0.34 * height}, theme.secondary,
+                 "text");
+        double size = format.large ? theme.derived : theme.body_text;
+        ShapedLine value = context.fonts.shape(one_piece(cells[i].second), size);
+        while (value.width > cells_width - 3 && size > 4) value = context.fonts.shape(one_piece(cells[i].second), size -= 0.5);
+        set_text(marks, value, {x, top + 0.82 * height}, theme.text, "text");
+    }
+
+    const double left = format.block.min.x + 3.5, right = cells_left - 2;
+    std::string origin = solution.mechanism.source;
+    if (const std::size_t slash = origin.find_last_of('/'); slash != std::string::npos) origin = origin.substr(slash + 1);
+    for (const std::string& each : {signature.author, signature.date})
+        if (!each.empty()) origin += (origin.empty() ? "" : "  ·  ") + each;
+    const double print = format.large ? theme.body_text : 7.5, line = 3.4;
+    const auto small_print = [&](const std::string& words, double at) {
+        set_text(marks, fitted(context.fonts, words, Face::regular, print, 5, right - left), {left, at}, theme.secondary, "text");
+    };
+    const std::string title = title_of(solution, context.language);
+    const double size = format.large ? theme.title : 13;
+    const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
+    set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
+              origin.empty() ? 0 : line);
+    if (one_line) small_print(subtitle_of(solution, context.language), format.block.max.y - (origin.empty() ? 3.2 : 5.4));
+    if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
+}
+
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count) {
+    const Theme& theme = context.theme;
+    Page page;
+    page.width = format.width;
+    page.height = format.height;
+    page.paper = theme.paper;
+    page.title = title_of(context.solution, context.language);
+    page.language = context.language == Language::it ? "it" : "en";
+    const Pen pen{theme.outline, theme.text, {}, false};
+    page.marks.emplace_back(polyline(
+        {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},
+        pen, true));
+    draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
+    page.marks.insert(page.marks.end(), marks.begin(), marks.end());
+    // A point's label says its name as the file has it, however it is set.
+    std::map<std::string, std::string> names;
+    for (const NamedPoint& point : context.solution.mechanism.points)
+        names.emplace(plain(typeset(Symbol{Symbol::Letter::point, point.name, ""}, context.language)), point.name);
+    for (Mark& mark : page.marks)
+        if (auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label")
+            if (const auto found = names.find(text->words); found != names.end()) text->words = found->second;
+    return page;
+}
+
+}  // namespace kinegraph::render

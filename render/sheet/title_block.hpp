@@ -1,0 +1,30 @@
+// The title block: title, what the sheet is, file, scale, paper, sheet, units, accuracy.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/figure.hpp"
+#include "render/page/sheet_parts.hpp"
+
+namespace kinegraph::render {
+
+/// The mechanism's title, or that it has none.
+std::string title_of(const Solution& solution, Language language);
+
+/// Who drew it and when, as given; empty: not said.
+struct Signature {
+    std::string author, date;
+};
+
+/// Drawn into the format's corner, on page `index` of `count`; the scale (m per mm) is that of the page's first drawing of the
+/// mechanism, where it has one.
+void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
+                      std::optional<double> scale_of_mechanism, const Signature& signature, std::size_t index, std::size_t count);
+
+/// A page with its frame, its title block and what is on it.
+Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count);
+
+}  // namespace kinegraph::render

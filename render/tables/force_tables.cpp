@@ -1,0 +1,473 @@
+// Force tables: see force_tables.hpp. Numbers come from the Solution and its checks; here they are only paired and set.
+#include "render/tables/force_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/assert.hpp"
+#include "render/figures/polygon_parts.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/checked_numbers.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = AppliedForce::Kind;
+
+std::size_t at_index(int index) { return static_cast<std::size_t>(index); }
+
+const std::string& body_name(const Mechanism& mechanism, BodyIndex body) { return mechanism.bodies[at_index(body)].name; }
+RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
+    return typeset(Symbol{Symbol::Letter::point, mechanism.points[at_index(p)].name, ""}, language);
+}
+bool is_load(Kind kind) { return kind != Kind::reaction && kind != Kind::effort; }
+
+/// The free body on which the other end of a reaction acts; none for the frame.
+const FreeBody* opposite(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
+    for (const FreeBody& other : solution.free_bodies) {
+        if (&other == &body) continue;
+        for (const AppliedForce& its : other.forces)
+            if (its.joint >= 0 && its.joint == applied.joint && its.from == body.body &&
+                (applied.from == other.body || (applied.from < 0 && other.body < 0)))
+                return &other;
+    }
+    return nullptr;
+}
+
+/// Whether a place lies on the line of action, to what a drawing can show.
+bool on_line(const AppliedForce& applied, const Vector& place, const Exact& size) {
+    const Vector d = place - applied.at;
+    const double away = std::abs(cross(applied.force, d).to_double()) / std::max(kinegraph::length(applied.force), 1e-300);
+    return away < 1e-7 * size.to_double();
+}
+
+/// The line of a force as the table names it.
+RichText line_of(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
+    const Solution& solution = context.solution;
+    const Mechanism& mechanism = solution.mechanism;
+    const Language language = context.language;
+    if (applied.kind == Kind::weight && applied.force.x.is_zero()) return one_piece(word("vertical", language));
+    if (is_load(applied.kind)) return one_piece(word("given", language));
+    if (applied.joint < 0) return one_piece(word("given", language));
+    const Joint& joint = mechanism.joints[at_index(applied.joint)];
+    if (applied.kind == Kind::effort) return one_piece("∥ " + word("guide", language));
+    if (joint.kind == JointKind::prismatic) return one_piece("⟂ " + word("guide", language));
+    if (joint.kind == JointKind::contact || joint.kind == JointKind::pin_slot || joint.kind == JointKind::gear)
+        return one_piece(word("normal", language));
+    const Vector& own = solution.pose.at(joint.point);
+    RichText text = point(mechanism, joint.point, language);
+    // Along a two-force body: its other joint lies on the line.
+    if (applied.from > 0)
+        for (const Joint& other : mechanism.joints) {
+            if (other.point == joint.point || (solution.pose.at(other.point) - own).is_zero()) continue;
+            if (std::find(other.bodies.begin(), other.bodies.end(), applied.from) == other.bodies.end()) continue;
+            if (!on_line(applied, solution.pose.at(other.point), solution.pose.size)) continue;
+            append(text, point(mechanism, other.point, language));
+            return text;
+        }
+    // Its own concurrency, or that of the body it comes from.
+    std::vector<std::pair<std::string, Vector>> meets = body.meets;
+    for (const FreeBody& other : solution.free_bodies)
+        if (other.body == applied.from && applied.from > 0) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
+    for (const auto& [letter, place] : meets)
+        if (on_line(applied, place, solution.pose.size) && !(place - own).is_zero()) {
+            append(text, typeset(Symbol{Symbol::Letter::point, letter, ""}, language));
+            return text;
+        }
+    return one_piece(word("any line", language));
+}
+
+std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
+    std::optional<Measured> longest;  // the first one, or where it has a detail
+    for (const Figure& figure : figures) {
+        if (figure.kind != "forces" && figure.kind != "closure") continue;
+        auto found = measured_on(figure, name);
+        if (found && (!longest || found->millimetres > longest->millimetres)) longest = std::move(found);
+    }
+    return longest;
+}
+
+}  // namespace
+
+Symbol couple_symbol(const AppliedForce& applied) {
+    Symbol symbol = applied.symbol;
+    symbol.letter = Symbol::Letter::M;
+    return symbol;
+}
+
+Block force_row_names(const DrawingContext& context) {
+    Block block;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ShapedLine shaped = context.fonts.shape(
+            one_piece(word(std::array{"magnitude", "direction", "line"}[i], context.language)), context.theme.small);
+        set_text(block.marks, shaped, {0, 6.6 + 3.4 + 4.1 * static_cast<double>(i)}, context.theme.secondary, "text");
+        block.width = std::max(block.width, shaped.width);
+    }
+    block.height = 20;
+    return block;
+}
+
+Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names) {
+    const Solution& solution = context.solution;
+    const Theme& theme = context.theme;
+    const Language language = context.language;
+    Block block;
+    if (body.polygon < 0) return block;
+    for (const Statement& statement : solution.protocol.statements)
+        if (statement.message.sentence == Sentence::superposition || statement.message.sentence == Sentence::trial) return block;
+    // Forces of one direction are found by moments: no triangle to be closed.
+    if (std::all_of(body.forces.begin(), body.forces.end(),
+                    [&](const AppliedForce& each) { return cross(each.force, body.forces.front().force).is_zero(); }))
+        return block;
+    struct Column {
+        ShapedLine symbol, line;
+        bool magnitude = false, direction = true;
+        double width = 0, middle = 0;
+    };
+    std::vector<Column> columns;
+    int sought = 0;
+    for (const int index : solution.protocol.polygons[at_index(body.polygon)].vectors) {
+        const DrawnVector& vector = solution.protocol.vectors[at_index(index)];
+        const auto applied = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
+            return each.symbol == vector.symbol && !each.force.is_zero();
+        });
+        if (applied == body.forces.end()) return {};
+        Column column;
+        column.magnitude = is_load(applied->kind);
+        if (applied->kind == Kind::reaction)
+            if (const FreeBody* other = opposite(solution, body, *applied)) column.magnitude = other < &body;
+        // A hinge whose line nothing gave: both are sought, the polygon has them at once.
+        column.direction = column.magnitude || applied->kind != Kind::reaction ||
+                           plain(line_of(context, body, *applied)) != word("any line", language);
+        sought += (column.magnitude ? 0 : 1) + (column.direction ? 0 : 1);
+        column.symbol = context.fonts.shape(typeset(vector.symbol, language), theme.equation);
+        column.line = context.fonts.shape(line_of(context, body, *applied), theme.small);
+        column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
+        columns.push_back(std::move(column));
+    }
+    if (columns.size() < 3 || columns.size() > 5 || sought > 2) return block;
+
+    const ShapedLine tick = context.fonts.shape(one_piece("✓"), 10),
+                     question = context.fonts.shape(one_piece("?", Face::bold), 10),
+                     plus = context.fonts.shape(one_piece("+"), theme.equation),
+                     zero = context.fonts.shape(one_piece("= 0"), theme.equation);
+    std::array<ShapedLine, 3> names;
+    double x = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!with_names) break;
+        names[i] = context.fonts.shape(one_piece(word(std::array{"magnitude", "direction", "line"}[i], language)), theme.small);
+        x = std::max(x, names[i].width + 1.8);
+    }
+    for (Column& column : columns) {
+        if (&column != &columns.front()) x += 2.4;
+        column.middle = x + column.width / 2;
+        x += column.width;
+    }
+    const auto centred = [&](const ShapedLine& shaped, double middle, double baseline, Colour colour) {
+        set_text(block.marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
+    };
+    const Colour letters = theme.colour_of(body.body).letter;
+    double baseline = 4.6, before = 0;
+    for (const Column& column : columns) {
+        if (&column != &columns.front())
+            centred(plus, 0.5 * (before + column.middle - column.symbol.width / 2), baseline, theme.text);
+        centred(column.symbol, column.middle, baseline, letters);
+        before = column.middle + column.symbol.width / 2;
+    }
+    set_text(block.marks, zero, {before + 1.8, baseline}, theme.text, "text");
+    block.width = std::max(x, before + 1.8 + zero.width);
+    const double top = 6.6;
+    block.marks.emplace_back(line({0, top}, {block.width, top}, {theme.thin, theme.text, {}, false}));
+    for (std::size_t row = 0; row < 3; ++row) {
+        baseline = top + 3.4 + 4.1 * static_cast<double>(row);
+        if (with_names) set_text(block.marks, names[row], {0, baseline}, theme.secondary, "text");
+        for (const Column& column : columns)
+            if (row == 2)
+                centred(column.line, column.middle, baseline, theme.secondary);
+            else
+                centred((row == 0 ? column.magnitude : column.direction) ? tick : question, column.middle, baseline, theme.text);
+    }
+    block.height = baseline + 1.8;
+    block.marks.emplace_back(line({0, block.height}, {block.width, block.height}, {theme.thin, theme.text, {}, false}));
+    return block;
+}
+
+RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
+    const Solution& solution = context.solution;
+    const Mechanism& mechanism = solution.mechanism;
+    if (applied.joint < 0 || body.body < 0 || applied.kind != Kind::reaction || applied.force.is_zero()) return {};
+    const Joint& joint = mechanism.joints[at_index(applied.joint)];
+    if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2) return {};
+    const Vector own = solution.pose.at(joint.point), guide = solution.pose.guides[at_index(applied.joint)];
+    const double unit_length = kinegraph::length(guide);
+    const auto along = [&](const Vector& place) { return dot(place - own, guide).to_double() / unit_length; };
+    const double at = along(applied.at), small = 1e-9 * solution.pose.size.to_double();
+    if (std::abs(at) <= small) return {};
+    // What the guide holds of the slider: its points on the guide's line.
+    double least = 0, most = 0;
+    for (const PointIndex p : mechanism.bodies[at_index(joint.bodies[0])].points) {
+        const Vector& place = solution.pose.at(p);
+        if (std::abs(cross(guide, place - own).to_double()) > small * unit_length) continue;
+        least = std::min(least, along(place));
+        most = std::max(most, along(place));
+    }
+    if (most - least > small && (at < least - small || at > most + small))
+        return one_piece(word("passes outside", context.language));
+    const Unit& unit = mechanism.units.length;
+    RichText text = one_piece(number(std::abs(at) / unit.si.to_double(), 4, context.language) + " " + unit.symbol + " " +
+                              word("passes beside", context.language) + " ");
+    append(text, point(mechanism, joint.point, context.language));
+    return text;
+}
+
+std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
+    const Solution& solution = context.solution;
+    const Mechanism& mechanism = solution.mechanism;
+    const Unit &force = mechanism.units.force, &moment = mechanism.units.moment;
+    const CheckedNumbers checks(solution);
+    std::vector<ResultRow> rows, couples;
+    std::set<std::string> seen;
+    std::set<std::tuple<JointIndex, BodyIndex, BodyIndex>> joints;
+
+    const auto given = [&](const AppliedForce& applied, const FreeBody& body) -> std::optional<double> {
+        for (const Mass& mass : mechanism.masses) {
+            if (mass.body != body.body) continue;
+            if (applied.kind == Kind::weight && mechanism.gravity)
+                return mass.mass.to_double() * kinegraph::length(*mechanism.gravity);
+            if (applied.kind != Kind::inertia) continue;
+            const std::string name = "acceleration " + mechanism.points[at_index(mass.centre)].name;
+            auto a = checks.modulus(name);
+            if (!a) a = checks.modulus(name + " on " + body_name(mechanism, body.body));
+            if (a) return mass.mass.to_double() * *a;
+        }
+        for (const Load& load : mechanism.loads) {
+            if (const auto* each = std::get_if<ForceLoad>(&load); each && each->name == applied.symbol.about)
+                return each->value ? kinegraph::length(*each->value) : std::abs(each->magnitude->first.to_double());
+            if (const auto* each = std::get_if<SpringLoad>(&load); each && each->name == applied.symbol.about)
+                return std::abs(each->magnitude.to_double());
+        }
+        return std::nullopt;
+    };
+    for (const FreeBody& body : solution.free_bodies)
+        for (const AppliedForce& applied : body.forces) {
+            const std::string own = name_of(applied.symbol);
+            std::string check;
+            Symbol symbol = applied.symbol;
+            if (applied.kind == Kind::reaction) {
+                const auto key = std::tuple(applied.joint, std::min(applied.from, body.body), std::max(applied.from, body.body));
+                if (!joints.insert(key).second) continue;
+                check = "force " + mechanism.joints[at_index(applied.joint)].name + " " +
+                        (applied.from < 0 ? "pin" : body_name(mechanism, applied.from)) + " on " +
+                        (body.body < 0 ? "pin" : body_name(mechanism, body.body));
+                // Where only the reverse is drawn, that is measured.
+                if (!measured(figures, own))
+                    if (const FreeBody* other = opposite(solution, body, applied))
+                        for (const AppliedForce& its : other->forces)
+                            if (its.joint == applied.joint && its.from == body.body && measured(figures, name_of(its.symbol)))
+                                symbol = its.symbol;
+            } else if (!seen.insert(own).second) {
+                continue;
+            }
+            if (!applied.force.is_zero()) {
+                ResultRow row;
+                row.symbol = symbol;
+                row.name = name_of(symbol);
+                row.drawing = kinegraph::length(Vector{applied.force.x / force.si, applied.force.y / force.si});
+                if (const auto found = measured(figures, row.name)) {
+                    row.millimetres = found->millimetres;
+                    row.detail = found->detail;
+                }
+                std::optional<double> numeric;
+                if (applied.kind == Kind::reaction) {
+                    numeric = checks.modulus(check);
+                    // The pin of a multiple hinge has no row of its own.
+                    if (!numeric && body.body < 0 && applied.from > 0)
+                        numeric = checks.modulus("force " + mechanism.joints[at_index(applied.joint)].name + " pin on " +
+                                                 body_name(mechanism, applied.from));
+                } else if (applied.kind == Kind::effort) {
+                    numeric = checks.scalar("effort " + applied.symbol.about);
+                    if (numeric) numeric = std::abs(*numeric);
+                } else {
+                    numeric = given(applied, body);
+                }
+                if (numeric) row.numeric = *numeric / force.si.to_double();
+                row.unit = force.symbol;
+                row.group = "forces";
+                rows.push_back(std::move(row));
+            }
+            if (!applied.couple.is_zero()) {
+                ResultRow row;
+                row.symbol = couple_symbol(applied);
+                row.name = name_of(row.symbol);
+                row.drawing = (applied.couple / moment.si).to_double();
+                std::optional<double> numeric;
+                if (applied.kind == Kind::reaction) numeric = checks.scalar(check + " couple");
+                if (applied.kind == Kind::effort) numeric = checks.scalar("effort " + applied.symbol.about);
+                for (const Load& load : mechanism.loads)
+                    if (const auto* each = std::get_if<CoupleLoad>(&load); each && each->name == applied.symbol.about)
+                        numeric = each->value.to_double();
+                if (applied.kind == Kind::inertia)
+                    for (const Mass& mass : mechanism.masses)
+                        if (mass.body == body.body)
+                            if (const auto alpha = checks.scalar("alpha " + body_name(mechanism, body.body)))
+                                numeric = -mass.inertia.to_double() * *alpha;
+                if (numeric) row.numeric = *numeric / moment.si.to_double();
+                row.unit = moment.symbol;
+                row.group = "couples";
+                couples.push_back(std::move(row));
+            }
+        }
+    rows.insert(rows.end(), couples.begin(), couples.end());
+    return rows;
+}
+
+std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
+    const Solution& solution = context.solution;
+    const Mechanism& mechanism = solution.mechanism;
+    const Theme& theme = context.theme;
+    const Language language = context.language;
+    std::vector<Block> lines;
+    if (solution.free_bodies.empty()) return lines;
+    const auto symbol_of = [&](const AppliedForce& applied) {
+        return typeset(applied.force.is_zero() ? couple_symbol(applied) : applied.symbol, language);
+    };
+    const auto joined = [&](const std::vector<RichText>& parts) {
+        RichText all;
+        for (const RichText& part : parts) {
+            if (!all.empty()) append(all, ", ");
+            append(all, part);
+        }
+        return parts.empty() ? one_piece("–") : all;
+    };
+    // As wide as the words ask.
+    double name_width = context.fonts.shape(one_piece(word("body", language)), theme.small).width,
+           active_width = context.fonts.shape(one_piece(word("active forces", language)), theme.small).width;
+    for (const FreeBody& body : solution.free_bodies) {
+        const std::string name = body.body >= 0 ? body_name(mechanism, body.body)
+                                                : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
+        name_width = std::max(name_width, context.fonts.shape(one_piece(name), theme.body_text).width);
+        std::vector<RichText> active;
+        for (const AppliedForce& applied : body.forces)
+            if (applied.kind != Kind::reaction) {
+                active.push_back(symbol_of(applied));
+                if (applied.joint >= 0) append(active.back(), " (M)");
+            }
+        active_width = std::max(active_width, context.fonts.shape(joined(active), theme.body_text).width);
+    }
+    name_width =
+        std::max(name_width,
+                 context.fonts.shape(one_piece(body_name(mechanism, 0) + " " + word("frame", language)), theme.body_text).width);
+    const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
+    const double reactions_left = active_left + active_room + 4;
+    const auto add = [&](const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
+                         bool rule_above) {
+        Block block;
+        if (rule_above) block.marks.emplace_back(line({0, 0}, {width, 0}, {theme.thin, theme.secondary, {}, false}));
+        set_text(block.marks, context.fonts.shape(one_piece(name), theme.body_text), {0, 3.6}, colour, "text");
+        double deepest = 0;
+        for (const auto& [text, left, room] :
+             {std::tuple(active, active_left, active_room), std::tuple(reactions, reactions_left, width - reactions_left)}) {
+            double baseline = 3.6;
+            for (const ShapedLine& each : context.fonts.wrap(text, theme.body_text, room)) {
+                set_text(block.marks, each, {left, baseline}, theme.text, "text");
+                baseline += 4.3;
+            }
+            deepest = std::max(deepest, baseline);
+        }
+        block.width = width;
+        block.height = deepest - 3.6 + 0.5;
+        lines.push_back(std::move(block));
+    };
+    {
+        Block head;
+        head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
+        const auto put = [&](const std::string& key, double x) {
+            set_text(head.marks, context.fonts.shape(one_piece(word(key, language)), theme.small), {x, 3.4}, theme.secondary,
+                     "text");
+        };
+        put("body", 0);
+        put("active forces", active_left);
+        put("reactions", reactions_left);
+        head.marks.emplace_back(line({0, 4.8}, {width, 4.8}, {theme.thin, theme.text, {}, false}));
+        head.width = width;
+        head.height = 5.0;
+        lines.push_back(std::move(head));
+    }
+    std::vector<RichText> on_frame;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < solution.free_bodies.size(); ++i) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const auto rank = [&](std::size_t i) {
+            const BodyIndex body = solution.free_bodies[i].body;
+            return body < 0 ? 1 << 20 : body;
+        };
+        return rank(a) < rank(b);
+    });
+    const RichText* example = nullptr;
+    std::pair<BodyIndex, BodyIndex> example_bodies{-1, -1};
+    std::vector<RichText> kept;
+    kept.reserve(solution.free_bodies.size() * 8);
+    for (const std::size_t i : order) {
+        const FreeBody& body = solution.free_bodies[i];
+        std::vector<RichText> active, reactions;
+        for (const AppliedForce& applied : body.forces) {
+            RichText text = symbol_of(applied);
+            if (applied.kind == Kind::reaction && !example && applied.from >= 0 && body.body >= 0) {
+                kept.push_back(text);
+                example = &kept.back();
+                example_bodies = {applied.from, body.body};
+            }
+            if (applied.joint >= 0) {
+                append(text, " (");
+                append(text, point(mechanism, mechanism.joints[at_index(applied.joint)].point, language));
+                append(text, ")");
+            }
+            (applied.kind == Kind::reaction ? reactions : active).push_back(std::move(text));
+            if (applied.kind == Kind::reaction && applied.from == 0 && body.body > 0) {
+                const std::string& own = body_name(mechanism, body.body);
+                const std::string& frame = body_name(mechanism, 0);
+                Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
+                            own.size() == 1 && frame.size() == 1 ? own + frame : own + "," + frame, applied.symbol.term};
+                RichText action = typeset(back, language);
+                append(action, " = −");
+                append(action, symbol_of(applied));
+                on_frame.push_back(std::move(action));
+            }
+        }
+        const std::string name = body.body >= 0 ? body_name(mechanism, body.body)
+                                                : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
+        add(name, theme.colour_of(body.body).letter, joined(active), joined(reactions), false);
+    }
+    if (!on_frame.empty())
+        add(body_name(mechanism, 0) + " " + word("frame", language), theme.secondary, one_piece("–"), joined(on_frame), true);
+    lines.back().marks.emplace_back(
+        line({0, lines.back().height + 0.3}, {width, lines.back().height + 0.3}, {theme.outline, theme.text, {}, false}));
+    lines.back().height += 0.6;
+    if (example) {
+        std::string words = word("action and reaction", language);
+        const auto fill = [&](const std::string& place, BodyIndex body) {
+            if (const std::size_t found = words.find(place); found != std::string::npos)
+                words.replace(found, place.size(), body_name(mechanism, body));
+        };
+        fill("{0}", example_bodies.first);
+        fill("{1}", example_bodies.second);
+        RichText text = *example;
+        append(text, " " + words);
+        if (!closed_polygons(solution).empty()) append(text, " " + word("internal sides", language));
+        Block note;
+        double baseline = 4.2;
+        for (const ShapedLine& each : context.fonts.wrap(text, theme.small, width)) {
+            set_text(note.marks, each, {0, baseline}, theme.secondary, "text");
+            baseline += 3.9;
+        }
+        note.width = width;
+        note.height = baseline - 3.4;
+        lines.push_back(std::move(note));
+    }
+    return lines;
+}
+
+}  // namespace kinegraph::render

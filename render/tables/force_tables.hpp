@@ -1,0 +1,31 @@
+// Force tables: what is known of each force of a polygon, the forces as drawn beside the numbers of the check, active forces and
+// reactions body by body. Owns their columns; computes no statics.
+#pragma once
+
+#include <vector>
+
+#include "render/figures/figure.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+
+/// The couple of an applied force or couple, as it is written: M_12 beside F_12.
+Symbol couple_symbol(const AppliedForce& applied);
+
+/// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. Empty (no width) where the
+/// forces were not found by closing this polygon alone.
+Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names);
+/// The names of the rows alone, for several tables in a row.
+Block force_row_names(const DrawingContext& context);
+
+/// Where a slider's reaction passes beside its guide: how far from the joint's point, or that it is outside of the points of
+/// slider that the guide holds, so that it tips. Empty where it passes through the joint's point.
+RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied);
+
+/// Rows for the results table: loads, reactions once for each joint, efforts; their axes on `figures` are measured.
+std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures);
+
+/// Active forces and reactions, body by body, the frame last; head and rows, `width` mm wide.
+std::vector<Block> reaction_lines(const DrawingContext& context, double width);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,233 @@
+#include "render/tables/pair_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "engine/pair_catalogue.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string signed_text(int value) { return (value < 0 ? "−" : "") + std::to_string(std::abs(value)); }
+
+/// Headings, tables and lines, in either form.
+class Writer {
+public:
+    explicit Writer(TextForm form) : form_(form) {}
+
+    void title(const std::string& text) {
+        if (text.empty()) return;
+        text_ += (form_ == TextForm::markdown ? "# " : "") + text + "\n";
+    }
+    void heading(const std::string& text) {
+        if (!text_.empty() && !text_.ends_with("\n\n")) text_ += "\n";
+        text_ += form_ == TextForm::markdown ? "## " + text + "\n\n" : text + "\n";
+    }
+    void line(const std::string& text) { text_ += (form_ == TextForm::markdown ? "- " : "  ") + text + "\n"; }
+    void gap() { text_ += "\n"; }
+    void note(const std::string& text) { text_ += form_ == TextForm::markdown ? "\n" + text + "\n" : "  " + text + "\n"; }
+    /// Left aligned; the first row is the head.
+    void table(const std::vector<Cells>& rows) {
+        std::vector<std::size_t> widths(rows.front().size(), 0);
+        for (const Cells& row : rows)
+            for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            if (form_ == TextForm::markdown) {
+                text_ += "|";
+                for (const std::string& cell : rows[r]) text_ += " " + escaped(cell) + " |";
+                text_ += "\n";
+                if (r > 0) continue;
+                text_ += "|";
+                for (std::size_t c = 0; c < widths.size(); ++c) text_ += " --- |";
+                text_ += "\n";
+                continue;
+            }
+            std::string each = " ";
+            for (std::size_t c = 0; c < rows[r].size(); ++c)
+                each += (c == 0 ? " " : "  ") + rows[r][c] + std::string(widths[c] - character_count(rows[r][c]), ' ');
+            each.erase(each.find_last_not_of(' ') + 1);
+            text_ += each + "\n";
+        }
+    }
+    /// One thing with what there is to say of it, each under its own word.
+    void entry(const std::string& name, const std::vector<std::array<std::string, 2>>& facts) {
+        if (form_ == TextForm::markdown) {
+            text_ += "### " + name + "\n\n";
+            for (const auto& [word, fact] : facts) text_ += "- " + word + ": " + fact + "\n";
+            text_ += "\n";
+            return;
+        }
+        text_ += "  " + name + "\n";
+        std::size_t width = 0;
+        for (const auto& fact : facts) width = std::max(width, character_count(fact[0]));
+        for (const auto& [word, fact] : facts)
+            text_ += "    " + word + std::string(width - character_count(word) + 2, ' ') + fact + "\n";
+    }
+    std::string code(std::string_view text) const {
+        return form_ == TextForm::markdown ? "`" + std::string(text) + "`" : std::string(text);
+    }
+    std::string finish() {
+        while (text_.ends_with("\n\n")) text_.pop_back();
+        return std::move(text_);
+    }
+
+private:
+    static std::string escaped(const std::string& cell) {
+        std::string out;
+        for (const char c : cell) {
+            if (c == '|' || c == '_' || c == '*') out += '\\';
+            out += c;
+        }
+        return out;
+    }
+    TextForm form_;
+    std::string text_;
+};
+
+std::string reaction_of(const PlanePair& pair, Language language) {
+    const auto force = [&] {
+        switch (pair.force) {
+            case PlanePair::Force::any_direction:
+                return "force any direction";
+            case PlanePair::Force::normal_to_guide:
+                return "force normal to guide";
+            case PlanePair::Force::along_normal:
+                return "force along normal";
+            case PlanePair::Force::line_of_action:
+                break;
+        }
+        return "force along line of action";
+    };
+    return word(force(), language) + (pair.couple ? " " + word("and a couple", language) : "");
+}
+
+std::string counted(int count, const char* one, const char* several, Language language) {
+    return std::to_string(count) + " " + word(count == 1 ? one : several, language);
+}
+
+/// "(2–3)(2–4)": the bodies of each hinge.
+std::string spelt(const BinaryScheme& scheme, const std::vector<std::string>& bodies) {
+    std::string text;
+    for (const auto& hinge : scheme.hinges)
+        text += "(" + bodies[static_cast<std::size_t>(hinge[0])] + "–" + bodies[static_cast<std::size_t>(hinge[1])] + ")";
+    return text;
+}
+
+/// n^(n−2), as a number while it is short.
+std::string schemes_of(int bodies) {
+    std::size_t count = 1;
+    constexpr int longest = 9;  // 9^7 is the last below ten millions
+    if (bodies > longest) return std::to_string(bodies) + "^" + std::to_string(bodies - 2);
+    for (int i = 0; i < bodies - 2; ++i) count *= static_cast<std::size_t>(bodies);
+    return std::to_string(count);
+}
+
+}  // namespace
+
+std::string pair_catalogue(Language language, TextForm form) {
+    const auto say_word = [&](std::string_view key) { return word(key, language); };
+    Writer page(form);
+    page.title(say_word("catalogue of pairs"));
+    page.heading(say_word("pairs of the plane"));
+    for (const PlanePair& pair : plane_pairs) {
+        const std::string key(pair.key);
+        page.entry(say_word("pair " + key),
+                   {{say_word("in the file"), page.code(pair.form)},
+                    {say_word("freedoms left"),
+                     std::to_string(pair.freedoms) + (pair.freedoms > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
+                    {say_word("class"), pair.freedoms > 0 ? std::to_string(pair.freedoms) : say_word("no pair")},
+                    {say_word("reaction"),
+                     reaction_of(pair, language) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
+                    {say_word("fixed"), say_word("fixed " + key)},
+                    {say_word("instant centre"), say_word("centre " + key)}});
+    }
+
+    page.heading(say_word("lower pairs in space"));
+    std::vector<Cells> rows{{say_word("pair"), say_word("freedoms left"), say_word("class"), say_word("motions"),
+                             say_word("reaction"), say_word("components")}};
+    for (const SpacePair& pair : space_pairs)
+        rows.push_back({say_word("space " + std::string(pair.key)), std::to_string(pair.freedoms), std::to_string(pair.freedoms),
+                        std::string(pair.motions), std::string(pair.reactions), std::to_string(pair.reaction_count())});
+    page.table(rows);
+    page.note(say_word("axes of pairs"));
+
+    page.heading(say_word("multiple hinges"));
+    for (const char* key : {"multiplicity rule", "stars rule", "trees rule"}) page.line(say_word(key));
+    const std::vector<std::string> bodies{"1", "2", "3"};
+    std::string three;
+    for (const BinaryScheme& scheme : binary_schemes(3)) three += (three.empty() ? "" : ", ") + spelt(scheme, bodies);
+    page.line(say_word("schemes of three") + ": " + three);
+    std::vector<Cells> counts{
+        {say_word("bodies at the hinge"), say_word("multiplicity"), say_word("stars"), say_word("schemes")}};
+    for (int n = 2; n <= 6; ++n)
+        counts.push_back({std::to_string(n), std::to_string(n - 1), n == 2 ? "1" : std::to_string(n), schemes_of(n)});
+    page.gap();
+    page.table(counts);
+    return page.finish();
+}
+
+std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
+                        Language language, TextForm form) {
+    const auto say_word = [&](std::string_view key) { return word(key, language); };
+    Writer page(form);
+    page.title(in(mechanism.title, language));
+
+    page.heading(say_word("pairs"));
+    std::vector<Cells> rows{{say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
+    std::vector<std::string> multiple;
+    for (const Joint& joint : mechanism.joints) {
+        const PlanePair& pair = plane_pair(joint.kind);
+        std::vector<std::string> names;
+        std::string bodies;
+        for (const BodyIndex body : joint.bodies) {
+            names.push_back(mechanism.bodies[static_cast<std::size_t>(body)].name);
+            bodies += (bodies.empty() ? "" : ", ") + names.back();
+        }
+        rows.push_back({joint.name, say_word("pair " + std::string(pair.key)), bodies,
+                        pair.freedoms > 0 ? std::to_string(pair.freedoms) : "–"});
+        if (names.size() < 3) continue;
+        const auto n = static_cast<int>(names.size());
+        std::string line = joint.name + ": " + say_word("multiplicity") + " " + std::to_string(n - 1) + ", " + schemes_of(n) +
+                           " " + say_word("equivalent schemes");
+        constexpr int listed_bodies = 4;  // 16 schemes
+        if (n <= listed_bodies) {
+            std::string all;
+            for (const BinaryScheme& scheme : binary_schemes(n)) all += (all.empty() ? ": " : ", ") + spelt(scheme, names);
+            line += all;
+        }
+        multiple.push_back(std::move(line));
+    }
+    page.table(rows);
+    if (!multiple.empty()) {
+        page.heading(say_word("multiple hinges"));
+        for (const std::string& line : multiple) page.line(line);
+    }
+
+    const Mobility& m = mobility;
+    const std::string moving = signed_text(m.bodies - 1), c1 = signed_text(m.class_1), c2 = signed_text(m.class_2),
+                      welds = signed_text(m.welds), n = signed_text(m.gruebler);
+    page.heading(say_word("count"));
+    page.line("n = 3(m − 1) − 2c₁ − c₂" + std::string(m.welds > 0 ? " − 3w" : "") + " = 3·" + moving + " − 2·" + c1 + " − " + c2 +
+              (m.welds > 0 ? " − 3·" + welds : "") + " = " + n);
+    page.line("n = 3n_c − n₁ − 2n₂ − 3n₃ = 3·" + moving + " − " + c2 + " − 2·" + c1 + " − 3·" + welds + " = " + n);
+    page.note(say_word("symbols of the first count"));
+    page.note(say_word("symbols of the second count"));
+
+    page.heading(say_word("at this position"));
+    const int freedoms = 3 * (m.bodies - 1);
+    page.line(say_word("rank") + ": " + std::to_string(freedoms - m.effective) + " = " + std::to_string(freedoms - m.gruebler) +
+              " " + say_word("constraints") + " − " + std::to_string(m.repeated()) + " " + say_word("repeated") + "; " +
+              signed_text(m.effective) + " " + say_word("effective"));
+    page.line(say_word("verdict") + ": " + verdict_words(m, language));
+    if (!remarks.empty()) {
+        page.heading(say_word("remarks"));
+        for (const Message& remark : remarks) page.line(tell(remark, language));
+    }
+    return page.finish();
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,39 @@
+// Headings and paragraphs.
+#include "render/tables/prose.hpp"
+
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+Block heading_block(const DrawingContext& context, double measure, const std::string& text, const RichText& note) {
+    Block block;
+    const ShapedLine shaped = context.fonts.shape(one_piece(text, Face::bold), context.theme.label);
+    set_text(block.marks, shaped, {0, 3.6}, context.theme.text, "text");
+    if (!note.empty()) {
+        const ShapedLine small = context.fonts.shape(note, context.theme.small);
+        if (shaped.width + 4 + small.width <= measure)
+            set_text(block.marks, small, {shaped.width + 4, 3.6}, context.theme.secondary, "text");
+    }
+    block.width = measure;
+    block.height = 6.2;
+    return block;
+}
+
+Block paragraph_block(const DrawingContext& context, double measure, const RichText& text, double indent,
+                      const std::string& number) {
+    Block block;
+    double baseline = 3.2;
+    if (!number.empty())
+        set_text(block.marks, context.fonts.shape(one_piece(number), context.theme.body_text), {0, baseline},
+                 context.theme.secondary, "text");
+    const double lead = 4.1 / 9 * context.theme.body_text;
+    for (const ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
+        set_text(block.marks, each, {indent, baseline}, context.theme.text, "text");
+        baseline += lead;
+    }
+    block.width = measure;
+    block.height = baseline - 3.2 + 0.7;
+    return block;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,615 @@
+// Tables: see tables.hpp. Columns are as wide as their words ask; rules 0.35 / 0.18 / 0.35, no verticals.
+#include "render/tables/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/assert.hpp"
+#include "render/figures/polygon_parts.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/checked_numbers.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double pitch = 4.4;  // of table rows
+
+Path rule(double from, double to, double y, double width, Colour colour) {
+    return line({from, y}, {to, y}, {width, colour, {}, false});
+}
+
+void set_right(std::vector<Mark>& marks, const ShapedLine& shaped, double right, double baseline, Colour colour) {
+    set_text(marks, shaped, {right - shaped.width, baseline}, colour, "text");
+}
+void set_centred(std::vector<Mark>& marks, const ShapedLine& shaped, double middle, double baseline, Colour colour) {
+    set_text(marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
+}
+
+/// Decimals that show five digits of the largest value of a column; nothing where plain decimals would be too long.
+std::optional<int> decimals_for(double largest) {
+    if (!(largest > 0)) return 1;
+    if (largest >= 1e6 || largest < 1e-3) return std::nullopt;
+    const int leading = static_cast<int>(std::floor(std::log10(largest))) + 1;
+    return std::clamp(5 - leading, 0, 7);
+}
+/// What is read off the drawing to 0.1 mm, times its scale, and the decimals that such a reading has.
+struct Reading {
+    double value = 0;
+    int decimals = 0;
+};
+std::optional<Reading> reading_of(const ResultRow& row) {
+    if (!row.millimetres || !(*row.millimetres > 0) || !(row.drawing > 0)) return std::nullopt;
+    const double scale = row.drawing / *row.millimetres;
+    return Reading{std::round(*row.millimetres * 10) / 10 * scale,
+                   std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
+}
+std::string cell(double value, std::optional<int> decimals, Language language) {
+    return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
+}
+
+/// Where a body does not turn at all, the rounding of a check that has it turn so slowly that across the whole drawing nothing
+/// moves by it; rad/s, or rad/s² where the group is of accelerations.
+double negligible_turn(const Solution& solution, const std::string& group) {
+    double largest = 0;
+    for (const PointMotion& motion : solution.points)
+        if (const auto& vector = group == "velocity" ? motion.velocity : motion.acceleration)
+            largest = std::max(largest, length(*vector));
+    return 1e-9 * largest / solution.pose.size.to_double();
+}
+
+}  // namespace
+
+std::string shortest(double value) {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);
+    return {buffer, end.ptr};
+}
+
+std::string shortest(double value, Language language) {
+    for (int digits = 1; digits < 17; ++digits) {
+        const std::string text = number(value, digits, Language::en);
+        char buffer[64];
+        const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+        double back = 0;
+        std::from_chars(buffer, end.ptr, back);
+        if (back == value) return number(value, digits, language);
+    }
+    return number(value, 17, language);
+}
+
+namespace {
+
+/// An equation in the making: its terms as columns, what stands before each, and how it is set.
+class EquationTable {
+public:
+    struct Setting {
+        double size, line_size, least_column, gap, operation;
+    };
+
+    EquationTable(const DrawingContext& context, const Equation& equation, const Setting& setting)
+        : context_(context), setting_(setting) {
+        for (std::size_t side = 0; side < equation.sides.size(); ++side)
+            for (std::size_t i = 0; i < equation.sides[side].size(); ++i) {
+                const Term& term = equation.sides[side][i];
+                Column column;
+                column.term = &term;
+                column.operation = i > 0 ? "+" : side > 0 ? "=" : "";
+                column.symbol = context.fonts.shape(typeset(term.symbol, context.language), setting.size);
+                if (term.line.kind != LineReason::Kind::known)
+                    column.line = context.fonts.shape(typeset(term.line, context.language), setting.line_size);
+                column.width =
+                    std::max({setting.least_column, column.symbol.width + setting.gap, column.line.width + setting.gap});
+                columns_.push_back(std::move(column));
+            }
+        std::vector<std::string> names{word("magnitude", context.language), word("direction", context.language)};
+        if (std::any_of(columns_.begin(), columns_.end(), [](const Column& c) { return c.line.width > 0; }))
+            names.push_back(word("line", context.language));
+        for (const std::string& name : names) {
+            names_.push_back(context.fonts.shape(one_piece(name), setting.line_size));
+            names_width_ = std::max(names_width_, names_.back().width);
+        }
+    }
+
+    /// Of all terms in one row.
+    double width() const { return width(0, columns_.size()); }
+    /// In rows none of which is wider than `most` mm, as far as one term a row allows.
+    Block set(double most) const {
+        Block block;
+        for (std::size_t from = 0; from < columns_.size();) {
+            const std::size_t to = end_of_row(from, most);
+            Block row = set_row(from, to);
+            render::move(row.marks, 0, block.height);
+            block.marks.insert(block.marks.end(), std::make_move_iterator(row.marks.begin()),
+                               std::make_move_iterator(row.marks.end()));
+            block.width = std::max(block.width, row.width);
+            block.height += row.height + (to < columns_.size() ? between_rows : 0);
+            from = to;
+        }
+        return block;
+    }
+
+private:
+    struct Column {
+        const Term* term = nullptr;
+        std::string operation;  // what stands before it
+        ShapedLine symbol, line;
+        double width = 0;
+    };
+
+    static constexpr double between_rows = 1.5;
+
+    double before(std::size_t column) const {
+        const std::string& operation = columns_[column].operation;
+        return operation.empty() ? 0 : setting_.operation * (operation == "=" ? 1.1 : 1.0) - setting_.gap / 2;
+    }
+    double width(std::size_t from, std::size_t to) const {
+        double x = names_width_ + 2.0;
+        for (std::size_t c = from; c < to; ++c) x += before(c) + columns_[c].width;
+        return x;
+    }
+    /// As many terms as there is room for; rather before an equals sign than before a plus.
+    std::size_t end_of_row(std::size_t from, double most) const {
+        std::size_t to = from + 1;
+        while (to < columns_.size() && width(from, to + 1) <= most) ++to;
+        if (to < columns_.size())
+            for (std::size_t c = to; c > from + 1; --c)
+                if (columns_[c].operation == "=") return c;
+        return to;
+    }
+    Block set_row(std::size_t from, std::size_t to) const {
+        const Theme& theme = context_.theme;
+        const ShapedLine tick = context_.fonts.shape(one_piece("✓"), 10),
+                         question = context_.fonts.shape(one_piece("?", Face::bold), 10);
+        Block block;
+        block.width = width(from, to);
+        std::vector<double> middles;
+        double x = names_width_ + 2.0;
+        for (std::size_t c = from; c < to; ++c) {
+            x += before(c);
+            middles.push_back(x + columns_[c].width / 2);
+            x += columns_[c].width;
+        }
+        double baseline = 4.6;
+        double end = names_width_ + 2.0;
+        for (std::size_t c = from; c < to; ++c) {
+            const Column& column = columns_[c];
+            const double middle = middles[c - from];
+            const Colour colour = theme.colour_of(column.term->body).letter;
+            if (!column.operation.empty()) {
+                const ShapedLine sign = context_.fonts.shape(one_piece(column.operation), setting_.size);
+                set_centred(block.marks, sign, 0.5 * (end + middle - column.symbol.width / 2), baseline, theme.text);
+            }
+            set_centred(block.marks, column.symbol, middle, baseline, colour);
+            end = middle + column.symbol.width / 2;
+        }
+        const double top = 6.6;
+        block.marks.emplace_back(rule(0, block.width, top, theme.thin, theme.text));
+        for (std::size_t row = 0; row < names_.size(); ++row) {
+            baseline = top + 3.4 + 4.1 * static_cast<double>(row);
+            set_text(block.marks, names_[row], {0, baseline}, theme.secondary, "text");
+            for (std::size_t c = from; c < to; ++c) {
+                const Column& column = columns_[c];
+                if (row < 2) {
+                    const bool known = row == 0 ? column.term->magnitude_known : column.term->direction_known;
+                    set_centred(block.marks, known ? tick : question, middles[c - from], baseline, theme.text);
+                } else {
+                    set_centred(block.marks, column.line, middles[c - from], baseline, theme.secondary);
+                }
+            }
+        }
+        block.height = baseline + 1.8;
+        block.marks.emplace_back(rule(0, block.width, block.height, theme.thin, theme.text));
+        return block;
+    }
+
+    const DrawingContext& context_;
+    Setting setting_;
+    std::vector<Column> columns_;
+    std::vector<ShapedLine> names_;
+    double names_width_ = 0;
+};
+
+}  // namespace
+
+Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least) {
+    // Set as in the book; where that is too wide, closer and then smaller; where that is, too, in rows.
+    using Setting = EquationTable::Setting;
+    constexpr std::array settings{Setting{12, 8.5, 11.2, 2.2, 4.4}, Setting{12, 8, 8.5, 1.6, 3.6}, Setting{11, 7.5, 7, 1.3, 3.2},
+                                  Setting{10, 7, 6, 1.2, 3.0}, Setting{9, 6, 5, 1, 2.8}};
+    for (const Setting& setting : settings)
+        if (const EquationTable table(context, equation, setting); setting.size >= least && table.width() <= most)
+            return table.set(most);
+    return EquationTable(context, equation, settings[1]).set(most);
+}
+
+std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
+    const Solution& solution = context.solution;
+    const Units& units = solution.mechanism.units;
+    const CheckedNumbers checks(solution);
+    std::vector<ResultRow> rows;
+
+    const auto add_bodies = [&](Symbol::Letter letter, const std::string& quantity, const Unit& unit, const std::string& group) {
+        const double si = unit.si.to_double();
+        for (std::size_t b = 1; b < solution.bodies.size(); ++b) {
+            const auto& value = letter == Symbol::Letter::omega ? solution.bodies[b].omega : solution.bodies[b].alpha;
+            if (!value) continue;
+            ResultRow row;
+            row.symbol = {letter, solution.mechanism.bodies[b].name, ""};
+            row.name = name_of(row.symbol);
+            row.drawing = value->to_double() / si;
+            if (const auto numeric = checks.scalar(quantity + " " + solution.mechanism.bodies[b].name))
+                row.numeric = value->is_zero() && std::abs(*numeric) < negligible_turn(solution, group) ? 0 : *numeric / si;
+            row.unit = unit.symbol;
+            row.group = group;
+            rows.push_back(std::move(row));
+        }
+    };
+    const auto add_polygons = [&](Plane plane, bool relative) {
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+            const Polygon& polygon = solution.protocol.polygons[p];
+            if (polygon.plane != plane || polygon.point.empty() == relative) continue;
+            const Unit& unit = plane == Plane::acceleration ? units.acceleration : units.velocity;
+            const Figure* figure = nullptr;
+            for (const Figure& each : figures)
+                if (each.id == legal_id(polygon.id)) figure = &each;
+            std::set<std::string> names;
+            for (const int index : polygon.vectors) {
+                const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(index)];
+                ResultRow row;
+                row.symbol = vector.symbol;
+                row.name = name_of(vector.symbol);
+                if (!names.insert(row.name).second) continue;
+                const Vector value = solution.protocol.value_of(vector);
+                row.drawing = kinegraph::length(value) / unit.si.to_double();
+                if (const auto found = figure ? measured_on(*figure, row.name) : std::nullopt; found && !value.is_zero()) {
+                    row.millimetres = found->millimetres;
+                    row.detail = found->detail;
+                } else if (figure || value.is_zero()) {
+                    row.millimetres = 0;
+                }
+                if (const auto numeric = checks.modulus(index)) row.numeric = *numeric / unit.si.to_double();
+                row.unit = unit.symbol;
+                row.group = polygon.id;
+                rows.push_back(std::move(row));
+            }
+        }
+    };
+    add_polygons(Plane::velocity, false);
+    add_bodies(Symbol::Letter::omega, "omega", units.angular_velocity, "velocity");
+    add_polygons(Plane::acceleration, false);
+    add_bodies(Symbol::Letter::alpha, "alpha", Unit{"rad/s²", 1}, "acceleration");
+    add_polygons(Plane::velocity, true);
+    add_polygons(Plane::acceleration, true);
+    return rows;
+}
+
+Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, const std::string& heading) {
+    const Language language = context.language;
+    const Theme& theme = context.theme;
+    const Fonts& fonts = context.fonts;
+    struct Line {
+        std::array<ShapedLine, 6> cells;  // quantity, mm, drawing, numeric, unit, difference
+    };
+    const auto shape = [&](const std::string& text, double size) { return fonts.shape(with_powers(text), size); };
+
+    std::map<std::pair<std::string, std::string>, double> largest;  // by group and unit
+    for (const ResultRow& row : rows) {
+        double& most = largest[{row.group, row.unit}];
+        most = std::max({most, std::abs(row.drawing), std::abs(row.numeric.value_or(0))});
+    }
+    Line head;
+    head.cells[1] = shape("mm", theme.small);
+    head.cells[2] = shape(word("drawing", language), theme.small);
+    head.cells[3] = shape(word("numeric", language), theme.small);
+    head.cells[4] = shape(word("unit", language), theme.small);
+    head.cells[5] = shape(word("difference", language) + " %", theme.small);
+    std::array<double, 6> widths{};
+    for (std::size_t c = 0; c < 6; ++c) widths[c] = head.cells[c].width;
+    std::vector<Line> lines;
+    for (const ResultRow& row : rows) {
+        const double most = largest[{row.group, row.unit}];
+        const auto decimals = decimals_for(most);
+        const bool is_scalar = row.symbol.letter == Symbol::Letter::omega || row.symbol.letter == Symbol::Letter::alpha;
+        const auto value = [&](double v) {
+            std::string text = cell(v, decimals, language);
+            // Positive turns are said to be so.
+            return is_scalar && v > 0 && text.find_first_of("123456789") != std::string::npos ? "+" + text : text;
+        };
+        RichText quantity = typeset(row.symbol, language);
+        for (Piece& piece : quantity)
+            if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector, a scalar
+        if (!row.detail.empty()) quantity.push_back(one_piece(" (" + row.detail + ")").front());
+        Line each;
+        each.cells[0] = fonts.shape(quantity, theme.body_text + 0.5);
+        each.cells[1] = shape(row.millimetres ? fixed(*row.millimetres, 1, language) : "–", theme.body_text);
+        // A length is what was read; what has no length in a figure (ω, α, couples) is as the construction gives it.
+        const std::optional<Reading> reading = reading_of(row);
+        const double drawn = reading ? reading->value : row.drawing;
+        each.cells[2] = shape(reading && decimals ? fixed(drawn, std::min(*decimals, reading->decimals), language) : value(drawn),
+                              theme.body_text);
+        each.cells[3] = shape(row.numeric ? value(*row.numeric) : "–", theme.body_text);
+        each.cells[4] = shape(row.unit, theme.body_text);
+        std::string difference = "–";
+        const bool too_short_to_read = reading && !(reading->value > 0);
+        if (row.numeric && !too_short_to_read) {
+            const double gap = drawn - *row.numeric;
+            const double percent = std::abs(gap) <= 1e-9 * most ? 0
+                                   : *row.numeric != 0          ? 100 * gap / std::abs(*row.numeric)
+                                                                : 100;
+            difference = fixed(percent, 2, language);
+            if (percent >= 0.005) difference.insert(0, "+");
+        }
+        each.cells[5] = shape(difference, theme.body_text);
+        for (std::size_t c = 0; c < 6; ++c) widths[c] = std::max(widths[c], each.cells[c].width);
+        lines.push_back(std::move(each));
+    }
+    double total = 0;
+    for (const double w : widths) total += w;
+    const double gap = std::clamp((width - total) / 5, 1.6, 9.0);
+    std::array<double, 6> left{};
+    for (std::size_t c = 1; c < 6; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
+
+    Block block;
+    block.width = left[5] + widths[5];
+    double y = 0;
+    if (!heading.empty()) {
+        set_text(block.marks, fonts.shape(one_piece(heading, Face::bold), theme.label), {0, 3.6}, theme.text, "text");
+        y = 5.6;
+    }
+    const auto set_line = [&](const Line& each, double baseline, Colour colour) {
+        set_text(block.marks, each.cells[0], {left[0], baseline}, theme.text, "text");
+        set_text(block.marks, each.cells[4], {left[4], baseline}, colour, "text");
+        for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}})
+            set_right(block.marks, each.cells[c], left[c] + widths[c], baseline, colour);
+    };
+    block.marks.emplace_back(rule(0, block.width, y, theme.outline, theme.text));
+    set_line(head, y + 3.4, theme.secondary);
+    y += 4.8;
+    block.marks.emplace_back(rule(0, block.width, y, theme.thin, theme.text));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (i > 0 && rows[i].group != rows[i - 1].group) {
+            y += 0.4;
+            block.marks.emplace_back(rule(0, block.width, y, theme.thin, theme.secondary));
+        }
+        set_line(lines[i], y + 3.3, theme.text);
+        y += pitch;
+    }
+    y += 0.6;
+    block.marks.emplace_back(rule(0, block.width, y, theme.outline, theme.text));
+    block.height = y + 0.2;
+    return block;
+}
+
+namespace {
+
+Symbol symbol_of(const InstantCentre& centre, const Mechanism& mechanism) {
+    const std::string& i = mechanism.bodies[static_cast<std::size_t>(centre.first)].name;
+    const std::string& j = mechanism.bodies[static_cast<std::size_t>(centre.second)].name;
+    const bool infinite = centre.at && centre.at->at_infinity();
+    return {Symbol::Letter::centre, i.size() == 1 && j.size() == 1 ? i + j : i + "," + j, infinite ? "∞" : ""};
+}
+
+/// The joint that holds two bodies, if one does.
+const Joint* joint_of(const InstantCentre& centre, const Mechanism& mechanism) {
+    const auto holds = [](const Joint& joint, BodyIndex body) {
+        return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
+    };
+    for (const Joint& joint : mechanism.joints)
+        if (holds(joint, centre.first) && holds(joint, centre.second)) return &joint;
+    return nullptr;
+}
+
+const std::string& point_name(const Mechanism& mechanism, PointIndex point) {
+    return mechanism.points[static_cast<std::size_t>(point)].name;
+}
+
+/// A centre inside the name of a line: its hinge where it has one, else its symbol.
+RichText in_a_line(const InstantCentre& centre, const Mechanism& mechanism, Language language) {
+    const Joint* joint = centre.how == InstantCentre::How::primary ? joint_of(centre, mechanism) : nullptr;
+    if (joint && centre.at && !centre.at->at_infinity())
+        return typeset(Symbol{Symbol::Letter::point, point_name(mechanism, joint->point), ""}, language);
+    return typeset(symbol_of(centre, mechanism), language);
+}
+
+RichText how_found(const InstantCentre& centre, const Solution& solution, Language language) {
+    const Mechanism& mechanism = solution.mechanism;
+    const auto point = [&](PointIndex p) {
+        return typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language);
+    };
+    RichText text;
+    if (centre.how == InstantCentre::How::unknown && !centre.at && !centre.everywhere)
+        return one_piece(word("not found", language));
+    if (centre.how == InstantCentre::How::primary) {
+        if (const Joint* joint = joint_of(centre, mechanism)) {
+            switch (joint->kind) {
+                case JointKind::revolute:
+                    append(text, word("hinge", language) + " ");
+                    break;
+                case JointKind::prismatic:
+                    append(text, word("normal to guide", language) + " ");
+                    break;
+                case JointKind::rolling:
+                    append(text, word("contact", language) + " ");
+                    break;
+                case JointKind::gear:
+                    append(text, word("pitch point", language) + " ");
+                    break;
+                case JointKind::weld:
+                    append(text, word("clamped at", language) + " ");
+                    break;
+                case JointKind::pin_slot:
+                case JointKind::contact:
+                    append(text, word("normal at", language) + " ");
+                    break;
+            }
+            append(text, point(joint->point));
+            return text;
+        }
+    }
+    const auto join = [&] {
+        if (!text.empty()) append(text, " " + word("and", language) + " ");
+    };
+    for (const auto& [first, second] : centre.through) {
+        join();
+        append(text, in_a_line(solution.centres[static_cast<std::size_t>(first)], mechanism, language));
+        append(text, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
+    }
+    const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != 0;
+    for (const PointIndex p : to_relative_velocities ? std::vector<PointIndex>{} : centre.normals) {
+        join();
+        append(text, word("normal at", language) + " ");
+        append(text, point(p));
+    }
+    if (text.empty() && centre.how == InstantCentre::How::velocities) append(text, word("from velocities", language));
+    return text;
+}
+
+RichText where_found(const InstantCentre& centre, const Solution& solution, Language language) {
+    if (centre.at && !centre.at->at_infinity()) {
+        const Unit& unit = solution.mechanism.units.length;
+        const Vector place = centre.at->place();
+        const double w = centre.at->w.to_double() * unit.si.to_double();
+        const double x = place.x.to_double() / w, y = place.y.to_double() / w;
+        const double size = (solution.pose.size / unit.si).to_double();
+        const auto decimals = decimals_for(std::max({std::abs(x), std::abs(y), size}));
+        const auto coordinate = [&](double v) {
+            return decimals ? fixed(v, std::min(*decimals, 4), language) : number(v, 5, language);
+        };
+        const std::string separator = language == Language::it ? "; " : ", ";
+        return one_piece("(" + coordinate(x) + separator + coordinate(y) + ")");
+    }
+    if (centre.at) {
+        double angle = std::atan2(centre.at->y.to_double(), centre.at->x.to_double()) * 180 / std::acos(-1.0);
+        if (angle < 0) angle += 180;
+        if (angle >= 180) angle -= 180;
+        return one_piece("∞, " + fixed(angle, 2, language) + "°");
+    }
+    if (centre.everywhere) return one_piece(word("everywhere", language));
+    return {};
+}
+
+RichText describe(BodyIndex index, const Solution& solution, Language language) {
+    const Mechanism& mechanism = solution.mechanism;
+    const Body& body = mechanism.bodies[static_cast<std::size_t>(index)];
+    std::vector<PointIndex> hinges;
+    bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
+    for (const Joint& joint : mechanism.joints) {
+        const auto found = std::find(joint.bodies.begin(), joint.bodies.end(), index);
+        if (found == joint.bodies.end()) continue;
+        const bool with_frame = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+        if (joint.kind == JointKind::revolute) {
+            hinges.push_back(joint.point);
+            on_frame = on_frame || with_frame;
+        }
+        if (joint.kind == JointKind::prismatic) {
+            slides_on_frame = slides_on_frame || with_frame;
+            (found == joint.bodies.begin() ? slides : carries_guide) = true;
+        }
+        if (joint.kind == JointKind::pin_slot && found != joint.bodies.begin()) carries_guide = true;
+    }
+    for (const Driver& driver : mechanism.drivers)
+        if (const auto* spin = std::get_if<SpinDriver>(&driver)) driven = driven || spin->body == index;
+
+    RichText text;
+    if (!body.label.empty()) {
+        append(text, in(body.label, language));
+        append(text, " ");
+    } else {
+        const char* kind = body.circle                       ? "disc"
+                           : slides_on_frame                 ? "slider"
+                           : carries_guide                   ? "slotted link"
+                           : slides                          ? "sleeve"
+                           : on_frame && driven              ? "crank"
+                           : on_frame && hinges.size() == 2  ? "rocker"
+                           : !on_frame && hinges.size() == 2 ? "coupler"
+                                                             : "link";
+        append(text, word(kind, language) + " ");
+    }
+    std::vector<PointIndex> points = hinges;
+    for (const PointIndex p : body.points)
+        if (std::find(points.begin(), points.end(), p) == points.end() && points.size() < 6) points.push_back(p);
+    for (const PointIndex p : points)
+        append(text, typeset(Symbol{Symbol::Letter::point, point_name(mechanism, p), ""}, language));
+    if (points.size() == 2 && !slides && !slides_on_frame) {
+        const Unit& unit = mechanism.units.length;
+        const Vector between = solution.pose.at(points[1]) - solution.pose.at(points[0]);
+        const double l = length(Spot{(between.x / unit.si).to_double(), (between.y / unit.si).to_double()});
+        // A length that the file gives shows as given; one that follows, to four digits.
+        const double nice = std::round(l * 1e6) / 1e6;
+        const std::string exact = shortest(nice, language);
+        append(text, ", " + (exact.size() <= 6 ? exact : number(l, 4, language)) + " " + unit.symbol);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<Block> centre_lines(const DrawingContext& context, double width) {
+    const Theme& theme = context.theme;
+    std::vector<Block> lines;
+    std::vector<const InstantCentre*> centres;
+    for (const InstantCentre& centre : context.solution.centres) centres.push_back(&centre);
+    double symbols = 8;
+    std::vector<ShapedLine> shaped;
+    for (const InstantCentre* centre : centres) {
+        shaped.push_back(
+            context.fonts.shape(typeset(symbol_of(*centre, context.solution.mechanism), context.language), theme.derived));
+        symbols = std::max(symbols, shaped.back().width + 2.5);
+    }
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        const InstantCentre& centre = *centres[i];
+        Block block;
+        RichText how = how_found(centre, context.solution, context.language);
+        if (centre.depends_on_drivers) append(how, " (" + word("depends on drivers", context.language) + ")");
+        const ShapedLine where = context.fonts.shape(where_found(centre, context.solution, context.language), theme.body_text);
+        const double indent = std::min(symbols, 0.3 * width), room = width - indent;
+        std::vector<ShapedLine> wrapped;
+        for (double size = theme.body_text; size > 4; size -= 0.5) {
+            wrapped = context.fonts.wrap(how, size, room);
+            if (std::none_of(wrapped.begin(), wrapped.end(), [&](const ShapedLine& l) { return l.width > room; })) break;
+        }
+        set_text(block.marks, shaped[i], {0, 3.2}, theme.text, "text");
+        double baseline = shaped[i].width > indent - 1.5 && !wrapped.empty() ? 7.3 : 3.2;
+        for (std::size_t k = 0; k < wrapped.size(); ++k) {
+            set_text(block.marks, wrapped[k], {indent, baseline}, theme.text, "text");
+            // The coordinates end the last line, or stand on their own.
+            if (k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room) baseline += 4.1;
+        }
+        set_right(block.marks, where, width, baseline, theme.text);
+        baseline += 4.1;
+        block.width = width;
+        block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
+        lines.push_back(std::move(block));
+    }
+    return lines;
+}
+
+std::vector<Block> body_lines(const DrawingContext& context, double width) {
+    const Theme& theme = context.theme;
+    std::vector<Block> lines;
+    for (std::size_t b = 1; b < context.solution.mechanism.bodies.size(); ++b) {
+        Block block;
+        const BodyColour colour = theme.body(static_cast<int>(b));
+        block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
+        draw_line_kind(block.marks, 0, theme.link, colour, theme);
+        const ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.bodies[b].name), theme.body_text);
+        set_text(block.marks, name, {11, 3.2}, colour.letter, "text");
+        const double x = 11 + std::max(4.5, name.width + 2);
+        double baseline = 3.2;
+        for (const ShapedLine& each : context.fonts.wrap(describe(static_cast<BodyIndex>(b), context.solution, context.language),
+                                                         theme.body_text, width - x)) {
+            set_text(block.marks, each, {x, baseline}, theme.text, "text");
+            baseline += 4.1;
+        }
+        block.width = width;
+        block.height = std::max(4.8, baseline - 3.2 + 0.7);
+        lines.push_back(std::move(block));
+    }
+    return lines;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,56 @@
+// Tables: vector equations with what is known of each term, the results table, the list of centres and the key of bodies, as
+// marks with a size, their origin at the top left. Owns columns and rules; chooses no place on the sheet and computes no
+// mechanics beyond moduli of what was found.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/figures/figure.hpp"
+#include "render/page/page.hpp"
+
+namespace kinegraph::render {
+
+/// Something set and measured, mm, its top left at the origin; to be moved, never scaled.
+struct Block {
+    std::vector<Mark> marks;
+    double width = 0, height = 0;
+};
+
+/// The shortest decimal that reads back as this double, with a point: data attributes.
+std::string shortest(double value);
+/// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
+std::string shortest(double value, Language language);
+
+/// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
+/// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.
+Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least = 9);
+
+/// One row of the results: a vector as drawn or a scalar of a body.
+struct ResultRow {
+    Symbol symbol;
+    std::string name;                   ///< plain, for the tests and the terminal
+    std::optional<double> millimetres;  ///< measured on the drawing
+    std::string detail;                 ///< letter of the detail that it was measured in; empty: the figure itself
+    double drawing = 0;                 ///< by the construction, in `unit`
+    std::optional<double> numeric;      ///< by the check, in `unit`
+    std::string unit;
+    std::string group;  ///< "velocity", "acceleration" or the polygon's id; a rule separates groups
+};
+/// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
+std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
+/// Rows as a table under a heading (empty: none), `width` mm wide: read off the drawing to 0.1 mm, that times the scale, the
+/// number of the check, and by how much the reading misses it.
+Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, const std::string& heading);
+
+/// Instant centres: symbol, how found, where. `columns` of lines are not made here: one centre a line.
+std::vector<Block> centre_lines(const DrawingContext& context, double width);
+/// Key of the bodies: colour, number, what it is.
+std::vector<Block> body_lines(const DrawingContext& context, double width);
+
+/// The table of Joukowsky's lever: force, its arm h about the pole by the scale of velocities, power; couples with ω; the sum,
+/// and what it says. Not wider than `most` mm as far as its columns can be set closer.
+Block joukowsky_block(const DrawingContext& context, double most);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,703 @@
+// How a line is set: words are shaped one by one in em units, kept, and then only scaled and moved. Owns the fonts'
+// handles and every measure of our setting (scripts, dots, code boxes). Refuses to know what the words mean.
+#include "render/text/text.hpp"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_BBOX_H
+#include FT_OUTLINE_H
+#include <hb-ot.h>
+#include <hb.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <numbers>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+
+#include "engine/assert.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+// The measures of the setting, in em of the base.
+constexpr double script_scale = 0.70;
+constexpr double subscript_drop = 0.22;
+constexpr double superscript_rise = 0.40;
+constexpr double space_after_scripts = 0.03;
+constexpr double least_italic_correction = 0.03;  // an upright superscript would touch a leaning letter
+constexpr double most_italic_correction = 0.15;
+constexpr double dot_radius = 0.055;
+constexpr double dot_rise = 0.12;  // centre of the dot over the ink of the letter
+constexpr double dot_pitch = 0.19;
+constexpr double slant = 0.27;  // of the italic faces (15.5 degrees)
+constexpr double code_scale = 0.45;
+constexpr double code_padding = 0.06;
+constexpr double code_line = 0.03;
+constexpr double code_side = 0.05;
+
+constexpr int face_count = 4;
+constexpr std::array<const char*, face_count> file_names = {"STIXGeneral-Regular.otf", "STIXGeneral-Italic.otf",
+                                                            "STIXGeneral-Bold.otf", "STIXGeneral-BoldItalic.otf"};
+constexpr const char* debian_directory = "/usr/share/fonts/opentype/stix";
+
+constexpr std::uint8_t regular = static_cast<std::uint8_t>(Face::regular);
+constexpr std::uint8_t bold = static_cast<std::uint8_t>(Face::bold);
+
+bool italic(Face face) { return face == Face::italic || face == Face::bold_italic; }
+
+struct Release {
+    void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
+    void operator()(hb_font_t* font) const { hb_font_destroy(font); }
+    void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
+    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+    void operator()(FT_Face face) const { FT_Done_Face(face); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Release>;
+
+/// A box around ink; nothing inked when right < left. y upwards.
+struct Ink {
+    double left = 1, bottom = 0, right = 0, top = 0;
+    bool blank() const { return right < left; }
+};
+
+struct Drawn {
+    Outline outline;
+    Ink ink;
+};
+
+/// A word set in one face at 1 em, origin at 0.
+struct Word {
+    struct Placed {
+        std::uint8_t face;
+        std::uint32_t index;
+        double scale;
+        double x, y;
+    };
+    std::vector<Placed> glyphs;
+    std::vector<Ink> boxes;  // round the codes of missing characters
+    double advance = 0;
+    Ink last;  // of the last letter
+    double top = 0, bottom = 0;
+};
+
+/// Bytes that are shown as a space at which a line may break: the space and ASCII's control characters.
+bool breaks(char c) { return static_cast<unsigned char>(c) <= 0x20 || c == 0x7F; }
+
+/// Advance of a white space in em; 0 for characters without any ink or width; negative: not a blank.
+double blank_advance(char32_t c, double space) {
+    switch (c) {
+        case 0x00A0:
+        case 0x2028:
+        case 0x2029:
+            return space;
+        case 0x2000:
+        case 0x2002:
+        case 0x2007:
+            return 0.5;
+        case 0x2001:
+        case 0x2003:
+        case 0x3000:
+            return 1;
+        case 0x2004:
+            return 1 / 3.0;
+        case 0x2005:
+        case 0x2008:
+            return 0.25;
+        case 0x2006:
+            return 1 / 6.0;
+        case 0x2009:
+        case 0x202F:
+            return 0.2;
+        case 0x200A:
+            return 0.1;
+        case 0x205F:
+            return 4 / 18.0;
+        case 0x00AD:
+        case 0x034F:
+        case 0x061C:
+        case 0xFEFF:
+            return 0;
+        default:
+            break;
+    }
+    if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return space;
+    const bool unseen = (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||
+                        (c >= 0xFE00 && c <= 0xFE0F) || (c >= 0xE0000 && c <= 0xE0FFF);
+    return unseen ? 0 : -1;
+}
+
+std::string code_name(char32_t c) {
+    static constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string name = "U+";
+    for (int shift = c > 0xFFFFF ? 20 : c > 0xFFFF ? 16 : 12; shift >= 0; shift -= 4) name += digits[(c >> shift) & 0xF];
+    return name;
+}
+
+/// Collects a FreeType outline as segments in em.
+struct Collector {
+    Outline& outline;
+    double unit;
+    Spot at{};
+    Spot spot(const FT_Vector* v) const { return {static_cast<double>(v->x) * unit, static_cast<double>(v->y) * unit}; }
+
+    static int move(const FT_Vector* to, void* self) {
+        auto& c = *static_cast<Collector*>(self);
+        if (!c.outline.segments.empty()) c.outline.segments.emplace_back(Close{});
+        c.outline.segments.emplace_back(MoveTo{c.at = c.spot(to)});
+        return 0;
+    }
+    static int line(const FT_Vector* to, void* self) {
+        auto& c = *static_cast<Collector*>(self);
+        c.outline.segments.emplace_back(LineTo{c.at = c.spot(to)});
+        return 0;
+    }
+    static int conic(const FT_Vector* control, const FT_Vector* to, void* self) {
+        auto& c = *static_cast<Collector*>(self);
+        const Spot q = c.spot(control), end = c.spot(to);
+        const auto towards = [&q](Spot p) { return Spot{(p.x + 2 * q.x) / 3, (p.y + 2 * q.y) / 3}; };
+        c.outline.segments.emplace_back(CurveTo{towards(c.at), towards(end), end});
+        c.at = end;
+        return 0;
+    }
+    static int cubic(const FT_Vector* control_1, const FT_Vector* control_2, const FT_Vector* to, void* self) {
+        auto& c = *static_cast<Collector*>(self);
+        c.outline.segments.emplace_back(CurveTo{c.spot(control_1), c.spot(control_2), c.spot(to)});
+        c.at = c.spot(to);
+        return 0;
+    }
+};
+
+struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+};
+
+}  // namespace
+
+struct Fonts::State {
+    struct FaceOfFont {
+        Owned<hb_blob_t> blob;
+        Owned<hb_font_t> font;
+        Owned<FT_FaceRec_> outlines;  // opened when the first glyph is drawn: shaping does without
+        double unit = 0;              // em for each font unit
+        double space = 0;
+        std::vector<std::unique_ptr<Drawn>> drawn;  // by glyph; the addresses stay
+        std::unordered_map<std::string, Word, Hash, std::equal_to<>> words;
+    };
+    Owned<FT_LibraryRec_> library;  // outlives the faces
+    std::array<FaceOfFont, face_count> faces;
+    Owned<hb_buffer_t> buffer{hb_buffer_create()};
+    hb_language_t language = hb_language_from_string("en", -1);  // never the machine's
+    std::vector<std::string> missing;
+    std::vector<char32_t> characters;
+    std::vector<std::uint8_t> faces_of;
+
+    const Drawn& drawing(std::uint8_t face, std::uint32_t index);
+    bool has(std::uint8_t face, char32_t c) {
+        hb_codepoint_t glyph = 0;
+        return hb_font_get_nominal_glyph(faces[face].font.get(), c, &glyph) != 0;
+    }
+    const Word& word(std::string_view text, Face face);
+    Word set_word(std::string_view text, std::uint8_t face);
+    void shape_run(std::span<const char32_t> run, std::uint8_t face, double scale, double y, Word& into);
+    void draw_code(char32_t c, Word& into);
+};
+
+const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
+    KG_ASSERT(face < face_count, "a glyph belongs to one of the four faces");
+    FaceOfFont& f = faces[face];
+    KG_ASSERT(index < f.drawn.size(), "a glyph's index lies within its face");
+    std::unique_ptr<Drawn>& drawn = f.drawn[index];
+    if (drawn) return *drawn;
+    if (!library) {
+        FT_Library opened = nullptr;
+        KG_ASSERT(FT_Init_FreeType(&opened) == 0, "FreeType starts");
+        library.reset(opened);
+    }
+    if (!f.outlines) {
+        unsigned length = 0;
+        const char* bytes = hb_blob_get_data(f.blob.get(), &length);
+        FT_Face opened = nullptr;
+        KG_ASSERT(FT_New_Memory_Face(library.get(), reinterpret_cast<const FT_Byte*>(bytes), static_cast<FT_Long>(length), 0,
+                                     &opened) == 0,
+                  "a face that HarfBuzz reads is read by FreeType");
+        f.outlines.reset(opened);
+    }
+    drawn = std::make_unique<Drawn>();
+    if (FT_Load_Glyph(f.outlines.get(), index, FT_LOAD_NO_HINTING | FT_LOAD_NO_SCALE) != 0) return *drawn;
+    FT_Outline& outline = f.outlines->glyph->outline;
+    if (outline.n_points == 0) return *drawn;
+    static constexpr FT_Outline_Funcs collect = {Collector::move, Collector::line, Collector::conic, Collector::cubic, 0, 0};
+    Collector collector{drawn->outline, f.unit};
+    FT_Outline_Decompose(&outline, &collect, &collector);
+    drawn->outline.segments.emplace_back(Close{});
+    FT_BBox box{};
+    FT_Outline_Get_BBox(&outline, &box);
+    const auto em = [&f](FT_Pos units) { return static_cast<double>(units) * f.unit; };
+    drawn->ink = {em(box.xMin), em(box.yMin), em(box.xMax), em(box.yMax)};
+    return *drawn;
+}
+
+/// Shapes characters that one face has and appends them to the word. Left to right always.
+void Fonts::State::shape_run(std::span<const char32_t> run, std::uint8_t face, double scale, double y, Word& into) {
+    const FaceOfFont& f = faces[face];
+    hb_buffer_t* b = buffer.get();
+    hb_buffer_clear_contents(b);
+    static_assert(sizeof(char32_t) == sizeof(hb_codepoint_t));
+    hb_buffer_add_codepoints(b, reinterpret_cast<const hb_codepoint_t*>(run.data()), static_cast<int>(run.size()), 0,
+                             static_cast<int>(run.size()));
+    hb_buffer_set_direction(b, HB_DIRECTION_LTR);
+    hb_buffer_set_script(b, HB_SCRIPT_LATIN);
+    hb_buffer_set_language(b, language);
+    hb_shape(f.font.get(), b, nullptr, 0);
+    unsigned count = 0;
+    const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(b, &count);
+    const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(b, &count);
+    const double unit = f.unit * scale;
+    int pen = 0;
+    const double start = into.advance;
+    for (unsigned i = 0; i < count; ++i) {
+        const double x = start + (pen + places[i].x_offset) * unit;
+        const double lift = y + places[i].y_offset * unit;
+        const Ink ink = drawing(face, infos[i].codepoint).ink;
+        pen += places[i].x_advance;
+        if (ink.blank()) continue;
+        into.glyphs.push_back({face, infos[i].codepoint, scale, x, lift});
+        into.last = {x + ink.left * scale, lift + ink.bottom * scale, x + ink.right * scale, lift + ink.top * scale};
+        into.top = std::max(into.top, into.last.top);
+        into.bottom = std::min(into.bottom, into.last.bottom);
+    }
+    into.advance = start + pen * unit;
+}
+
+/// A character that no face has: its code in a box.
+void Fonts::State::draw_code(char32_t c, Word& into) {
+    const std::string name = code_name(c);
+    if (std::find(missing.begin(), missing.end(), name) == missing.end()) missing.push_back(name);
+    const std::u32string code(name.begin(), name.end());
+    Ink box;
+    box.left = into.advance + code_side;
+    box.bottom = 0;
+    into.advance = box.left + code_padding;
+    shape_run(code, regular, code_scale, code_padding + code_line, into);
+    box.right = into.advance + code_padding;
+    box.top = into.last.top + code_padding + code_line;
+    into.advance = box.right + code_side;
+    into.boxes.push_back(box);
+    into.last = {box.left - code_line / 2, box.bottom - code_line / 2, box.right + code_line / 2, box.top + code_line / 2};
+    into.top = std::max(into.top, into.last.top);
+    into.bottom = std::min(into.bottom, into.last.bottom);
+}
+
+Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
+    characters.clear();
+    faces_of.clear();
+    for (std::size_t at = 0; at < text.size();) {
+        char32_t c = next_code_point(text, at);
+        // An accent written apart joins its letter where Unicode has the whole (file names from some systems come so).
+        if (c >= 0x300 && c < 0x370 && !characters.empty()) {
+            hb_codepoint_t whole = 0;
+            if (hb_unicode_compose(hb_unicode_funcs_get_default(), characters.back(), c, &whole)) {
+                characters.back() = whole;
+                continue;
+            }
+        }
+        characters.push_back(c);
+    }
+    constexpr std::uint8_t blank = 254, nowhere = 255;
+    const double space = faces[face].space;
+    for (const char32_t c : characters) {
+        faces_of.push_back(blank_advance(c, space) >= 0 ? blank
+                           : has(face, c)               ? face
+                           : has(regular, c)            ? regular
+                           : has(bold, c)               ? bold
+                                                        : nowhere);
+    }
+    Word word;
+    for (std::size_t begin = 0, end = 0; begin < characters.size(); begin = end) {
+        const std::uint8_t of = faces_of[begin];
+        end = begin + 1;
+        if (of == blank) {
+            word.advance += blank_advance(characters[begin], space);
+        } else if (of == nowhere) {
+            draw_code(characters[begin], word);
+        } else {
+            while (end < characters.size() && faces_of[end] == of) ++end;
+            shape_run(std::span(characters).subspan(begin, end - begin), of, 1, 0, word);
+        }
+    }
+    return word;
+}
+
+const Word& Fonts::State::word(std::string_view text, Face face) {
+    auto& words = faces[static_cast<std::size_t>(face)].words;
+    const auto known = words.find(text);
+    if (known != words.end()) return known->second;
+    return words.emplace(std::string(text), set_word(text, static_cast<std::uint8_t>(face))).first->second;
+}
+
+namespace {
+
+/// One piece of text after the other on a line; lengths in mm, y downwards.
+template <class State>
+class Setter {
+public:
+    explicit Setter(State& state) : state_(state) {}
+
+    struct Run {
+        double advance = 0;
+        Ink last;  // mm, y upwards, of the last letter
+    };
+
+    Run set(std::string_view text, Face face, double size, double x, double y, std::size_t part) {
+        Run run;
+        for (std::size_t at = 0; at < text.size();) {
+            if (breaks(text[at])) {
+                run.advance += state_.faces[static_cast<std::size_t>(face)].space * size;
+                ++at;
+                continue;
+            }
+            const auto stop = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), breaks);
+            const auto length = static_cast<std::size_t>(stop - text.begin()) - at;
+            place(state_.word(text.substr(at, length), face), size, x, y, part, run);
+            at += length;
+        }
+        return run;
+    }
+
+    void set(const Piece& piece, double size) {
+        const std::size_t part = part_of(piece);
+        const Run base = set(piece.text, piece.face, size, x_, 0, part);
+        if (piece.dots > 0 && !base.last.blank()) dot(piece, base.last, size, part);
+        x_ += base.advance;
+        if (piece.sub.empty() && piece.sup.empty()) return;
+        const Run sub = set(piece.sub, piece.sub_face, size * script_scale, x_, subscript_drop * size, part);
+        double lean = 0;
+        if (italic(piece.face) && !base.last.blank()) {
+            lean = size * std::clamp((base.last.right - x_) / size, least_italic_correction, most_italic_correction);
+        }
+        const Run sup = set(piece.sup, piece.sup_face, size * script_scale, x_ + lean, -superscript_rise * size, part);
+        const double wide = piece.sup.empty() ? sub.advance : std::max(sub.advance, lean + sup.advance);
+        x_ += wide + space_after_scripts * size;
+    }
+
+    ShapedLine finish(const RichText& text) {
+        line_.width = x_;
+        line_.words = plain(text);
+        return std::move(line_);
+    }
+
+private:
+    std::size_t part_of(const Piece& piece) {
+        for (std::size_t i = 0; i < line_.parts.size(); ++i) {
+            const auto& part = line_.parts[i];
+            if (part.coloured == piece.coloured && (!piece.coloured || part.colour == piece.colour)) return i;
+        }
+        line_.parts.push_back({{}, {}, piece.coloured, piece.coloured ? piece.colour : Colour{}});
+        return line_.parts.size() - 1;
+    }
+
+    void place(const Word& word, double size, double x, double y, std::size_t part, Run& run) {
+        const double at = x + run.advance;
+        auto& to = line_.parts[part];
+        for (const auto& g : word.glyphs) {
+            to.glyphs.push_back({g.face, g.index, g.scale * size, {at + g.x * size, y - g.y * size}});
+        }
+        for (const Ink& box : word.boxes) {
+            Path path;
+            const double left = at + box.left * size, right = at + box.right * size;
+            const double top = y - box.top * size, bottom = y - box.bottom * size;
+            path.segments = {MoveTo{{left, top}}, LineTo{{right, top}}, LineTo{{right, bottom}}, LineTo{{left, bottom}}, Close{}};
+            path.stroked = true;
+            path.pen.width = code_line * size;
+            path.pen.colour = to.colour;
+            to.extras.push_back(std::move(path));
+        }
+        if (!word.last.blank()) {
+            run.last = {at + word.last.left * size, word.last.bottom * size - y, at + word.last.right * size,
+                        word.last.top * size - y};
+            inked(y - word.top * size, y - word.bottom * size);
+        }
+        run.advance += word.advance * size;
+    }
+
+    void dot(const Piece& piece, const Ink& letter, double size, std::size_t part) {
+        const double height = letter.top + dot_rise * size;
+        double middle = (letter.left + letter.right) / 2;
+        if (italic(piece.face)) middle += slant * (height - (letter.bottom + letter.top) / 2) / 2;
+        auto& to = line_.parts[part];
+        for (int i = 0; i < piece.dots; ++i) {
+            Path path;
+            const double x = middle + (i - (piece.dots - 1) / 2.0) * dot_pitch * size;
+            path.segments = {ArcTo{{x, -height}, dot_radius * size, 0, 2 * std::numbers::pi}, Close{}};
+            path.filled = true;
+            path.fill = to.colour;
+            to.extras.push_back(std::move(path));
+        }
+        inked(-height - dot_radius * size, -height);
+    }
+
+    void inked(double top, double bottom) {
+        line_.ascent = std::max(line_.ascent, -top);
+        line_.descent = std::max(line_.descent, bottom);
+    }
+
+    State& state_;
+    ShapedLine line_;
+    double x_ = 0;
+};
+
+bool has_scripts(const Piece& piece) { return !piece.sub.empty() || !piece.sup.empty() || piece.dots > 0; }
+
+/// Digits raised by their characters, which the fonts have only for 1, 2 and 3.
+bool has_raised_digits(std::string_view text) {
+    // ⁰, ⁴ to ⁹ and ⁻ in UTF-8.
+    static constexpr std::string_view block = "\xE2\x81", last = "\xB0\xB4\xB5\xB6\xB7\xB8\xB9\xBB";
+    for (std::size_t at = text.find(block); at != std::string_view::npos; at = text.find(block, at + 1))
+        if (at + 2 < text.size() && last.find(text[at + 2]) != std::string_view::npos) return true;
+    return false;
+}
+
+/// The same text with raised digits as superscripts, the words with such in pieces of their own; `text` itself where it has none.
+const RichText& with_raised_digits(const RichText& text, RichText& changed) {
+    const auto concerns = [](const Piece& piece) { return !has_scripts(piece) && has_raised_digits(piece.text); };
+    if (std::none_of(text.begin(), text.end(), concerns)) return text;
+    for (const Piece& piece : text) {
+        if (!concerns(piece)) {
+            changed.push_back(piece);
+            continue;
+        }
+        const std::string& words = piece.text;
+        for (std::size_t at = 0; at < words.size();) {
+            const std::size_t blank = words.find(' ', at), end = blank == std::string::npos ? words.size() : blank + 1;
+            for (Piece& part : with_powers(words.substr(at, end - at))) {
+                Piece set = piece;
+                set.text = std::move(part.text);
+                set.sup = std::move(part.sup);
+                changed.push_back(std::move(set));
+            }
+            at = end;
+        }
+    }
+    return changed;
+}
+
+}  // namespace
+
+RichText with_powers(const std::string& text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> powers{{{"⁰", "0"},
+                                                                                           {"¹", "1"},
+                                                                                           {"²", "2"},
+                                                                                           {"³", "3"},
+                                                                                           {"⁴", "4"},
+                                                                                           {"⁵", "5"},
+                                                                                           {"⁶", "6"},
+                                                                                           {"⁷", "7"},
+                                                                                           {"⁸", "8"},
+                                                                                           {"⁹", "9"},
+                                                                                           {"⁻", "−"}}};
+    RichText rich{Piece{}};
+    for (std::size_t i = 0; i < text.size();) {
+        const auto power = std::find_if(powers.begin(), powers.end(), [&](const auto& each) {
+            return std::string_view(text).substr(i).starts_with(each.first);
+        });
+        if (power != powers.end()) {
+            rich.back().sup += power->second;
+            i += power->first.size();
+        } else {
+            if (!rich.back().sup.empty()) rich.push_back(Piece{});
+            rich.back().text += text[i++];
+        }
+    }
+    return rich;
+}
+
+std::string plain(const RichText& text) {
+    std::string words;
+    for (const Piece& piece : text) {
+        words += piece.text;
+        if (piece.dots == 2) {
+            append_utf8(words, 0x308);
+        } else {
+            for (int i = 0; i < piece.dots; ++i) append_utf8(words, 0x307);
+        }
+        if (!piece.sub.empty()) words += "_" + piece.sub;
+        if (!piece.sup.empty()) words += "^" + piece.sup;
+    }
+    return words;
+}
+
+Fonts::Fonts(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Fonts::Fonts(Fonts&&) noexcept = default;
+Fonts& Fonts::operator=(Fonts&&) noexcept = default;
+Fonts::~Fonts() = default;
+
+tl::expected<Fonts, std::string> Fonts::open() {
+    const char* chosen = std::getenv("KINEGRAPH_FONT_DIR");
+    const std::string directory = chosen != nullptr && *chosen != '\0' ? chosen : debian_directory;
+    auto state = std::make_unique<State>();
+    for (std::size_t i = 0; i < face_count; ++i) {
+        const std::string path = directory + "/" + file_names[i];
+        State::FaceOfFont& f = state->faces[i];
+        f.blob.reset(hb_blob_create_from_file_or_fail(path.c_str()));
+        hb_face_t* face = f.blob ? hb_face_create(f.blob.get(), 0) : nullptr;
+        const unsigned glyphs = face != nullptr ? hb_face_get_glyph_count(face) : 0;
+        if (glyphs == 0) {
+            hb_face_destroy(face);
+            return tl::unexpected(
+                path + (f.blob ? " is no font" : " cannot be read") +
+                ": install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR");
+        }
+        f.font.reset(hb_font_create(face));  // its scale is the face's units for each em, so nothing is rounded
+        f.unit = 1.0 / hb_face_get_upem(face);
+        f.drawn.resize(glyphs);
+        hb_face_destroy(face);  // the font keeps it
+        hb_codepoint_t space = 0;
+        const bool spaced = hb_font_get_nominal_glyph(f.font.get(), ' ', &space) != 0;
+        f.space = spaced ? hb_font_get_glyph_h_advance(f.font.get(), space) * f.unit : 0.25;
+    }
+    return Fonts(std::move(state));
+}
+
+ShapedLine Fonts::shape(const RichText& text, double size_points) const {
+    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
+    Setter<State> setter(*state_);
+    RichText changed;
+    for (const Piece& piece : with_raised_digits(text, changed)) setter.set(piece, millimetres(size_points));
+    return setter.finish(text);
+}
+
+std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
+    RichText changed;
+    const RichText& text = with_raised_digits(given, changed);
+    // Items are words, blanks between words, or pieces that hold together; a line may end only at a blank.
+    struct Item {
+        std::size_t piece, begin, end;
+        bool blank;
+        double width;
+    };
+    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
+    const double size = millimetres(size_points);
+    std::vector<Item> items;
+    for (std::size_t p = 0; p < text.size(); ++p) {
+        const Piece& piece = text[p];
+        const std::string_view words = piece.text;
+        if (has_scripts(piece)) {
+            items.push_back({p, 0, words.size(), false, shape({piece}, size_points).width});
+            continue;
+        }
+        for (std::size_t at = 0; at < words.size();) {
+            const bool blank = breaks(words[at]);
+            std::size_t end = at + 1;
+            while (end < words.size() && breaks(words[end]) == blank) ++end;
+            const double em = blank ? state_->faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at)
+                                    : state_->word(words.substr(at, end - at), piece.face).advance;
+            items.push_back({p, at, end, blank, em * size});
+            at = end;
+        }
+    }
+    std::vector<ShapedLine> lines;
+    const auto set = [&](std::size_t first, std::size_t last) {
+        RichText line;
+        for (std::size_t i = first; i < last; ++i) {
+            const Item& item = items[i];
+            const Piece& piece = text[item.piece];
+            if (i > first && items[i - 1].piece == item.piece) {
+                line.back().text.append(piece.text, item.begin, item.end - item.begin);
+                continue;
+            }
+            line.push_back(piece);
+            line.back().text = piece.text.substr(item.begin, item.end - item.begin);
+        }
+        lines.push_back(shape(line, size_points));
+    };
+    constexpr double tolerance = 1e-9;  // mm; sums of widths differ in the last bits
+    std::size_t first = 0;              // of this line
+    std::size_t last = 0;               // behind the last word that stands on this line
+    double width = 0;                   // up to `i`
+    for (std::size_t i = 0; i < items.size();) {
+        std::size_t word = i;  // the next word begins here, behind blanks
+        double to_word = width;
+        while (word < items.size() && items[word].blank) to_word += items[word++].width;
+        std::size_t end = word;
+        double to_end = to_word;
+        while (end < items.size() && !items[end].blank) to_end += items[end++].width;
+        if (word == end) break;  // nothing but blanks is left
+        if (to_end > measure + tolerance && last > first) {
+            set(first, last);
+            first = word;
+            to_end -= to_word;
+        }
+        last = end;
+        width = to_end;
+        i = end;
+    }
+    if (last > first || lines.empty()) set(first, last);
+    return lines;
+}
+
+const Outline& Fonts::outline(std::uint8_t face, std::uint32_t index) const { return state_->drawing(face, index).outline; }
+
+std::string_view Fonts::file(std::uint8_t face) const {
+    KG_ASSERT(face < face_count, "the font has four faces");
+    unsigned length = 0;
+    const char* bytes = hb_blob_get_data(state_->faces[face].blob.get(), &length);
+    return {bytes, length};
+}
+
+std::vector<std::string> Fonts::missing() const { return state_->missing; }
+
+ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, double measure) {
+    ShapedLine shaped = fonts.shape(line, size);
+    if (shaped.width <= measure || line.empty()) return shaped;
+    const std::string words = shaped.words;
+    const auto fits = [&](RichText text) {
+        text.push_back({"…",
+                        line.front().face == Face::bold ? Face::bold : Face::regular,
+                        "",
+                        Face::italic,
+                        "",
+                        Face::regular,
+                        0,
+                        false,
+                        {}});
+        shaped = fonts.shape(text, size);
+        shaped.words = words;
+        return shaped.width <= measure;
+    };
+    RichText text = line;
+    // What can stand is found by halves: names may be as long as a file lets them.
+    const auto longest = [&](std::size_t low, std::size_t high, const auto& kept) {
+        while (low < high) {
+            const std::size_t middle = (low + high + 1) / 2;
+            if (fits(kept(middle)))
+                low = middle;
+            else
+                high = middle - 1;
+        }
+        return low;
+    };
+    const std::size_t pieces = longest(
+        0, text.size() - 1, [&](std::size_t n) { return RichText(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(n)); });
+    text.resize(std::max<std::size_t>(pieces, 1));
+    if (pieces == 0) {
+        Piece& first = text.front();
+        std::string& long_one = first.sub.size() > first.text.size() ? first.sub : first.text;
+        const std::string all = long_one;
+        const auto cut = [&](std::size_t n) {
+            long_one = first_characters(all, n);
+            return text;
+        };
+        cut(longest(1, all.size(), cut));
+    }
+    fits(text);
+    return shaped;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,94 @@
+// Text: from words and symbols to glyph outlines. Shapes with HarfBuzz on the four faces of one font (STIX General), whose
+// outlines FreeType gives unhinted; no fontconfig, so that every machine sets the same line. Knows no mechanics and no page.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "render/page/page.hpp"
+
+namespace kinegraph::render {
+
+enum class Face : std::uint8_t { regular, italic, bold, bold_italic };
+
+/// A stretch of text with optional scripts, stacked: a_{BA}^t, the dots of a derivative over the last letter of `text`.
+/// Text, subscript and superscript are plain UTF-8 from any file; nothing in them is markup.
+struct Piece {
+    std::string text;
+    Face face = Face::regular;
+    std::string sub;
+    Face sub_face = Face::italic;
+    std::string sup;
+    Face sup_face = Face::regular;
+    int dots = 0;
+    bool coloured = false;  ///< true: `colour` instead of the line's
+    Colour colour;
+};
+using RichText = std::vector<Piece>;
+inline void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+/// A unit or number with its powers as superscripts: "m/s²", "5 × 10⁻³".
+RichText with_powers(const std::string& text);
+/// What the rich text says without its setting: "v_B", "a_BA^t".
+std::string plain(const RichText& text);
+
+/// A shaped line, its origin at the left of the baseline, mm, y downwards.
+struct ShapedLine {
+    double width = 0;    ///< advance
+    double ascent = 0;   ///< ink above the baseline (positive upwards)
+    double descent = 0;  ///< ink below the baseline (positive downwards)
+    std::string words;
+    /// One part for each colour used; glyph origins relative to the line's origin.
+    struct Part {
+        std::vector<Glyph> glyphs;
+        std::vector<Path> extras;
+        bool coloured = false;
+        Colour colour;
+    };
+    std::vector<Part> parts;
+};
+
+/// One command of a glyph's outline, in units of the em (y upwards).
+struct Outline {
+    std::vector<Segment> segments;
+};
+
+/// The font's four faces, opened once; shaping is const and deterministic.
+class Fonts {
+public:
+    /// Opens the faces. Error: names the missing file and the Debian package (`fonts-stix`).
+    static tl::expected<Fonts, std::string> open();
+    Fonts(Fonts&&) noexcept;
+    Fonts& operator=(Fonts&&) noexcept;
+    ~Fonts();
+
+    /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through
+    /// `missing()`.
+    ShapedLine shape(const RichText& text, double size_points) const;
+    /// Breaks at spaces so that no line is wider than `measure` mm (a word longer than that stands alone).
+    std::vector<ShapedLine> wrap(const RichText& text, double size_points, double measure) const;
+    /// The outline of a glyph, em units, y upwards; cached.
+    const Outline& outline(std::uint8_t face, std::uint32_t index) const;
+    /// The bytes of a face's file; they live as long as the Fonts.
+    std::string_view file(std::uint8_t face) const;
+    /// Characters met so far that the font has not, in order ("U+4E2D").
+    std::vector<std::string> missing() const;
+
+private:
+    struct State;
+    explicit Fonts(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// A line of text no wider than `measure` mm: pieces go from the end, then characters of the first, for an ellipsis. What the
+/// line says stays whole.
+ShapedLine shaped_within(const RichText& text, double size, const Fonts& fonts, double measure);
+
+/// Points to millimetres.
+constexpr double millimetres(double points) { return points * 25.4 / 72.0; }
+
+}  // namespace kinegraph::render

@@ -1,0 +1,1042 @@
+// Words: the only file that speaks. One table of sentences and one of fixed words, each row in every language, and how symbols
+// and numbers are typeset. Knows no page; what a sentence means is said in engine/statement.hpp.
+//
+// A pattern holds the places {0} … of its arguments; {0|one|several} chooses by the number of what {0} is; what stands in [square
+// brackets] is said only when all its arguments are given; ~ is a blank at which no line ends; ω and α are set as symbols (α is ω̇
+// in Italian), × is ∧ there.
+#include "render/text/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+struct Row {
+    Sentence sentence;
+    std::string_view en, it;
+};
+
+constexpr std::array sentences{
+    Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4}~{1}{2}.",
+        "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4}~{1}{2}."},
+    Row{Sentence::crank_acceleration,
+        "Body {0} turns about {1}: {3} is made of ω²~{1}{2}, from {2} to {1}, and α~{1}{2}, normal to it.",
+        "Il corpo {0} ruota attorno a {1}: {3} si compone di ω²~{1}{2}, da {2} a {1}, e di α~{1}{2}, normale a {1}{2}."},
+    Row{Sentence::image_velocity,
+        "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω~{3}{0}, normal to {3}{0}].",
+        "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω~{3}{0}, normale a {3}{0}]."},
+    Row{Sentence::image_acceleration,
+        "{2} follows from the image of body {1}[: from {3} step ω²~{3}{0} from {0} towards {3}, then α~{3}{0} normal to it].",
+        "{2} segue dall’immagine del corpo {1}[: da {3} si porta ω²~{3}{0} da {0} verso {3}, poi α~{3}{0} normale a {3}{0}]."},
+    Row{Sentence::translating_velocity, "Body {0} translates, so {1} moves as all its points do: {2}.",
+        "Il corpo {0} trasla, quindi {1} si muove come tutti i suoi punti: {2}."},
+    Row{Sentence::two_lines_velocity, "From the known ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
+        "Dagli estremi noti si tracciano le rette {1} e {2}: si incontrano in {0} e chiudono il poligono."},
+    Row{Sentence::two_lines_acceleration,
+        "Set off the known terms; from their ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
+        "Si compongono i termini noti; dai loro estremi le rette {1} e {2} si incontrano in {0} e chiudono il poligono."},
+    Row{Sentence::omega_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
+        "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
+    Row{Sentence::alpha_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
+        "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
+    Row{Sentence::omega_by_sleeve, "The sleeve at {2} allows no relative turning: {0}~=~{1}.",
+        "Il manicotto in {2} non consente rotazione relativa: {0}~=~{1}."},
+    Row{Sentence::alpha_by_sleeve, "The sleeve at {2} keeps the two bodies parallel: {0}~=~{1}.",
+        "Il manicotto in {2} mantiene paralleli i due corpi: {0}~=~{1}."},
+    Row{Sentence::omega_by_fixed_guide, "The guide at {2} is fixed, so body {1} does not turn: {0}~=~0.",
+        "La guida in {2} è fissa, quindi il corpo {1} non ruota: {0}~=~0."},
+    Row{Sentence::alpha_by_fixed_guide, "Body {1} never turns: {0}~=~0.", "Il corpo {1} non ruota mai: {0}~=~0."},
+    Row{Sentence::omega_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
+    Row{Sentence::alpha_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
+    Row{Sentence::slide_velocity, "At {1} both ends are known: {0} joins them, the sliding of body {2} on body {3}.",
+        "In {1} sono noti i due estremi: {0} li congiunge, velocità relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::slide_acceleration,
+        "At {1}, once the Coriolis term is set off, {0} closes: the relative acceleration of body {2} on body {3}.",
+        "In {1}, portato il termine di Coriolis, chiude {0}: accelerazione relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::slide_velocity_on_rest, "The guide at {1} is at rest: {0}, the velocity along it, is {2} itself.",
+        "La guida in {1} è ferma: {0}, velocità lungo la guida, coincide con {2}."},
+    Row{Sentence::slide_acceleration_on_rest, "The guide at {1} is at rest: {0} is {2} itself, without a Coriolis term.",
+        "La guida in {1} è ferma: {0} coincide con {2}, senza termine di Coriolis."},
+    Row{Sentence::driven_point_velocity, "The drive at {1} gives {0} in length and direction.",
+        "Il movente in {1} assegna {0} in modulo e direzione."},
+    Row{Sentence::driven_point_acceleration, "The drive at {1} gives {0} in length and direction.",
+        "Il movente in {1} assegna {0} in modulo e direzione."},
+    Row{Sentence::auxiliary_point, "On body {1} the normals to the two known directions meet in the auxiliary point {0}.",
+        "Sul corpo {1} le normali alle due direzioni note si incontrano nel punto ausiliario {0}."},
+    Row{Sentence::omega_from_parallels,
+        "The two directions known on body {2} are parallel: their distance in the polygon gives {0}~=~Δv/{1}.",
+        "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0}~=~Δv/{1}."},
+    Row{Sentence::alpha_from_parallels,
+        "The two directions known on body {2} are parallel: their distance in the polygon gives {0}~=~Δa/{1}.",
+        "Le due direzioni note sul corpo {2} sono parallele: la loro distanza nel poligono dà {0}~=~Δa/{1}."},
+    Row{Sentence::rolling_point_at_rest,
+        "Body {1} rolls without slip on body {2}, which is at rest: its point at the contact {0} stands still, {3}~=~0.",
+        "Il corpo {1} rotola senza strisciare sul corpo {2}, che è fermo: il suo punto di contatto {0} ha velocità nulla, {3}~=~0."},
+    Row{Sentence::rolling_velocity,
+        "Bodies {1} and {2} roll without slip at {0}: the points in contact have one velocity, {3}~=~{4}.",
+        "I corpi {1} e {2} rotolano senza strisciare in {0}: i punti a contatto hanno la stessa velocità, {3}~=~{4}."},
+    Row{Sentence::rolling_point_on_rest_acceleration,
+        "At {0} body {1} rolls on body {2}, which is at rest: {3} has no tangential part; along the normal it is ω²~{6}.",
+        "In {0} il corpo {1} rotola sul corpo {2}, che è fermo: {3} non ha componente tangenziale; lungo la normale vale ω²~{6}."},
+    Row{Sentence::rolling_acceleration,
+        "At {0} bodies {1} and {2} roll on each other: {3} differs from {4} by {5} alone, along the normal: ω²~{6} with the relative ω.",
+        "In {0} i corpi {1} e {2} rotolano l’uno sull’altro: {3} differisce da {4} solo per {5}, lungo la normale: ω²~{6} con la ω relativa."},
+    Row{Sentence::equivalent_link,
+        "At the contact {2} bodies {0} and {1} slide along the common tangent; up to accelerations they move as if a link joined their centres of curvature, {3}.",
+        "Nel contatto {2} i corpi {0} e {1} strisciano lungo la tangente comune; fino alle accelerazioni si muovono come se un’asta congiungesse i centri di curvatura, {3}."},
+    Row{Sentence::equivalent_slot,
+        "At the contact {2} body {0} slides along the straight side of body {1}: its centre {3} moves as a pin in a slot parallel to that side.",
+        "Nel contatto {2} il corpo {0} striscia sul fianco rettilineo del corpo {1}: il suo centro {3} si muove come un perno in un glifo parallelo al fianco."},
+    Row{Sentence::equivalent_tip, "The tip {2} of body {0} slides along the straight side of body {1}, as a pin in a slot does.",
+        "La punta {2} del corpo {0} striscia sul fianco rettilineo del corpo {1}, come un perno in un glifo."},
+    Row{Sentence::contact_tangent,
+        "At the contact {2} bodies {0} and {1} have no relative velocity along the common normal: it lies along the tangent.",
+        "Nel contatto {2} i corpi {0} e {1} non hanno velocità relativa lungo la normale comune: essa è diretta come la tangente."},
+    Row{Sentence::pitch_curves,
+        "The pitch curves of bodies {0} and {1} roll on each other at {2}: along the common tangent its two points move alike.",
+        "Le primitive dei corpi {0} e {1} rotolano l’una sull’altra in {2}: lungo la tangente comune i due punti hanno lo stesso moto."},
+    Row{Sentence::primary_revolute, "{0} is the hinge {1}.", "{0} è la cerniera {1}."},
+    Row{Sentence::primary_prismatic, "{0} is at infinity, normal to the guide at {1}.",
+        "{0} è all’infinito, in direzione normale alla guida in {1}."},
+    Row{Sentence::primary_rolling, "{0} is the contact {1}: there is rolling without slip.",
+        "{0} è il contatto {1}: rotolamento senza strisciamento."},
+    Row{Sentence::primary_gear, "{0} is the pitch point {1}.", "{0} è il punto primitivo {1}."},
+    Row{Sentence::primary_weld, "At {1} the bodies are clamped: every point may serve as {0}.",
+        "In {1} i corpi sono incastrati: ogni punto può fare da {0}."},
+    Row{Sentence::kennedy, "{0} is where {1}{2} meets {3}{4} (Aronhold–Kennedy).",
+        "{0} è l’incontro di {1}{2} con {3}{4} (Aronhold–Kennedy)."},
+    Row{Sentence::kennedy_line, "{0} is where {1}{2} meets the normal at {3}.",
+        "{0} è l’incontro di {1}{2} con la normale in {3}."},
+    Row{Sentence::kennedy_two_normals, "{0} is where the normals at {1} and {2} meet.",
+        "{0} è l’incontro delle normali in {1} e {2}."},
+    Row{Sentence::kennedy_same, "{1} and {2} fall together, so {0} is there too.",
+        "{1} e {2} coincidono, quindi anche {0} è lì."},
+    Row{Sentence::centre_by_rigidity, "Two of the bodies do not move against each other: {0} falls on {1}.",
+        "Due dei corpi non si muovono l’uno rispetto all’altro: {0} cade in {1}."},
+    Row{Sentence::centre_from_velocities,
+        "{0} from the velocities: the normals to the relative velocities[ of {1} and {2}] meet there.",
+        "{0} dalle velocità: vi si incontrano le normali alle velocità relative[ di {1} e {2}]."},
+    Row{Sentence::second_way, "Second way: the centres {1}, {2} and {3} carry {4} over to {0}, the same as by the polygon.",
+        "Seconda via: i centri {1}, {2} e {3} danno {0} da {4}, come il poligono."},
+    Row{Sentence::trial_on_line,
+        "No dyad or triad leads on, so {0} is tried at two places on its line, {1}; from each the polygon is drawn on (thin broken "
+        "lines).",
+        "Nessuna diade o triade porta oltre: si prova {0} in due posizioni sulla sua retta, {1}, e da ciascuna si prosegue il "
+        "poligono (a tratti sottili)."},
+    Row{Sentence::trial_of_spin,
+        "No dyad or triad leads on, so {0} is given two trial values, and the polygon is drawn on from each.",
+        "Nessuna diade o triade porta oltre: si danno a {0} due valori di prova, e da ciascuno si prosegue il poligono."},
+    Row{Sentence::trial_closes_on_line,
+        "{0} must lie on the line {1}. All is linear: in proportion to how far the two trials miss it, the true {2} follows.",
+        "{0} deve stare sulla retta {1}. Tutto è lineare: in proporzione a quanto le due prove se ne scostano si ha il vero {2}."},
+    Row{Sentence::trial_closes_by_spin,
+        "{0} and {1} must agree. All is linear: in proportion to how far they differ in the two trials, the true {2} follows.",
+        "{0} e {1} devono accordarsi. Tutto è lineare: in proporzione alla loro differenza nelle due prove si ha il vero {2}."},
+    Row{Sentence::relative_transport_velocity,
+        "Seen from body {1}, {0} moves with {3}: its velocity less the transport velocity {2}.",
+        "Vista dal corpo {1}, {0} ha velocità relativa {3}: la velocità assoluta meno quella di trascinamento {2}."},
+    Row{Sentence::relative_transport_acceleration,
+        "Seen from body {1}, {0} has {4}: its acceleration less the transport term {2} and the Coriolis term {3}.",
+        "Visto dal corpo {1}, {0} ha {4}: l’accelerazione meno quella di trascinamento {2} e quella di Coriolis {3}."},
+    Row{Sentence::relative_translating_velocity,
+        "Seen from axes that translate with {1}, {0} moves with {3}: its velocity less {2}.",
+        "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua velocità meno {2}."},
+    Row{Sentence::relative_translating_acceleration,
+        "Seen from axes that translate with {1}, {0} has {3}: its acceleration less {2}; there is no Coriolis term.",
+        "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua accelerazione meno {2}, senza Coriolis."},
+    Row{Sentence::two_force_body, "Body {0} carries two forces only, so both act along {1}{2}.",
+        "Sul corpo {0} agiscono due sole forze: entrambe sono dirette secondo {1}{2}."},
+    Row{Sentence::two_force_guide, "Body {0} carries two forces only: both pass through {1}, normal to the guide at {2}.",
+        "Sul corpo {0} agiscono due sole forze: entrambe passano per {1}, normali alla guida in {2}."},
+    Row{Sentence::two_force_group, "Bodies {0}, taken together, carry two forces only, so both act along {1}{2}.",
+        "I corpi {0}, presi insieme, sono soggetti a due sole forze: entrambe sono dirette secondo {1}{2}."},
+    Row{Sentence::zero_forces, "On body {0} the two forces could not have one line of action: both vanish.",
+        "Sul corpo {0} le due forze non possono avere la stessa retta d’azione: sono entrambe nulle."},
+    Row{Sentence::two_forces_and_couple,
+        "Body {0} carries two forces and a couple: the forces are equal and opposite, so that at {1} is parallel to the other.",
+        "Sul corpo {0} agiscono due forze e una coppia: le forze sono uguali e opposte, quindi quella in {1} è parallela all’altra."},
+    Row{Sentence::three_force_line, "On body {0} two lines of action meet in {1}, so {2} acts along {3}{1}.",
+        "Sul corpo {0} due rette d’azione si incontrano in {1}: {2} è diretta secondo {3}{1}."},
+    Row{Sentence::three_parallel_lines, "On body {0} two lines of action are parallel, so {1} is parallel to them.",
+        "Sul corpo {0} due rette d’azione sono parallele: anche {1} è parallela ad esse."},
+    Row{Sentence::triangle, "The triangle of body {0} closes with {1} and {2}.",
+        "Il triangolo delle forze del corpo {0} si chiude con {1} e {2}."},
+    Row{Sentence::triangle_at,
+        "On body {0} the lines of the known force and of {2} meet in {1}; {3} passes there too, and the triangle gives both.",
+        "Sul corpo {0} le rette della forza nota e di {2} si incontrano in {1}; anche {3} vi passa, e il triangolo dà entrambe."},
+    Row{Sentence::parallel_forces, "The forces on body {0} are parallel: moments give {1}, the sum gives {2}.",
+        "Le forze sul corpo {0} sono parallele: i momenti danno {1}, la somma {2}."},
+    Row{Sentence::culmann,
+        "Body {0} carries four forces: the lines of {3} and {4} meet in {1}, moments about it give {2}, and the polygon the rest (Culmann).",
+        "Sul corpo {0} agiscono quattro forze: le rette di {3} e {4} si incontrano in {1}, i momenti rispetto ad esso danno {2} e il poligono le altre (Culmann)."},
+    Row{Sentence::culmann_line,
+        "Body {0} carries four forces: the known one meets {3} in {1}, {4} meets {5} in {2}. Culmann’s line {1}{2} carries the sum of each pair, and two triangles close.",
+        "Sul corpo {0} agiscono quattro forze: quella nota incontra {3} in {1}, {4} incontra {5} in {2}. La retta di Culmann {1}{2} porta la somma di ciascuna coppia di forze e si chiudono due triangoli."},
+    Row{Sentence::force_and_couple, "On body {0} {1} is equal and opposite to the rest; {2} is that force times its arm.",
+        "Sul corpo {0} {1} è uguale e opposta al resto; {2} è quella forza per il suo braccio."},
+    Row{Sentence::single_reaction, "On body {0} only {1} is left: it balances the rest.",
+        "Sul corpo {0} resta solo {1}: equilibra tutto il resto."},
+    Row{Sentence::superposition, "No order of bodies resolves all loads at once: now those of body {0} act alone.",
+        "Nessun ordine dei corpi risolve tutti i carichi insieme: agiscano ora i soli carichi del corpo {0}."},
+    Row{Sentence::superposition_sum, "The partial reactions are added.", "Si sommano le reazioni parziali."},
+    Row{Sentence::trial, "{0} is given a trial value; what does not close tells in which proportion it must be taken.",
+        "A {0} si dà un valore di prova; lo scarto di chiusura dice in quale proporzione va preso."},
+    Row{Sentence::act_given, "{0} is given: set it off from the pole.", "{0} è assegnata: si riporta dal polo."},
+    Row{Sentence::act_projections,
+        "{0} keeps its length, so the velocities of its ends must project alike on it: {1} and {2} do.",
+        "{0} non cambia lunghezza, quindi le velocità dei suoi estremi devono avere uguale proiezione su di esso: per {1} e {2} è così."},
+    Row{Sentence::act_projections_acceleration,
+        "On {0} the projections of {1} and {2} differ by the normal part, {3}² {0}, as a rigid body asks.",
+        "Su {0} le proiezioni di {1} e {2} differiscono della parte normale, {3}² {0}, come vuole il corpo rigido."},
+    Row{Sentence::act_direction,
+        "{3} and {1} project alike on {2}: the normal to {2} at the tip of {3} meets the given line of {1} in {0}.",
+        "{3} e {1} hanno uguale proiezione su {2}: la normale a {2} per l’estremo di {3} incontra la retta assegnata di {1} in {0}."},
+    Row{Sentence::act_direction_acceleration,
+        "From the tip of {3} set off ω²~{2} along {2}, then the normal to {2}: it meets the given line of {1} in {0}.",
+        "Dall’estremo di {3} si porta ω²~{2} lungo {2}, poi la normale a {2}: incontra la retta assegnata di {1} in {0}."},
+    Row{Sentence::act_unequal_projections,
+        "On {0} {1} projects to {3}, {2} to {4}: the length of {0} would change. No rigid body moves so.",
+        "Su {0} la proiezione di {1} è {3}, quella di {2} è {4}: la lunghezza di {0} cambierebbe. Nessun corpo rigido si muove così."},
+    Row{Sentence::act_unequal_projections_acceleration,
+        "On {0} the projections of {1} and {2} do not differ by ω²~{0}: no rigid body has these accelerations.",
+        "Su {0} le proiezioni di {1} e {2} non differiscono di ω²~{0}: nessun corpo rigido ha queste accelerazioni."},
+    Row{Sentence::act_misses, "{0} is given otherwise than the rest lets it be: no rigid body moves so.",
+        "{0} è assegnata diversa da quella che il resto impone: nessun corpo rigido si muove così."},
+    Row{Sentence::act_agrees, "{0} is given too, and is the one that follows from the others.",
+        "Anche {0} è assegnata, e coincide con quella che segue dalle altre."},
+    Row{Sentence::act_perpendiculars,
+        "A point moves normal to its join with the centre: the perpendiculars at {1} and {2} meet in {0}.",
+        "Ogni punto si muove normalmente alla congiungente con il CIR: le perpendicolari in {1} e {2} si incontrano in {0}."},
+    Row{Sentence::act_tips,
+        "{1} and {2} are parallel and normal to {3}; speeds grow with the distance from the centre, so the join of the tips meets {3} in {0}.",
+        "{1} e {2} sono parallele e normali a {3}; i moduli crescono con la distanza dal CIR: la congiungente gli estremi incontra {3} in {0}."},
+    Row{Sentence::act_point_at_rest, "{1} is at rest, so it is the centre {0}.", "{1} è fermo: è il centro {0}."},
+    Row{Sentence::act_translation, "{1} and {2} are equal, so ω = 0: body {0} translates and its centre is at infinity.",
+        "{1} e {2} sono uguali, quindi ω = 0: il corpo {0} trasla e il suo CIR è all’infinito."},
+    Row{Sentence::act_parallels,
+        "The perpendiculars at {1} and {2} are parallel: the centre is at infinity, body {0} translates and ω = 0.",
+        "Le perpendicolari in {1} e {2} sono parallele: il CIR è all’infinito, il corpo {0} trasla e ω = 0."},
+    Row{Sentence::act_rest, "Two points of body {0} are at rest, so all of it is: every point may serve as its centre.",
+        "Due punti del corpo {0} sono fermi, quindi è tutto fermo: ogni punto può fare da CIR."},
+    Row{Sentence::act_rest_by_lines,
+        "The perpendicular at {1} misses the centre that the other directions want: body {0} can only be at rest.",
+        "La perpendicolare in {1} non passa per il centro che le altre direzioni richiedono: il corpo {0} può solo essere fermo."},
+    Row{Sentence::act_velocity,
+        "{0} is normal to the ray from {2} to {1} and its size is {3} times the ray; the image gives the same.",
+        "{0} è normale al raggio da {2} a {1} e vale {3} per il raggio; l’immagine dà lo stesso."},
+    Row{Sentence::act_acceleration_centre,
+        "The point {0} has no acceleration; seen from it, every other one has the angle arctan(α/ω²) to its ray.",
+        "Il punto {0} ha accelerazione nulla; ogni altra forma con il proprio raggio l’angolo arctan(α/ω²)."},
+    // remarks
+    Row{Sentence::off_its_circle, "{0} is {1} off the circle of body {2} and is taken as drawn.",
+        "{0} dista {1} dalla circonferenza del corpo {2} e resta dov’è disegnato."},
+    Row{Sentence::off_its_foot, "{0} is {1} off the foot of {2} on the line; several joints claim it, so it is taken as drawn.",
+        "{0} dista {1} dal piede di {2} sulla retta; più coppie lo impiegano, quindi resta dov’è disegnato."},
+    Row{Sentence::off_its_centres,
+        "{0} is {1} off the line of the centres {2} and {3}; several joints claim it, so it is taken as drawn.",
+        "{0} dista {1} dalla retta dei centri {2} e {3}; più coppie lo impiegano, quindi resta dov’è disegnato."},
+    Row{Sentence::moved_to_foot, "{0} was moved by {1} to the foot of {2} on the line.",
+        "{0} è stato spostato di {1} nel piede di {2} sulla retta."},
+    Row{Sentence::moved_to_centres, "{0} was moved by {1} to the line of the centres {2} and {3}.",
+        "{0} è stato spostato di {1} sulla retta dei centri {2} e {3}."},
+    Row{Sentence::repeated_constraints,
+        "Joint {0} repeats {1} {1|constraint|constraints} that the others impose already at this position.",
+        "La coppia {0} ripete {1} {1|vincolo|vincoli} che le altre impongono già in questa configurazione."},
+    Row{Sentence::lift_off, "The contact at {0} would have to pull: there the bodies lift off.",
+        "Il contatto in {0} dovrebbe tirare: lì i corpi si staccano."},
+    Row{Sentence::change_point,
+        "Change point: {0} {0|freedom|freedoms} at this position for {1} of the count; to the second order {2} {2|branch leaves|branches leave} it.",
+        "Punto di diramazione: {0} {0|grado|gradi} di libertà in questa configurazione contro {1} del computo; al secondo ordine ne {2|parte|partono} {2} {2|ramo|rami}."},
+    Row{Sentence::branch, "Branch {0}: {1}.", "Ramo {0}: {1}."},
+    Row{Sentence::branch_without_turning, "Branch {0}: no body turns.", "Ramo {0}: nessun corpo ruota."},
+    Row{Sentence::instant_only,
+        "The position moves for an instant only: {0} {0|freedom|freedoms} by the rank, to which no accelerations belong.",
+        "La configurazione è mobile solo per un istante: {0} {0|grado|gradi} di libertà secondo il rango, cui non corrispondono accelerazioni."},
+    Row{Sentence::bound_velocities,
+        "The position has {0} freedoms for an instant; {1} second-order {1|condition binds|conditions bind} its velocities, so that not all of them can leave it.",
+        "La configurazione ha {0} gradi di libertà per un istante; {1} {1|condizione|condizioni} del secondo ordine {1|vincola|vincolano} le velocità: non tutte possono uscirne."},
+    Row{Sentence::still_bodies,
+        "{0|Body|Bodies} {0} {0|stands|stand} still in every motion that this position allows and cannot be driven here.",
+        "{0|Il corpo|I corpi} {0} {0|resta fermo|restano fermi} in ogni moto possibile in questa configurazione e non {0|può|possono} essere {0|comandato|comandati}."},
+    Row{Sentence::unturning_bodies,
+        "{0|Body|Bodies} {0} {0|does|do} not turn in any motion that this position allows: no angular velocity can be driven there.",
+        "{0|Il corpo|I corpi} {0} non {0|ruota|ruotano} in alcun moto possibile in questa configurazione: la velocità angolare non può essere assegnata."},
+    // what is not determined
+    Row{Sentence::motion_of_body, "motion of body {0}", "moto del corpo {0}"},
+    Row{Sentence::velocity_of_body, "velocity of body {0}", "velocità del corpo {0}"},
+    Row{Sentence::acceleration_of_body, "acceleration of body {0}", "accelerazione del corpo {0}"},
+    Row{Sentence::drive_of_joint, "driver of joint {0}", "movente della coppia {0}"},
+    Row{Sentence::drive_of_body, "driver of body {0}", "movente del corpo {0}"},
+    Row{Sentence::centre_of_bodies, "instant centre {0},{1}", "centro di istantanea rotazione {0},{1}"},
+    Row{Sentence::all_forces, "forces", "forze"},
+    // and why not
+    Row{Sentence::one_body_only, "an act of motion is of one body, here {0}", "un atto di moto è di un solo corpo, qui {0}"},
+    Row{Sentence::velocities_contradict, "the velocities contradict each other", "le velocità si contraddicono"},
+    Row{Sentence::unequal_projections,
+        "no rigid motion has these velocities: on {0} that of {1} projects to {2}, that of {3} to {4}",
+        "nessun moto rigido ha queste velocità: su {0} quella di {1} ha proiezione {2}, quella di {3} {4}"},
+    Row{Sentence::unequal_normal_parts,
+        "no rigid motion has these accelerations: the projections of those of {0} and {1} on their join do not differ by ω² times their distance",
+        "nessun moto rigido ha queste accelerazioni: le proiezioni di quelle di {0} e {1} sulla congiungente non differiscono di ω² per la distanza"},
+    Row{Sentence::two_velocities_at_one_place, "{0} and {1} are at one place of the body and cannot have different velocities",
+        "{0} e {1} sono nello stesso luogo del corpo e non possono avere velocità diverse"},
+    Row{Sentence::two_accelerations_at_one_place,
+        "{0} and {1} are at one place of the body and cannot have different accelerations",
+        "{0} e {1} sono nello stesso luogo del corpo e non possono avere accelerazioni diverse"},
+    Row{Sentence::velocity_misses,
+        "the velocity given at {0} is not the one that the body has there by those of the other points",
+        "la velocità assegnata in {0} non è quella che il corpo ha lì secondo gli altri punti"},
+    Row{Sentence::acceleration_misses,
+        "the acceleration given at {0} is not the one that the body has there by those of the other points",
+        "l’accelerazione assegnata in {0} non è quella che il corpo ha lì secondo gli altri punti"},
+    Row{Sentence::no_velocity_given, "no velocity is given", "nessuna velocità è assegnata"},
+    Row{Sentence::no_acceleration_given, "no acceleration is given", "nessuna accelerazione è assegnata"},
+    Row{Sentence::centre_on_perpendicular,
+        "it lies on the perpendicular to the velocity of {0}, and nothing given says where on it",
+        "sta sulla perpendicolare alla velocità di {0}, e nulla di assegnato dice dove"},
+    Row{Sentence::speed_of_translation_open,
+        "directions alone say that it translates, not how fast; give the velocity of one point",
+        "le sole direzioni dicono che trasla, non con quale velocità; assegnare quella di un punto"},
+    Row{Sentence::size_open, "centre and directions are known, no size; give the velocity of a point that moves",
+        "centro e direzioni sono noti, nessun modulo; assegnare la velocità di un punto che si muove"},
+    Row{Sentence::turning_open,
+        "what is given leaves the turning of the body free; give the velocity of another point, or its direction",
+        "quanto assegnato lascia libera la rotazione del corpo; assegnare la velocità di un altro punto, o la sua direzione"},
+    Row{Sentence::omega_unknown, "the angular velocity, which the normal parts ω²·r want, is not known",
+        "la velocità angolare, richiesta dalle parti normali ω²·r, non è nota"},
+    Row{Sentence::acceleration_open, "what is given leaves it free; give the acceleration of another point, or its direction",
+        "quanto assegnato la lascia libera; assegnare l’accelerazione di un altro punto, o la sua direzione"},
+    Row{Sentence::locked, "the mechanism is locked in this position: it has no freedom left to drive",
+        "il meccanismo è bloccato in questa configurazione: non resta alcun grado di libertà da comandare"},
+    Row{Sentence::undrivable,
+        "it cannot be driven here: a dead point; what it drives stands still whatever the rest does, and the motion of the rest stays free",
+        "qui non può essere comandato: punto morto; ciò che comanda è fermo comunque si muova il resto, il cui moto rimane libero"},
+    Row{Sentence::driven_otherwise, "the other drivers fix this motion already, and differently",
+        "gli altri moventi fissano già questo moto, e in modo diverso"},
+    Row{Sentence::no_rigid_motion,
+        "no rigid motion has these velocities: those of {0} and {1} have different projections on their join",
+        "nessun moto rigido ha queste velocità: quelle di {0} e {1} hanno proiezioni diverse sulla loro congiungente"},
+    Row{Sentence::hangs_on_undetermined, "it depends on bodies whose motion is not determined",
+        "dipende da corpi il cui moto non è determinato"},
+    Row{Sentence::curvatures_coincide, "at {0} both profiles have one centre of curvature, which leaves the accelerations open",
+        "in {0} i due profili hanno lo stesso centro di curvatura, il che lascia libere le accelerazioni"},
+    Row{Sentence::curvatures_wanted, "it needs the curvatures at {0}; give the \"profiles\" of both bodies there",
+        "servono le curvature in {0}; assegnare lì i \"profiles\" dei due corpi"},
+    Row{Sentence::nothing_drives, "nothing drives the mechanism, which has {0} {0|freedom|freedoms}; give \"drivers\"",
+        "nulla muove il meccanismo, che ha {0} {0|grado|gradi} di libertà; assegnare \"drivers\""},
+    Row{Sentence::stays_free, "it stays free: the driver moves nothing at this position (dead point)",
+        "resta libero: in questa configurazione il movente non muove nulla (punto morto)"},
+    Row{Sentence::dead_point_at, "dead point at {0}: the two lines on which its velocity must lie are parallel",
+        "punto morto in {0}: le due rette su cui deve stare la sua velocità sono parallele"},
+    Row{Sentence::lacks_drivers, "the mechanism has {0} {0|freedom|freedoms} and {1} of them driven; give one driver more",
+        "il meccanismo ha {0} {0|grado|gradi} di libertà, di cui {1} {1|comandato|comandati}; assegnare un movente in più"},
+    Row{Sentence::stands_still, "dead point: it can only stand still here, and no driver moves it",
+        "punto morto: qui può solo stare fermo, e nessun movente lo muove"},
+    Row{Sentence::beyond_groups,
+        "it is determined, but neither a driven body, dyad or triad nor a trial of up to three unknowns at once leads to it",
+        "è determinato, ma non vi portano né un corpo comandato, una diade o una triade, né valori di prova fino a tre incognite insieme"},
+    Row{Sentence::one_line_undetermined,
+        "the theorem of Aronhold and Kennedy gives one line at most, and the motion is not determined",
+        "il teorema di Aronhold e Kennedy dà al più una retta, e il moto non è determinato"},
+    Row{Sentence::one_line_unknown,
+        "the theorem of Aronhold and Kennedy gives one line at most, and the bodies’ motion against each other is not known",
+        "il teorema di Aronhold e Kennedy dà al più una retta, e il moto relativo dei due corpi non è noto"},
+    Row{Sentence::spring_without_direction, "the ends of {0} coincide at this position: its pull has no direction",
+        "gli estremi di {0} coincidono in questa configurazione: la sua forza non ha direzione"},
+    Row{Sentence::inertia_without_motion,
+        "the inertia forces of body {0} need its acceleration, which is not known; give \"drivers\"",
+        "le forze d’inerzia del corpo {0} richiedono la sua accelerazione, che non è nota; assegnare \"drivers\""},
+    Row{Sentence::unbalanced,
+        "the loads are not balanced: the mechanism has {0} {0|freedom|freedoms} and {1} {1|effort|efforts} to hold it; give \"effort\"[; not determined: {2}]",
+        "i carichi non sono equilibrati: il meccanismo ha {0} {0|grado|gradi} di libertà e {1} {1|azione equilibrante|azioni equilibranti}; assegnare \"effort\"[; non determinate: {2}]"},
+    Row{Sentence::too_many_efforts,
+        "{0} {0|effort stands|efforts stand} against {1} {1|freedom|freedoms}; give one for each freedom[; not determined: {2}]",
+        "a {1} {1|grado|gradi} di libertà {0|corrisponde|corrispondono} {0} {0|azione equilibrante|azioni equilibranti}; assegnarne una per ciascuno[; non determinate: {2}]"},
+    Row{Sentence::indeterminate,
+        "statically indeterminate, {0} {0|time|times}: {1|joint|joints} {1} {1|repeats|repeat} what others hold already[; not determined: {2}]",
+        "staticamente indeterminato, {0} {0|volta|volte}: {1|la coppia|le coppie} {1} {1|ripete|ripetono} vincoli già imposti da altre[; non determinate: {2}]"},
+    Row{Sentence::effort_without_work,
+        "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit[; not determined: {0}]",
+        "l’azione equilibrante non compie lavoro nel moto libero in questa configurazione: un punto morto, dove una forza cresce senza limite[; non determinate: {0}]"},
+};
+
+struct FixedWords {
+    std::string_view key, en, it;
+};
+constexpr std::array fixed_words{
+    // figures
+    FixedWords{"figure", "Fig.", "Fig."},
+    FixedWords{"mechanism", "Mechanism", "Meccanismo"},
+    FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
+    FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
+    FixedWords{"acceleration polygon", "Acceleration polygon", "Poligono delle accelerazioni"},
+    FixedWords{"velocities on the mechanism", "Velocities on the mechanism", "Velocità sul meccanismo"},
+    FixedWords{"act of motion", "Act of motion", "Atto di moto"},
+    FixedWords{"circle diagram", "Circle diagram of the centres", "Diagramma circolare dei centri"},
+    FixedWords{"detail", "Detail", "Particolare"},
+    FixedWords{"relative velocity of", "Motion relative to", "Moto relativo a"},
+    FixedWords{"seen from body", "seen from body", "rispetto al corpo"},
+    FixedWords{"seen from axes translating with", "seen from axes translating with", "rispetto ad assi traslanti con"},
+    FixedWords{"of", "of", "di"},
+    FixedWords{"scale", "scale", "scala"},
+    FixedWords{"guide", "guide", "guida"},
+    FixedWords{"drive", "drive", "movente"},
+    FixedWords{"locus", "locus", "luogo"},
+    FixedWords{"tangent", "tangent", "tangente"},
+    FixedWords{"known", "known", "nota"},
+    FixedWords{"given line", "given line", "retta data"},
+    // headings
+    FixedWords{"bodies", "Bodies", "Corpi"},
+    FixedWords{"body", "body", "corpo"},
+    FixedWords{"frame", "frame", "telaio"},
+    FixedWords{"instant centres", "Instant centres", "Centri di istantanea rotazione"},
+    FixedWords{"absolute centre", "absolute", "CIR"},
+    FixedWords{"results", "Results", "Risultati"},
+    FixedWords{"continued", "continued", "seguito"},
+    FixedWords{"velocities", "Velocities", "Velocità"},
+    FixedWords{"accelerations", "Accelerations", "Accelerazioni"},
+    FixedWords{"relative motion", "Relative motion", "Moto relativo"},
+    FixedWords{"steps", "Steps", "Procedimento"},
+    FixedWords{"steps centres", "Steps: instant centres", "Procedimento: centri"},
+    FixedWords{"steps velocity", "Steps: velocities", "Procedimento: velocità"},
+    FixedWords{"steps acceleration", "Steps: accelerations", "Procedimento: accelerazioni"},
+    FixedWords{"steps relative motion", "Steps: relative motion", "Procedimento: moto relativo"},
+    FixedWords{"polygons joined",
+               "Joined on their common sides the polygons close: the inner forces, drawn broken, cancel in pairs, and those from "
+               "outside are in equilibrium.",
+               "Accostati sui lati comuni i poligoni si chiudono: le forze interne, a tratti, si elidono a due a due e quelle "
+               "esterne sono in equilibrio."},
+    FixedWords{"remarks", "Remarks", "Osservazioni"},
+    FixedWords{"scale refused", "at the scale that the file asks for it does not fit the sheet.",
+               "alla scala richiesta dal file non sta nel foglio."},
+    FixedWords{"unsolved", "Not determined", "Non determinato"},
+    FixedWords{"a remark", "remark", "osservazione"},
+    FixedWords{"one unsolved", "unsolved", "non determinato"},
+    FixedWords{"mobility", "Mobility", "Mobilità"},
+    FixedWords{"degrees of freedom", "degrees of freedom", "gradi di libertà"},
+    FixedWords{"effective", "effective at this pose", "effettivi in questa configurazione"},
+    FixedWords{"by Grübler", "by Grübler", "secondo Grübler"},
+    FixedWords{"at this pose", "at this pose", "in questa configurazione"},
+    FixedWords{"verdict", "verdict", "giudizio"},
+    FixedWords{"verdict mechanism", "mechanism", "meccanismo"},
+    FixedWords{"verdict isostatic", "isostatic", "isostatico"},
+    FixedWords{"verdict hyperstatic", "hyperstatic", "iperstatico"},
+    FixedWords{"verdict labile", "labile in spite of the count", "labile nonostante il computo"},
+    FixedWords{"time", "time", "volta"},
+    FixedWords{"times", "times", "volte"},
+    // the catalogue of pairs
+    FixedWords{"catalogue of pairs", "Catalogue of pairs", "Catalogo delle coppie"},
+    FixedWords{"pairs of the plane", "Pairs of the plane", "Coppie nel piano"},
+    FixedWords{"lower pairs in space", "Lower pairs in space", "Coppie elementari nello spazio"},
+    FixedWords{"multiple hinges", "Multiple hinges", "Cerniere multiple"},
+    FixedWords{"pair revolute", "revolute pair (hinge)", "coppia rotoidale (cerniera)"},
+    FixedWords{"pair prismatic", "prismatic pair (slider, sleeve)", "coppia prismatica (corsoio, manicotto)"},
+    FixedWords{"pair pin-slot", "pin in a slot", "perno in un glifo"},
+    FixedWords{"pair rolling", "rolling without slip", "rotolamento senza strisciamento"},
+    FixedWords{"pair contact", "sliding contact (cam, roller support)", "contatto con strisciamento (camma, carrello)"},
+    FixedWords{"pair gear", "gear pair", "coppia di ruote dentate"},
+    FixedWords{"pair weld", "clamped joint", "incastro"},
+    FixedWords{"in the file", "file", "file"},
+    FixedWords{"freedoms left", "freedoms left", "libertà residue"},
+    FixedWords{"freedoms revolute", "rotation about P", "rotazione attorno a P"},
+    FixedWords{"freedoms prismatic", "translation along X", "traslazione lungo X"},
+    FixedWords{"freedoms pin-slot", "rotation about P, translation along X", "rotazione attorno a P, traslazione lungo X"},
+    FixedWords{"freedoms rolling", "rotation about the contact P", "rotazione attorno al contatto P"},
+    FixedWords{"freedoms contact", "rotation about P, sliding along the common tangent",
+               "rotazione attorno a P, strisciamento lungo la tangente comune"},
+    FixedWords{"freedoms gear", "rotation about P, sliding along the common normal of the pitch curves",
+               "rotazione attorno a P, scorrimento lungo la normale comune alle primitive"},
+    FixedWords{"class", "class", "classe"},
+    FixedWords{"no pair", "none: the two are one body", "nessuna: i due sono un solo corpo"},
+    FixedWords{"reaction", "reaction", "reazione"},
+    FixedWords{"unknown", "unknown", "incognita"},
+    FixedWords{"unknowns", "unknowns", "incognite"},
+    FixedWords{"force any direction", "force through P in any direction", "forza per P in direzione qualsiasi"},
+    FixedWords{"force normal to guide", "force normal to the guide", "forza normale alla guida"},
+    FixedWords{"force along normal", "force through P along the common normal", "forza per P secondo la normale comune"},
+    FixedWords{"force along line of action", "force through P along the line of action of the teeth",
+               "forza per P secondo la retta d’azione dei denti"},
+    FixedWords{"and a couple", "and a couple", "e una coppia"},
+    FixedWords{"fixed", "fixed", "elementi fissi"},
+    FixedWords{"fixed revolute", "P is one point of both bodies", "P è lo stesso punto dei due corpi"},
+    FixedWords{"fixed prismatic", "the line of the guide, the same in both bodies",
+               "la retta della guida, la stessa nei due corpi"},
+    FixedWords{"fixed pin-slot", "P on body i, the guide on body j", "P sul corpo i, la guida sul corpo j"},
+    FixedWords{"fixed rolling", "the profiles; the points at the contact have one velocity",
+               "i profili; i punti a contatto hanno la stessa velocità"},
+    FixedWords{"fixed contact", "the profiles; the points at the contact have one velocity along the normal",
+               "i profili; i punti a contatto hanno la stessa velocità lungo la normale"},
+    FixedWords{"fixed gear", "the pitch curves; the points at the pitch point have one velocity along the tangent",
+               "le primitive; i punti nel punto primitivo hanno la stessa velocità lungo la tangente"},
+    FixedWords{"fixed weld", "every point is one point of both bodies", "ogni punto è lo stesso per i due corpi"},
+    FixedWords{"instant centre", "instant centre", "centro di istantanea rotazione"},
+    FixedWords{"centre revolute", "P", "P"},
+    FixedWords{"centre prismatic", "at infinity, normal to the guide", "all’infinito, in direzione normale alla guida"},
+    FixedWords{"centre pin-slot", "on the normal to the guide at P", "sulla normale alla guida in P"},
+    FixedWords{"centre rolling", "the contact P", "il contatto P"},
+    FixedWords{"centre contact", "on the common normal at P", "sulla normale comune in P"},
+    FixedWords{"centre gear", "the pitch point P, where the arm holds both centres",
+               "il punto primitivo P, se il portatreno regge i due centri"},
+    FixedWords{"centre weld", "everywhere", "ovunque"},
+    FixedWords{"pair", "pair", "coppia"},
+    FixedWords{"motions", "motions", "moti"},
+    FixedWords{"components", "components", "componenti"},
+    FixedWords{"space revolute", "revolute", "rotoidale"},
+    FixedWords{"space prismatic", "prismatic", "prismatica"},
+    FixedWords{"space helical", "helical (screw)", "elicoidale (vite)"},
+    FixedWords{"space cylindrical", "cylindrical", "cilindrica"},
+    FixedWords{"space planar", "planar", "piana"},
+    FixedWords{"space spherical", "spherical", "sferica"},
+    FixedWords{
+        "axes of pairs",
+        "t translations and r rotations left, F forces and M couples of the reaction; z is the pair’s axis, or the normal of the planar pair; p is the advance of the screw for each radian.",
+        "t traslazioni e r rotazioni residue, F forze e M coppie della reazione; z è l’asse della coppia, o la normale della coppia piana; p è l’avanzamento della vite per radiante."},
+    FixedWords{"multiplicity rule", "A hinge of n bodies has multiplicity n − 1: it counts as n − 1 binary hinges of class 1.",
+               "Una cerniera di n corpi ha molteplicità n − 1: vale n − 1 cerniere binarie di classe 1."},
+    FixedWords{"stars rule", "With all binary hinges on one body there are n equivalent schemes, one for each body.",
+               "Con tutte le cerniere binarie su un solo corpo vi sono n schemi equivalenti, uno per ciascun corpo."},
+    FixedWords{"trees rule",
+               "In all there are n^(n − 2), as many as trees on n bodies (Cayley); for n = 3 the two numbers are the same.",
+               "In tutto sono n^(n − 2), quanti gli alberi su n corpi (Cayley); per n = 3 i due numeri coincidono."},
+    FixedWords{"schemes of three", "A hinge of bodies 1, 2, 3", "Una cerniera dei corpi 1, 2, 3"},
+    FixedWords{"bodies at the hinge", "bodies", "corpi"},
+    FixedWords{"multiplicity", "multiplicity", "molteplicità"},
+    FixedWords{"stars", "all on one body", "tutte su un corpo"},
+    FixedWords{"schemes", "in all", "in tutto"},
+    FixedWords{"equivalent schemes", "equivalent binary schemes", "schemi binari equivalenti"},
+    FixedWords{"pairs", "Pairs", "Coppie"},
+    FixedWords{"kind of pair", "pair", "tipo"},
+    FixedWords{"bodies of a pair", "bodies", "corpi"},
+    FixedWords{"count", "Count of the freedoms (Grübler)", "Computo dei gradi di libertà (Grübler)"},
+    FixedWords{
+        "symbols of the first count",
+        "m bodies with the frame, c₁ pairs of class 1, c₂ of class 2, w clamped joints; multiple hinges count by their multiplicity.",
+        "m corpi compreso il telaio, c₁ coppie di classe 1, c₂ di classe 2, w incastri; le cerniere multiple contano secondo la molteplicità."},
+    FixedWords{"symbols of the second count", "n_c bodies without the frame, n₁ single, n₂ double and n₃ triple constraints.",
+               "n_c corpi escluso il telaio, n₁ vincoli semplici, n₂ doppi e n₃ tripli."},
+    FixedWords{"at this position", "At this position (instantaneous)", "In questa configurazione (istantaneo)"},
+    FixedWords{"rank", "rank", "rango"},
+    FixedWords{"constraints", "constraints", "vincoli"},
+    FixedWords{"repeated", "repeated", "ripetuti"},
+    FixedWords{"conventions", "Conventions", "Convenzioni"},
+    FixedWords{"axes", "z points towards the reader; ω and α are positive counter-clockwise.",
+               "Asse z verso chi legge; ω e α positive in senso antiorario."},
+    FixedWords{"axes forces", "z points towards the reader; couples are positive counter-clockwise.",
+               "Asse z verso chi legge; momenti positivi in senso antiorario."},
+    FixedWords{"measured", "lengths measured to 0.1 mm, drawing = mm × scale",
+               "lunghezze misurate a 0,1 mm, disegno = mm × scala"},
+    // the table of knowns
+    FixedWords{"magnitude", "magnitude", "modulo"},
+    FixedWords{"direction", "direction", "direzione"},
+    FixedWords{"line", "line", "retta"},
+    // results
+    FixedWords{"drawing", "drawing", "disegno"},
+    FixedWords{"numeric", "numeric", "numerico"},
+    FixedWords{"unit", "unit", "unità"},
+    FixedWords{"difference", "diff.", "diff."},
+    FixedWords{"centre", "centre", "centro"},
+    FixedWords{"found by", "found by", "costruzione"},
+    FixedWords{"everywhere", "everywhere", "ogni punto"},
+    FixedWords{"at infinity", "at infinity", "all’infinito"},
+    FixedWords{"not found", "not found", "non trovato"},
+    FixedWords{"hinge", "hinge", "cerniera"},
+    FixedWords{"normal to guide", "normal to the guide at", "normale alla guida in"},
+    FixedWords{"contact", "contact", "contatto"},
+    FixedWords{"pitch point", "pitch point", "punto primitivo"},
+    FixedWords{"clamped at", "clamped at", "incastro in"},
+    FixedWords{"normal at", "normal at", "normale in"},
+    FixedWords{"and", "and", "e"},
+    FixedWords{"from velocities", "from the velocities", "dalle velocità"},
+    FixedWords{"depends on drivers", "for this ratio of the drivers", "per questo rapporto dei moventi"},
+    FixedWords{"point", "point", "punto"},
+    FixedWords{"velocity", "velocity", "velocità"},
+    FixedWords{"acceleration", "acceleration", "accelerazione"},
+    FixedWords{"sliding", "Sliding", "Scorrimenti"},
+    FixedWords{"at", "at", "in"},
+    FixedWords{"on", "on", "su"},
+    FixedWords{"modulus", "modulus", "modulo"},
+    FixedWords{"coriolis", "Coriolis", "Coriolis"},
+    FixedWords{"largest difference", "Largest difference between construction and check",
+               "Massima differenza fra costruzione e verifica"},
+    FixedWords{"relative to velocity", "of the largest", "del massimo"},
+    FixedWords{"nothing driven", "Nothing is driven: the drawing shows the pose and its centres.",
+               "Nessun movente: il disegno mostra la configurazione e i centri."},
+    // kinds of bodies, for the key
+    FixedWords{"crank", "crank", "manovella"},
+    FixedWords{"rocker", "rocker", "bilanciere"},
+    FixedWords{"coupler", "coupler", "biella"},
+    FixedWords{"slider", "slider", "corsoio"},
+    FixedWords{"sleeve", "sleeve", "manicotto"},
+    FixedWords{"slotted link", "slotted link", "glifo"},
+    FixedWords{"link", "link", "asta"},
+    FixedWords{"disc", "disc", "disco"},
+    // title block
+    FixedWords{"block scale", "Scale", "Scala"},
+    FixedWords{"block scales", "Scales", "Scale"},
+    FixedWords{"block size", "Size", "Formato"},
+    FixedWords{"block sheet", "Sheet", "Foglio"},
+    FixedWords{"block units", "Units", "Unità"},
+    FixedWords{"block readings", "Readings to", "Letture a"},
+    FixedWords{"block file", "File", "File"},
+    FixedWords{"block bodies", "Bodies", "Corpi"},
+    FixedWords{"untitled", "Mechanism", "Meccanismo"},
+    // forces
+    FixedWords{"mechanism and lines of action", "Mechanism and lines of action", "Meccanismo e rette d’azione"},
+    FixedWords{"force triangle", "Force triangle", "Triangolo delle forze"},
+    FixedWords{"force triangles", "Force triangles", "Triangoli delle forze"},
+    FixedWords{"force polygon", "Force polygon", "Poligono delle forze"},
+    FixedWords{"force polygons", "Force polygons", "Poligoni delle forze"},
+    FixedWords{"closed force polygon", "Closed polygon of the external forces", "Poligono chiuso delle forze esterne"},
+    FixedWords{"free body", "Free body", "Corpo libero"},
+    FixedWords{"free pin", "Free pin", "Perno isolato"},
+    FixedWords{"pin", "pin", "perno"},
+    FixedWords{"forces", "Active forces and reactions", "Forze attive e reazioni"},
+    FixedWords{"active forces", "active", "attive"},
+    FixedWords{"reactions", "reactions", "reazioni"},
+    FixedWords{"reactions heading", "Reactions", "Reazioni"},
+    FixedWords{"efforts", "Efforts", "Azioni equilibranti"},
+    FixedWords{"force", "force", "forza"},
+    FixedWords{"joint", "joint", "coppia"},
+    FixedWords{"couple", "couple", "momento"},
+    FixedWords{"effort", "effort", "azione"},
+    FixedWords{"steps forces", "Steps: forces", "Procedimento: forze"},
+    FixedWords{"vertical", "vertical", "verticale"},
+    FixedWords{"given", "given", "data"},
+    FixedWords{"normal", "normal", "normale"},
+    FixedWords{"any line", "–", "–"},
+    FixedWords{"action and reaction", "acts from body {0} on body {1}.", "è l’azione del corpo {0} sul corpo {1}."},
+    FixedWords{"internal sides", "Dashed sides are internal: equal and opposite on two bodies, they cancel.",
+               "I lati tratteggiati sono interni: uguali e opposti su due corpi, si elidono."},
+    FixedWords{"passes outside", "passes outside: tips", "passa all’esterno: si impunta"},
+    FixedWords{"passes beside", "from", "da"},
+    FixedWords{"lever", "Joukowsky’s lever", "Leva di Joukowsky"},
+    FixedWords{"lever arm", "arm", "braccio"},
+    FixedWords{"power", "power", "potenza"},
+    FixedWords{"sum", "sum", "somma"},
+    FixedWords{
+        "lever of forces",
+        "The forces, set at the tips of the velocities turned a quarter turn counter-clockwise, have no moment about the "
+        "pole: the moment of each, F·h, is its power with the sign changed.",
+        "Le forze, poste agli estremi delle velocità ruotate di un quarto di giro in verso antiorario, hanno momento nullo "
+        "rispetto al polo: il momento di ciascuna, F·h, è la sua potenza cambiata di segno."},
+    FixedWords{
+        "lever with couples",
+        "The forces are set at the tips of the velocities turned a quarter turn counter-clockwise: the moment of each "
+        "about the pole, F·h, is its power with the sign changed; a couple has the power Mω. The powers add up to nothing.",
+        "Le forze sono poste agli estremi delle velocità ruotate di un quarto di giro in verso antiorario: il momento di "
+        "ciascuna rispetto al polo, F·h, è la sua potenza cambiata di segno; una coppia ha potenza Mω. La somma delle "
+        "potenze è nulla."},
+    FixedWords{"subtitle forces", "Static forces by triangles and closed polygon",
+               "Forze statiche con i triangoli e il poligono chiuso"},
+    FixedWords{"subtitle mixed", "Motion by polygons, forces by triangles and closed polygon",
+               "Moto con i poligoni, forze con i triangoli e il poligono chiuso"},
+    FixedWords{"subtitle pose", "Pose and instant centres", "Configurazione e centri di istantanea rotazione"},
+    FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
+    FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
+};
+
+bool digits_only(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return (c >= '0' && c <= '9') || c == ',' || c == '.'; });
+}
+
+Piece piece(std::string_view text, Face face = Face::regular) {
+    Piece result;
+    result.text = text;
+    result.face = face;
+    return result;
+}
+
+/// A point's name as textbooks set it: O2 with the number lowered, else as it is, italic.
+RichText point_name(std::string_view name) {
+    std::size_t digits = name.size();
+    std::string_view tail;
+    while (digits > 0 && (name[digits - 1] == '*' || name[digits - 1] == '\'')) --digits;
+    tail = name.substr(digits);
+    std::size_t letters = digits;
+    while (letters > 0 && name[letters - 1] >= '0' && name[letters - 1] <= '9') --letters;
+    std::string primes, raised_stars;
+    for (const char c : tail) (c == '*' ? raised_stars : primes) += c == '*' ? "∗" : "′";
+    const bool lowers = letters > 0 && letters < digits && name[letters - 1] != '.' && name[letters - 1] != '-';
+    Piece result = piece(name.substr(0, lowers ? letters : digits), digits_only(name) ? Face::regular : Face::italic);
+    result.text += primes;
+    if (lowers) result.sub = name.substr(letters, digits - letters);
+    result.sub_face = Face::regular;
+    if (lowers)
+        result.sup = raised_stars;
+    else
+        result.text += std::string(static_cast<std::size_t>(std::count(tail.begin(), tail.end(), '*')), '*');
+    return {result};
+}
+
+std::string lower_case(std::string_view name) {
+    std::string out;
+    for (const char c : name) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return out;
+}
+
+/// At which no line ends.
+constexpr const char* unbroken_blank = "\u00A0";
+
+/// As symbols are set in the figures, or with names as files and commands spell them.
+enum class Setting { typeset, spelt };
+
+RichText in_a_row(const std::vector<RichText>& members) {
+    RichText text;
+    for (const RichText& member : members) {
+        if (!text.empty()) text.push_back(piece(", "));
+        append(text, member);
+    }
+    return text;
+}
+
+RichText argument(const Argument& arg, Language language, Setting setting) {
+    const auto name = [&](const std::string& of) { return setting == Setting::spelt ? RichText{piece(of)} : point_name(of); };
+    const std::string blank = setting == Setting::typeset ? unbroken_blank : " ";
+    const auto symbol = [&](const Symbol& of) {
+        return setting == Setting::spelt ? RichText{piece(name_of(of))} : typeset(of, language);
+    };
+    return std::visit(
+        [&](const auto& value) -> RichText {
+            using T = std::decay_t<decltype(value)>;
+            if constexpr (std::is_same_v<T, PointName>) {
+                return name(value.name);
+            } else if constexpr (std::is_same_v<T, BodyName>) {
+                return {piece(value.name)};
+            } else if constexpr (std::is_same_v<T, Count>) {
+                return {piece((value.value < 0 ? "−" : "") + std::to_string(std::abs(value.value)))};
+            } else if constexpr (std::is_same_v<T, Symbol>) {
+                return symbol(value);
+            } else if constexpr (std::is_same_v<T, Names>) {
+                std::vector<RichText> members;
+                for (const std::string& each : value) members.push_back(name(each));
+                return in_a_row(members);
+            } else if constexpr (std::is_same_v<T, Ratios>) {
+                std::vector<RichText> members;
+                for (const Ratio& each : value) {
+                    RichText member = symbol(each.above);
+                    member.push_back(piece("/"));
+                    append(member, symbol(each.below));
+                    constexpr int digits = 5;
+                    member.push_back(piece(" = " + number(each.value, digits, language)));
+                    members.push_back(std::move(member));
+                }
+                return in_a_row(members);
+            } else if constexpr (std::is_same_v<T, Symbols>) {
+                std::vector<RichText> members;
+                for (const Symbol& each : value) members.push_back(symbol(each));
+                return in_a_row(members);
+            } else if constexpr (std::is_same_v<T, kinegraph::Segment>) {
+                RichText text = name(value.from);
+                append(text, name(value.to));
+                return text;
+            } else if constexpr (std::is_same_v<T, std::string>) {
+                return {piece(value)};
+            } else if constexpr (std::is_same_v<T, Amount>) {
+                return {piece(number(value.value, 3, language) + blank + value.unit)};
+            } else if constexpr (std::is_same_v<T, RollingLever>) {
+                if (value == RollingLever::on_straight) return {piece("r", Face::italic)};
+                RichText text{piece("R" + blank + "r", Face::italic), piece("/("), piece("R", Face::italic)};
+                text.push_back(piece(blank + (value == RollingLever::outside ? "+" : "−") + blank));
+                text.push_back(piece("r", Face::italic));
+                text.push_back(piece(")"));
+                return text;
+            } else {
+                RichText text = typeset(value, language);
+                if (!text.empty() && text.front().text.ends_with(' '))
+                    text.front().text.replace(text.front().text.size() - 1, 1, blank);
+                return text;
+            }
+        },
+        arg);
+}
+
+constexpr bool keys_are_different() {
+    for (std::size_t i = 0; i < fixed_words.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (fixed_words[i].key == fixed_words[j].key) return false;
+    return true;
+}
+static_assert(keys_are_different(), "a key has one row of words");
+
+constexpr bool rows_are_in_order() {
+    for (std::size_t i = 0; i < sentences.size(); ++i)
+        if (sentences[i].sentence != static_cast<Sentence>(i) || sentences[i].en.empty() || sentences[i].it.empty()) return false;
+    return sentences.size() == static_cast<std::size_t>(Sentence::count_);
+}
+static_assert(rows_are_in_order(), "every sentence has its words, in the order of the enumeration");
+
+std::string_view pattern_of(Sentence sentence, Language language) {
+    KG_ASSERT(sentence < Sentence::count_, "a message has a sentence");
+    const Row& row = sentences[static_cast<std::size_t>(sentence)];
+    return language == Language::en ? row.en : row.it;
+}
+
+bool is_empty(const Argument& arg) {
+    if (const auto* text = std::get_if<std::string>(&arg)) return text->empty();
+    if (const auto* point = std::get_if<PointName>(&arg)) return point->name.empty();
+    if (const auto* body = std::get_if<BodyName>(&arg)) return body->name.empty();
+    if (const auto* names = std::get_if<Names>(&arg)) return names->empty();
+    if (const auto* symbols = std::get_if<Symbols>(&arg)) return symbols->empty();
+    return false;
+}
+
+bool is_one(const Argument& arg) {
+    if (const auto* count = std::get_if<Count>(&arg)) return count->value == 1;
+    if (const auto* names = std::get_if<Names>(&arg)) return names->size() == 1;
+    if (const auto* symbols = std::get_if<Symbols>(&arg)) return symbols->size() == 1;
+    return false;
+}
+
+/// Sets a stretch of a pattern; true where every argument it names is given.
+bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, Setting setting, RichText& to) {
+    bool all_given = true;
+    std::string plain_text;
+    const auto flush = [&] {
+        if (!plain_text.empty()) to.push_back(piece(plain_text));
+        plain_text.clear();
+    };
+    for (std::size_t i = 0; i < pattern.size();) {
+        if (pattern[i] == '{') {
+            const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
+            const std::size_t end = pattern.find('}', i), bar = pattern.find('|', i);
+            const bool given = index < arguments.size() && !is_empty(arguments[index]);
+            if (bar < end) {
+                const std::size_t second = pattern.find('|', bar + 1);
+                plain_text += given && is_one(arguments[index]) ? pattern.substr(bar + 1, second - bar - 1)
+                                                                : pattern.substr(second + 1, end - second - 1);
+            } else if (given) {
+                flush();
+                append(to, argument(arguments[index], language, setting));
+            } else {
+                all_given = false;
+            }
+            i = end + 1;
+        } else if (pattern[i] == '[') {
+            const std::size_t end = pattern.find(']', i);
+            flush();
+            RichText optional_part;
+            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, setting, optional_part)) append(to, optional_part);
+            i = end + 1;
+        } else if (pattern[i] == '~') {
+            plain_text += setting == Setting::typeset ? unbroken_blank : " ";
+            ++i;
+        } else if (pattern.substr(i).starts_with("ω")) {
+            flush();
+            to.push_back(piece("ω", Face::italic));
+            i += std::string_view("ω").size();
+        } else if (pattern.substr(i).starts_with("α")) {
+            flush();
+            append(to, typeset(Symbol{Symbol::Letter::alpha, "", ""}, language));
+            i += std::string_view("α").size();
+        } else if (pattern.substr(i).starts_with("²") && plain_text.empty() && !to.empty()) {
+            to.back().sup = "2";
+            i += std::string_view("²").size();
+        } else {
+            plain_text += pattern[i++];
+        }
+    }
+    flush();
+    return all_given;
+}
+
+std::string superscript(int value) {
+    static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string out;
+    for (const char c : std::to_string(value)) out += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+    return out;
+}
+
+/// A decimal of to_chars in the language's dress.
+std::string dressed(std::string_view decimal, Language language) {
+    std::string out;
+    for (const char c : decimal) {
+        if (c == '-')
+            out += "−";
+        else if (c == '.')
+            out += language == Language::it ? "," : ".";
+        else
+            out += c;
+    }
+    return out;
+}
+
+bool is_all_zero(std::string_view decimal) {
+    return std::none_of(decimal.begin(), decimal.end(), [](char c) { return c >= '1' && c <= '9'; });
+}
+
+}  // namespace
+
+RichText say(const Message& message, Language language) {
+    RichText text;
+    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::typeset, text);
+    return text;
+}
+
+std::string tell(const Message& message, Language language) {
+    RichText text;
+    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::spelt, text);
+    return plain(text);
+}
+
+RichText typeset(const Symbol& symbol, Language language) {
+    using Letter = Symbol::Letter;
+    if (symbol.letter == Letter::point || symbol.letter == Letter::length) return point_name(symbol.about);
+    if (symbol.letter == Letter::image) return point_name(lower_case(symbol.about) + (symbol.term == "'" ? "'" : ""));
+    if (symbol.letter == Letter::body) return {piece(symbol.about)};
+
+    Piece result;
+    result.face = Face::italic;
+    switch (symbol.letter) {
+        case Letter::pole:
+            result.text = "o";
+            break;
+        case Letter::v:
+            result.text = "v";
+            result.face = Face::bold_italic;
+            break;
+        case Letter::a:
+            result.text = "a";
+            result.face = Face::bold_italic;
+            break;
+        case Letter::omega:
+            result.text = "ω";
+            break;
+        case Letter::alpha:
+            result.text = language == Language::it ? "ω" : "α";
+            result.dots = language == Language::it ? 1 : 0;
+            break;
+        case Letter::centre:
+            result.text = language == Language::it ? "C" : "P";
+            break;
+        case Letter::F:
+            result.text = "F";
+            result.face = Face::bold_italic;
+            break;
+        case Letter::M:
+            result.text = "M";
+            break;
+        case Letter::speed:
+            result.text = "s";
+            result.dots = 1;
+            break;
+        default:
+            KG_ASSERT(false, "a symbol has a letter");
+    }
+    result.sub = symbol.about;
+    // A force that the file calls F_gas or M is written so, not F with a script F_gas.
+    if (symbol.letter == Letter::F || symbol.letter == Letter::M) {
+        if (result.sub == result.text) result.sub.clear();
+        if (result.sub.starts_with(result.text + "_")) result.sub.erase(0, 2);
+    }
+    // g of the weight and i of inertia are words, not quantities.
+    const bool of_body = symbol.letter == Letter::F && !result.sub.empty() && (result.sub[0] == 'g' || result.sub[0] == 'i') &&
+                         (result.sub.size() == 1 || digits_only(result.sub.substr(1)));
+    result.sub_face = of_body || digits_only(result.sub) ? Face::regular : Face::italic;
+    result.sup = symbol.term;
+    return {result};
+}
+
+RichText typeset(const LineReason& reason, Language language) {
+    using Kind = LineReason::Kind;
+    const bool perpendicular = reason.kind == Kind::perpendicular_to_segment || reason.kind == Kind::perpendicular_to_guide;
+    if (reason.kind == Kind::known) return {piece(word("known", language))};
+    RichText text{piece(perpendicular ? "⟂ " : "∥ ")};
+    switch (reason.kind) {
+        case Kind::perpendicular_to_segment:
+        case Kind::parallel_to_segment:
+            append(text, point_name(reason.from));
+            append(text, point_name(reason.to));
+            return text;
+        case Kind::parallel_to_guide:
+        case Kind::perpendicular_to_guide:
+            text.back().text += word("guide", language);
+            break;
+        case Kind::driver_component:
+            text = {piece("⟂ " + word("drive", language))};
+            break;
+        case Kind::parallel_to_locus:
+            text.back().text += word("locus", language);
+            break;
+        case Kind::given_direction:
+            text.back().text += word("given line", language);
+            break;
+        case Kind::parallel_to_tangent:
+            text.back().text += word("tangent", language);
+            break;
+        case Kind::parallel_to_normal:
+            text.back().text += word("normal", language);
+            break;
+        case Kind::known:
+            break;
+    }
+    if (!reason.from.empty()) {
+        text.back().text += " ";
+        append(text, point_name(reason.from));
+    }
+    return text;
+}
+
+std::string number(double value, int digits, Language language) {
+    KG_ASSERT(digits >= 1 && digits <= 17, "a number has 1 to 17 digits");
+    if (!std::isfinite(value)) return "–";
+    if (value == 0) return "0";
+    char buffer[64];
+    const auto scientific = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+    std::string_view text(buffer, static_cast<std::size_t>(scientific.ptr - buffer));
+    const std::size_t e = text.find('e');
+    const int exponent = std::atoi(std::string(text.substr(e + 1)).c_str());
+    if (exponent < -3 || exponent >= std::max(digits, 5))
+        return dressed(text.substr(0, e), language) + " × 10" + superscript(exponent);
+    char fixed_buffer[64];
+    const auto end = std::to_chars(fixed_buffer, fixed_buffer + sizeof fixed_buffer, value, std::chars_format::fixed,
+                                   std::max(0, digits - 1 - exponent));
+    return dressed({fixed_buffer, static_cast<std::size_t>(end.ptr - fixed_buffer)}, language);
+}
+
+std::string fixed(double value, int decimals, Language language) {
+    if (!std::isfinite(value)) return "–";
+    char buffer[400];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
+    std::string_view text(buffer, static_cast<std::size_t>(end.ptr - buffer));
+    if (text.starts_with('-') && is_all_zero(text)) text.remove_prefix(1);  // no −0.00
+    return dressed(text, language);
+}
+
+const std::string& in(const Words& words, Language language) {
+    if (language == Language::it) return words.it.empty() ? words.en : words.it;
+    return words.en.empty() ? words.it : words.en;
+}
+
+std::string verdict_words(const Mobility& mobility, Language language) {
+    const auto times = [&](std::string_view key) {
+        const int count = mobility.repeated();
+        return word(key, language) + ", " + std::to_string(count) + " " + word(count == 1 ? "time" : "times", language);
+    };
+    switch (mobility.verdict()) {
+        case Mobility::Verdict::mechanism:
+            return word("verdict mechanism", language);
+        case Mobility::Verdict::isostatic:
+            return word("verdict isostatic", language);
+        case Mobility::Verdict::hyperstatic:
+            return times("verdict hyperstatic");
+        case Mobility::Verdict::labile:
+            return word("verdict labile", language);
+    }
+    KG_ASSERT(false, "a mobility has a verdict");
+}
+
+std::string word(std::string_view key, Language language) {
+    for (const FixedWords& row : fixed_words)
+        if (row.key == key) return std::string(language == Language::en ? row.en : row.it);
+    KG_ASSERT(false, "no words for \"" + std::string(key) + "\"");
+}
+
+}  // namespace kinegraph::render

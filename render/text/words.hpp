@@ -1,0 +1,36 @@
+// Words: every sentence, heading and name the sheet says, in English and Italian. The only file that speaks. Terms differ by
+// language, not only by translation (instant centre P_ij / centro di istantanea rotazione C_ij, decimal comma, × / ∧).
+#pragma once
+
+#include <string>
+
+#include "engine/mechanism.hpp"
+#include "engine/mobility.hpp"
+#include "engine/statement.hpp"
+#include "render/text/text.hpp"
+
+namespace kinegraph::render {
+
+enum class Language { en, it };
+
+/// A sentence of the solution, symbols set as in the figures.
+RichText say(const Message& message, Language language);
+/// The same for the terminal and for files of results: names as the mechanism file has them, symbols by their plain names.
+std::string tell(const Message& message, Language language);
+/// A quantity as it is typeset: v_B bold italic with its subscript, ω_3 italic, n and t upright, dots for Italian ω̇_3.
+RichText typeset(const Symbol& symbol, Language language);
+/// "⟂ O2A", "∥ guide B".
+RichText typeset(const LineReason& reason, Language language);
+/// A number with `digits` significant digits, true minus, decimal comma in Italian, ×10ⁿ where it is far from 1.
+std::string number(double value, int digits, Language language);
+/// A fixed number of decimals, for columns.
+std::string fixed(double value, int decimals, Language language);
+const std::string& in(const Words& words, Language language);
+
+/// "mechanism", "hyperstatic, 2 times", …: what the rank says of the structure at this pose.
+std::string verdict_words(const Mobility& mobility, Language language);
+
+/// Headings and fixed words by key ("velocity polygon", "results", "numeric", …); a key without words is a fault.
+std::string word(std::string_view key, Language language);
+
+}  // namespace kinegraph::render
