@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "constructions/polygon_pen.hpp"
+#include "constructions/space_diagram.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -49,6 +50,7 @@ public:
     Act(Structure& structure, Board& board, const ActWishes& wishes)
         : structure_(structure),
           board_(board),
+          diagram_(structure, board),
           mechanism_(structure.mechanism()),
           body_(mechanism_.motion->body),
           wishes_(wishes) {
@@ -75,6 +77,7 @@ private:
     using Found = ActFigure::Found;
 
     const Node& node(NodeIndex index) const { return structure_.node(index); }
+    PointOn<Plane::drawing> place(NodeIndex index) { return diagram_.place(index); }
     BodyName body() const { return {structure_.body_name(body_)}; }
     CarriedPlace carried(PointOn<Plane::drawing> place) const { return {place.element, body_}; }
     PointName name(NodeIndex index) const { return {node(index).label}; }
@@ -102,7 +105,7 @@ private:
     Symbol spin() const {
         return spin_symbol<plane>(structure_.body_name(body_));
     }
-    Symbol centre_symbol() const {
+    Symbol centre_symbol() {
         const std::string& first = structure_.body_name(frame);
         const std::string& second = structure_.body_name(body_);
         const bool short_names = first.size() == 1 && second.size() == 1;
@@ -146,12 +149,12 @@ private:
     void set_tip(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
         state.track.tips[at(index)] = tip;
         label_image(state, node(index).label, tip);
-        draw_vector(state, absolute<plane>(index), {carried(node(index).place), {}, -1}, board_.pole<plane>(), tip,
+        draw_vector(state, absolute<plane>(index), {carried(place(index)), {}, -1}, board_.pole<plane>(), tip,
                     DrawnVector::Role::absolute);
     }
     template <Plane plane>
     void set_base(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
-        state.base = {index, node(index).label, node(index).place, tip};
+        state.base = {index, node(index).label, place(index), tip};
     }
     template <Plane plane>
     bool turns(const State<plane>& state) const {
@@ -165,7 +168,7 @@ private:
         Polygon polygon;
         polygon.id = is_velocity<plane> ? "velocity" : "acceleration";
         state.track.polygon = PolygonPen<plane>::begin(board_, std::move(polygon));
-        state.track.spins[frame] = board_.given(0);
+        state.track.spins[frame] = board_.number(0);
         for (const NodeIndex index : structure_.nodes_of(frame)) {
             state.track.tips[at(index)] = board_.pole<plane>();
             label_image(state, node(index).label, board_.pole<plane>());
@@ -174,12 +177,12 @@ private:
             Given<plane> given;
             given.node = structure_.find(each.point, body_);
             KG_ASSERT(given.node >= 0, "the body carries the points of its act of motion");
-            if (const auto* bearing = std::get_if<Bearing>(&each.value)) {
-                given.whole = false;
-                given.vector =
-                    board_.given<plane>([bearing = *bearing](const Pose& pose) { return direction_of(bearing, pose); });
+            given.whole = std::holds_alternative<Vector>(each.value);
+            const auto index = static_cast<int>(state.given.size());
+            if constexpr (is_velocity<plane>) {
+                given.vector = board_.act_velocity(index);
             } else {
-                given.vector = board_.given<plane>([vector = std::get<Vector>(each.value)](const Pose&) { return vector; });
+                given.vector = board_.act_acceleration(index);
             }
             state.given.push_back(given);
         }
@@ -256,7 +259,7 @@ private:
             set_base(state, given.node, tip);
             set_tip(state, given.node, tip);
             state.used[index] = true;
-        } else if (!turns(state) && !board_.coincide(state.base->place, node(given.node).place)) {
+        } else if (!turns(state) && !board_.coincide(state.base->place, place(given.node))) {
             take_pair(state, index);
         } else {
             verify(state, index);
@@ -272,7 +275,7 @@ private:
         const auto tip = tip_of(given);
         set_tip(state, given.node, tip);
         state.used[index] = true;
-        if (!fits_rigid(base, node(given.node).place, tip)) return differ(state, base.node, given.node);
+        if (!fits_rigid(base, place(given.node), tip)) return differ(state, base.node, given.node);
         std::vector<Argument> arguments{Segment{base.label, node(given.node).label}, absolute<plane>(base.label),
                                         absolute<plane>(given.node)};
         if (!is_velocity<plane>) arguments.emplace_back(spin<Plane::velocity>());
@@ -285,24 +288,24 @@ private:
     template <Plane plane>
     void take_spin(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
         const Base<plane>& base = *state.base;
-        const PointOn<plane> middle = without_tangential(base, node(index).place);
+        const PointOn<plane> middle = without_tangential(base, place(index));
         const auto tangential = board_.vector(middle, tip);
         const bool none = board_.is_zero(tangential);
         if (!none || !is_velocity<plane>) {
-            const Seen seen{carried(node(index).place), carried(base.place), base.place.element};
+            const Seen seen{carried(place(index)), carried(base.place), base.place.element};
             if (middle.element != base.tip.element)
                 draw_vector(state, relative(index, base, "n"), seen, base.tip, middle, DrawnVector::Role::normal);
             draw_vector(state, relative(index, base, is_velocity<plane> ? "" : "t"), seen, middle, tip,
                         is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential);
         }
         if (none && is_velocity<plane>) {
-            state.track.spins[at(body_)] = board_.given(0);  // said with the centre: a translation, or rest
+            state.track.spins[at(body_)] = board_.number(0);  // said with the centre: a translation, or rest
         } else {
             begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
                          {spin<plane>(), relative(index, base, is_velocity<plane> ? "" : "t"),
                           Segment{base.label, node(index).label}, body()},
                          "Rivals");
-            state.track.spins[at(body_)] = board_.ratio(tangential, board_.turn(board_.vector(base.place, node(index).place)));
+            state.track.spins[at(body_)] = board_.ratio(tangential, board_.turn(board_.vector(base.place, place(index))));
         }
         state.second = index;
     }
@@ -311,7 +314,7 @@ private:
     template <Plane plane>
     void take_direction(State<plane>& state, std::size_t index) {
         const Given<plane>& given = state.given[index];
-        const auto place = node(given.node).place;
+        const auto here = place(given.node);
         if (!state.base) {
             if (turns(state)) take_second_direction(state, index);
             return;
@@ -319,14 +322,14 @@ private:
         if (turns(state)) return;
         const Base<plane>& base = *state.base;
         const auto along = board_.direction(given.vector);
-        if (board_.coincide(base.place, place)) {
+        if (board_.coincide(base.place, here)) {
             const auto known = board_.vector(board_.pole<plane>(), base.tip);
             if (!board_.is_zero(known) && !board_.parallel(board_.direction(known), along)) miss(state, given.node, base.node);
             state.used[index] = true;
             return;
         }
-        const auto across_join = board_.perpendicular(board_.direction(board_.vector(base.place, place)));
-        const PointOn<plane> start = without_tangential(base, place);
+        const auto across_join = board_.perpendicular(board_.direction(board_.vector(base.place, here)));
+        const PointOn<plane> start = without_tangential(base, here);
         if (board_.parallel(across_join, along)) {
             // Its projection on the join is zero whatever its size: it says nothing more, or what cannot be.
             if (!board_.on_line(start, board_.through(board_.pole<plane>(), along))) differ(state, base.node, given.node);
@@ -372,7 +375,7 @@ private:
         const auto first = std::find_if(state.given.begin(), state.given.end(), is_direction);
         if (first == state.given.end()) return;
         const auto perpendicular = [&](const Given<plane>& given) {
-            return board_.through(node(given.node).place, board_.perpendicular(board_.direction(given.vector)));
+            return board_.through(place(given.node), board_.perpendicular(board_.direction(given.vector)));
         };
         const auto line = perpendicular(*first);
         for (auto other = first + 1; other != state.given.end(); ++other) {
@@ -387,13 +390,13 @@ private:
 
     template <Plane plane>
     void auxiliary_place(State<plane>& state, const Given<plane>& first, const Given<plane>& second,
-                         PointOn<Plane::drawing> place) {
+                         PointOn<Plane::drawing> met_at) {
         if constexpr (is_velocity<plane>) {
-            settle_centre(place, Found::perpendiculars, {first.node, second.node});
+            settle_centre(met_at, Found::perpendiculars, {first.node, second.node});
             if (wishes_.centre)
                 begin<plane>(Sentence::act_perpendiculars, {centre_symbol(), name(first.node), name(second.node)},
                              "Euler–Chasles");
-            state.base = {-1, {}, place, board_.pole<plane>()};
+            state.base = {-1, {}, met_at, board_.pole<plane>()};
         } else {
             const std::string label = free_name("S");
             const Symbol symbol{Symbol::Letter::point, label, {}};
@@ -402,16 +405,16 @@ private:
             PointOn<plane> ends[2];
             const Given<plane>* sources[2] = {&first, &second};
             for (int i = 0; i < 2; ++i) {
-                ends[i] = without_tangential(Base<plane>{-1, {}, node(sources[i]->node).place, board_.pole<plane>()}, place);
+                ends[i] = without_tangential(Base<plane>{-1, {}, place(sources[i]->node), board_.pole<plane>()}, met_at);
                 lines[i] = board_.through(ends[i], board_.direction(sources[i]->vector));
             }
             const auto met = board_.meet(lines[0], lines[1]);
             KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that meet have directions that do");
             for (int i = 0; i < 2; ++i) draw_line(state, lines[i], reason_of(*sources[i]), {ends[i].element, met->element});
             label_image(state, label, *met);
-            draw_vector(state, absolute<plane>(label), {carried(place), {}, -1}, board_.pole<plane>(), *met,
+            draw_vector(state, absolute<plane>(label), {carried(met_at), {}, -1}, board_.pole<plane>(), *met,
                         DrawnVector::Role::absolute);
-            state.base = {-1, label, place, *met};
+            state.base = {-1, label, met_at, *met};
         }
     }
 
@@ -419,7 +422,7 @@ private:
     void spin_from_parallels(State<plane>& state, const Given<plane>& first, const Given<plane>& second) {
         parallel_base_ = first.node;
         if constexpr (is_velocity<plane>) {
-            state.track.spins[at(body_)] = board_.given(0);
+            state.track.spins[at(body_)] = board_.number(0);
             settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(first.vector))), Found::translation,
                           {first.node, second.node});
             begin<plane>(Sentence::act_parallels, {body(), name(first.node), name(second.node)}, "Rivals");
@@ -430,9 +433,8 @@ private:
             const auto pole = board_.pole<plane>();
             const auto along = board_.direction(first.vector);
             const auto locus = board_.through(pole, along);
-            const PointOn<plane> from =
-                without_tangential(Base<plane>{-1, {}, node(first.node).place, pole}, node(second.node).place);
-            const auto turned = board_.turn(board_.vector(node(first.node).place, node(second.node).place));
+            const PointOn<plane> from = without_tangential(Base<plane>{-1, {}, place(first.node), pole}, place(second.node));
+            const auto turned = board_.turn(board_.vector(place(first.node), place(second.node)));
             const auto met = board_.meet(board_.through(from, board_.direction(turned)), locus);
             KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that coincide are no two loci");
             draw_line(state, locus, reason_of(first), {pole.element, met->element});
@@ -448,9 +450,9 @@ private:
                                         [&](const Given<plane>& each) { return each.node == parallel_base_; });
         const auto pole = board_.pole<plane>();
         const auto along = board_.direction(given.vector), other = board_.direction(first->vector);
-        const Base<plane> from{first->node, node(first->node).label, node(first->node).place, pole};
-        const auto join = board_.vector(from.place, node(given.node).place);
-        const auto end = board_.carry(without_tangential(from, node(given.node).place),
+        const Base<plane> from{first->node, node(first->node).label, place(first->node), pole};
+        const auto join = board_.vector(from.place, place(given.node));
+        const auto end = board_.carry(without_tangential(from, place(given.node)),
                                       board_.scale<plane>(state.track.spin(body_), board_.turn(join)));
         state.used[index] = true;
         const auto own = board_.through(pole, along);
@@ -476,7 +478,7 @@ private:
         begin<plane>(Sentence::act_rest_by_lines, {body(), name(index)});
         set_base(state, index, board_.pole<plane>());
         set_tip(state, index, board_.pole<plane>());
-        state.track.spins[at(body_)] = board_.given(0);
+        state.track.spins[at(body_)] = board_.number(0);
         if constexpr (is_velocity<plane>) {
             centre_.reset();
             result_.centre = {};
@@ -491,7 +493,7 @@ private:
         const Given<plane>& given = state.given[index];
         state.used[index] = true;
         const PointOn<plane> tip =
-            turns(state) ? image_of(state, node(given.node).place) : state.base->tip;  // the same place, or known by the image
+            turns(state) ? image_of(state, place(given.node)) : state.base->tip;  // the same place, or known by the image
         if (given.whole) {
             if (!board_.coincide(tip, tip_of(given))) {
                 set_tip(state, given.node, tip_of(given));
@@ -512,18 +514,11 @@ private:
         const Given<plane>& given = state.given[index];
         for (std::size_t i = 0; i < index; ++i) {
             const Given<plane>& other = state.given[i];
-            if (!other.whole || board_.coincide(node(other.node).place, node(given.node).place)) continue;
-            const Base<plane> from{other.node, node(other.node).label, node(other.node).place, tip_of(other)};
-            if (!fits_rigid(from, node(given.node).place, tip_of(given))) return differ(state, other.node, given.node);
+            if (!other.whole || board_.coincide(place(other.node), place(given.node))) continue;
+            const Base<plane> from{other.node, node(other.node).label, place(other.node), tip_of(other)};
+            if (!fits_rigid(from, place(given.node), tip_of(given))) return differ(state, other.node, given.node);
         }
         miss(state, given.node, state.base->node);
-    }
-
-    /// The signed size of a projection, in the file's unit: to be said.
-    Amount measure_of(VectorOn<Plane::drawing> projection, VectorOn<Plane::drawing> join) {
-        const Unit& unit = mechanism_.units.velocity;
-        const Exact share = board_.value(board_.ratio(projection, join)) / unit.si;
-        return {share.to_double() * length(board_.value(join)), unit.symbol};
     }
 
     /// Two points whose vectors no rigid body has: their projections on the join differ (of accelerations by other than ω²·XY).
@@ -536,21 +531,26 @@ private:
             result_.figure.found = Found::contradiction;
             result_.figure.points = {node(first).point, node(second).point};
             const int statement = begin<plane>(Sentence::act_unequal_projections, {}, "Rivals");
-            const auto from = node(first).place, to = node(second).place;
+            const auto from = place(first), to = place(second);
             const auto line = board_.join(from, to);
             const auto join = board_.vector(from, to);
             const auto projection = [&](PointOn<Plane::drawing> place, NodeIndex index) {
                 // A second for the velocities' tips in the drawing; projections go with it.
-                const auto tip = board_.carry(place, board_.scale<Plane::drawing>(board_.given(1), vector_of(state, index)));
+                const auto tip = board_.carry(place, board_.scale<Plane::drawing>(board_.number(1), vector_of(state, index)));
                 const auto foot = board_.meet(board_.through(tip, board_.perpendicular(board_.direction(join))), line);
                 KG_ASSERT(foot && !board_.is_at_infinity(*foot), "a perpendicular meets its line");
                 return board_.vector(place, *foot);
             };
             const auto of_first = projection(from, first), of_second = projection(to, second);
-            result_.figure.differing = {node(first).point, node(second).point, board_.value(of_first), board_.value(of_second)};
-            const Amount a = measure_of(of_first, join), b = measure_of(of_second, join);
-            board_.statement(statement).message.arguments = {segment, absolute<plane>(first), absolute<plane>(second), a, b};
-            unsolved(sought<plane>(), {Sentence::unequal_projections, {segment, name(first), a, name(second), b}});
+            // How large they are is said once the record is read.
+            result_.figure.differing = {node(first).point,
+                                        node(second).point,
+                                        Recorded<Vector>::at(of_first.element),
+                                        Recorded<Vector>::at(of_second.element),
+                                        Recorded<Vector>::at(join.element),
+                                        statement};
+            board_.statement(statement).message.arguments = {segment, absolute<plane>(first), absolute<plane>(second)};
+            unsolved(sought<plane>(), {Sentence::unequal_projections, {segment, name(first), name(second)}});
         } else {
             begin<plane>(Sentence::act_unequal_projections_acceleration,
                          {segment, absolute<plane>(first), absolute<plane>(second)}, "Rivals");
@@ -573,7 +573,7 @@ private:
             result_.figure.found = Found::contradiction;
             result_.figure.points = {node(index).point};
         }
-        const bool same_place = against >= 0 && board_.coincide(node(index).place, node(against).place);
+        const bool same_place = against >= 0 && board_.coincide(place(index), place(against));
         if (same_place) {
             unsolved(sought<plane>(),
                      {is_velocity<plane> ? Sentence::two_velocities_at_one_place : Sentence::two_accelerations_at_one_place,
@@ -592,7 +592,7 @@ private:
         centre_ = place;
         if (!wishes_.centre) return;
         result_.centre.how = InstantCentre::How::velocities;
-        result_.centre.at = board_.value(place);
+        result_.centre.at = Recorded<ProjectivePoint>::at(place.element);
         if (found == Found::perpendiculars) result_.centre.normals = result_.figure.points;
     }
 
@@ -624,15 +624,15 @@ private:
             return;
         }
         if (board_.is_zero(v_second)) return centre_at_rest(second);
-        const auto place = node(second).place;
+        const auto other = place(second);
         if (board_.parallel(board_.direction(v_base), board_.direction(v_second))) {
             // Rigid and turning, they are ⟂ to the join: speeds go with the distance from the centre.
             const int statement = begin<Plane::velocity>(Sentence::act_tips, {}, "Euler–Chasles");
             const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
-                return board_.carry(from, board_.scale<Plane::drawing>(board_.given(1), velocity));
+                return board_.carry(from, board_.scale<Plane::drawing>(board_.number(1), velocity));
             };
             const auto met =
-                board_.meet(board_.join(tip(base.place, v_base), tip(place, v_second)), board_.join(base.place, place));
+                board_.meet(board_.join(tip(base.place, v_base), tip(other, v_second)), board_.join(base.place, other));
             KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities of different size have no parallel joins");
             settle_centre(*met, Found::tips, {base.node, second});
             board_.statement(statement).message.arguments = {centre_symbol(), absolute<Plane::velocity>(base.node),
@@ -644,14 +644,14 @@ private:
         const auto perpendicular = [&](PointOn<Plane::drawing> at_place, VectorOn<Plane::velocity> velocity) {
             return board_.through(at_place, board_.perpendicular(board_.direction(velocity)));
         };
-        const auto met = board_.meet(perpendicular(base.place, v_base), perpendicular(place, v_second));
+        const auto met = board_.meet(perpendicular(base.place, v_base), perpendicular(other, v_second));
         KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities that are not parallel have perpendiculars that meet");
         settle_centre(*met, Found::perpendiculars, {base.node, second});
         board_.statement(statement).message.arguments = {centre_symbol(), name(base.node), name(second)};
     }
 
     void centre_at_rest(NodeIndex index) {
-        settle_centre(node(index).place, Found::point_at_rest, {index});
+        settle_centre(place(index), Found::point_at_rest, {index});
         begin<Plane::velocity>(Sentence::act_point_at_rest, {centre_symbol(), name(index)}, "Euler–Chasles");
     }
 
@@ -662,7 +662,7 @@ private:
         for (const NodeIndex index : structure_.nodes_of(body_)) {
             if (state.track.has(index)) continue;
             say_image(state, index);
-            set_tip(state, index, image_of(state, node(index).place));
+            set_tip(state, index, image_of(state, place(index)));
         }
     }
 
@@ -703,7 +703,7 @@ private:
         } else if (located) {
             // Where the centre is a point of the file, that one is known.
             for (const NodeIndex index : structure_.nodes_of(body_)) {
-                if (!state.track.has(index) && board_.coincide(node(index).place, *centre_))
+                if (!state.track.has(index) && board_.coincide(place(index), *centre_))
                     set_tip(state, index, board_.pole<Plane::velocity>());
             }
             unsolved(what, {Sentence::size_open, {}});
@@ -745,7 +745,8 @@ private:
         const auto a = board_.vector(board_.pole<Plane::acceleration>(), state.base->tip);
         const auto along = board_.scale<Plane::drawing>(board_.quotient(square, whole), a);
         const auto aside = board_.scale<Plane::drawing>(board_.quotient(alpha, whole), board_.turn(a));
-        result_.figure.acceleration_centre = board_.value(board_.carry(board_.carry(state.base->place, along), aside)).place();
+        result_.figure.acceleration_centre =
+            Recorded<Vector>::at(board_.carry(board_.carry(state.base->place, along), aside).element);
     }
 
     /// A name that no point of the file has: S, S2, …
@@ -757,6 +758,7 @@ private:
 
     Structure& structure_;
     Board& board_;
+    SpaceDiagram diagram_;
     const Mechanism& mechanism_;
     BodyIndex body_;
     ActWishes wishes_;

@@ -109,7 +109,7 @@ Chain<plane> Chains::chain(Track<plane>& track, const Locus& locus) {
     result.end = result.start;
     for (const Carry& carry : locus.carries) shift(track, carry, result);
     for (const Link<plane>& link : result.known) result.end = set_off(result, link, result.end);
-    result.line = board_.through(result.end, locus.direction);
+    result.line = board_.through(result.end, diagram_.direction(locus));
     return result;
 }
 
@@ -129,7 +129,7 @@ void Chains::start_rotation(const Track<plane>& track, const Locus& locus, Chain
     result.seen = turning(locus.node, locus.base);
     if constexpr (!is_velocity<plane>) {
         Link<plane> normal;
-        normal.vector = locus.kind == Locus::Kind::link ? centripetal_about(node(locus.base).place, locus.base, locus.node)
+        normal.vector = locus.kind == Locus::Kind::link ? centripetal_about(place(locus.base), locus.base, locus.node)
                                                         : normal_of(locus.body, locus.base, locus.node);
         normal.role = DrawnVector::Role::normal;
         normal.seen = result.seen;
@@ -192,12 +192,11 @@ LineReason Chains::normal_reason(const Locus& locus) const {
 
 template <Plane plane>
 void Chains::start_component(const Track<plane>&, const Locus& locus, Chain<plane>& result) {
-    const auto& driver = std::get<PointDriver>(mechanism_.drivers[at(locus.driver)]);
     result.start = board_.pole<plane>();
     result.from_rest = true;
     result.reason = {LineReason::Kind::driver_component, node(locus.node).label, {}};
     Link<plane> component;
-    component.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.driver_unit(locus.driver));
+    component.vector = board_.scale<plane>(driven<plane>(locus.driver), board_.driver_unit(locus.driver));
     component.term = {absolute<plane>(locus.node, "∥"), true, true, {LineReason::Kind::known, {}, {}}, locus.body};
     result.known.push_back(component);
     result.sought = {absolute<plane>(locus.node, "⟂"), false, true, result.reason, locus.body};
@@ -205,7 +204,7 @@ void Chains::start_component(const Track<plane>&, const Locus& locus, Chain<plan
 
 template <Plane plane>
 void Chains::start_image(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-    const auto join = board_.vector(node(locus.base).place, node(locus.node).place);
+    const auto join = diagram_.join(locus.base, locus.node);
     result.base = locus.base;
     result.start = track.tip(locus.base);
     result.reason = {LineReason::Kind::parallel_to_segment, node(locus.base).label, node(locus.node).label};
@@ -221,12 +220,11 @@ void Chains::start_image(const Track<plane>& track, const Locus& locus, Chain<pl
 
 template <Plane plane>
 void Chains::start_driven_slide(const Track<plane>& track, const Locus& locus, Chain<plane>& result) {
-    const auto& driver = std::get<SlideDriver>(mechanism_.drivers[at(locus.driver)]);
     result.base = locus.base;
     result.start = track.tip(locus.base);
     result.reason = along_guide(mechanism_, locus.joint, true);
     Link<plane> slide;
-    slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(locus.joint));
+    slide.vector = board_.scale<plane>(driven<plane>(locus.driver), board_.guide_unit(locus.joint));
     result.known.push_back(slide);
     if constexpr (!is_velocity<plane>) {
         if (const auto coriolis = coriolis_of(locus.guide, locus.node, locus.base)) result.known.push_back(*coriolis);
@@ -265,7 +263,7 @@ void Chains::shift(const Track<plane>& track, const Carry& carry, Chain<plane>& 
         }
         return;
     }
-    const auto join = board_.vector(node(carry.from).place, node(carry.to).place);
+    const auto join = diagram_.join(carry.from, carry.to);
     const LineReason across{LineReason::Kind::perpendicular_to_segment, node(carry.from).label, node(carry.to).label};
     const LineReason along{LineReason::Kind::parallel_to_segment, node(carry.from).label, node(carry.to).label};
     if constexpr (!is_velocity<plane>) add(normal_of(carry.body, carry.from, carry.to), "n", along, DrawnVector::Role::normal);
@@ -279,7 +277,7 @@ VectorOn<Plane::acceleration> Chains::normal_of(BodyIndex turning, NodeIndex fro
         const ScalarHandle omega = motion_.velocity.spin(turning);
         entry->second = board_.product(omega, omega);
     }
-    return board_.scale<Plane::acceleration>(entry->second, board_.vector(node(to).place, node(from).place));
+    return board_.scale<Plane::acceleration>(entry->second, diagram_.join(to, from));
 }
 
 PointOn<Plane::velocity> Chains::velocity_tip(NodeIndex index) {
@@ -289,7 +287,7 @@ PointOn<Plane::velocity> Chains::velocity_tip(NodeIndex index) {
         if (!track.turns(carrier)) continue;
         for (const NodeIndex base : structure_.nodes_of(carrier)) {
             if (!track.has(base)) continue;
-            const auto join = board_.vector(node(base).place, node(index).place);
+            const auto join = diagram_.join(base, index);
             const auto tip = board_.carry(track.tip(base), board_.scale<Plane::velocity>(track.spin(carrier), board_.turn(join)));
             track.tips[at(index)] = tip;
             return tip;
@@ -317,7 +315,7 @@ std::optional<Link<Plane::acceleration>> Chains::coriolis_of(BodyIndex guide_bod
     if (guide_body == frame || board_.is_zero(omega)) return std::nullopt;
     Link<Plane::acceleration> link;
     link.vector =
-        board_.scale<Plane::acceleration>(board_.product(board_.given(2), omega), board_.turn(sliding_velocity(slider, guide)));
+        board_.scale<Plane::acceleration>(board_.product(board_.number(2), omega), board_.turn(sliding_velocity(slider, guide)));
     if (board_.is_zero(link.vector)) return std::nullopt;
     link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
     link.role = DrawnVector::Role::coriolis;
@@ -336,7 +334,7 @@ std::optional<Link<Plane::acceleration>> Chains::centripetal_of(JointIndex joint
 }
 
 VectorOn<Plane::acceleration> Chains::centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index) {
-    const auto radius = board_.vector(centre, node(index).place);
+    const auto radius = board_.vector(centre, place(index));
     const ScalarHandle turning = board_.ratio(sliding_velocity(index, base), board_.turn(radius));
     return board_.negate(board_.scale<Plane::acceleration>(board_.product(turning, turning), radius));
 }

@@ -12,6 +12,7 @@
 #include "constructions/motion.hpp"
 #include "constructions/plan.hpp"
 #include "constructions/polygon_pen.hpp"
+#include "constructions/space_diagram.hpp"
 #include "constructions/structure.hpp"
 #include "engine/board.hpp"
 
@@ -48,9 +49,11 @@ class Chains {
 protected:
     static constexpr BodyIndex frame = 0;
 
-    Chains(Structure& structure, Board& board) : structure_(structure), board_(board), mechanism_(structure.mechanism()) {}
+    Chains(Structure& structure, Board& board)
+        : structure_(structure), board_(board), diagram_(structure, board), mechanism_(structure.mechanism()) {}
 
     const Node& node(NodeIndex index) const { return structure_.node(index); }
+    PointOn<Plane::drawing> place(NodeIndex index) { return diagram_.place(index); }
     bool at_rest(NodeIndex index) const { return node(index).bodies.front() == frame; }
     /// The body whose colour a node's vector has.
     BodyIndex colour_of(NodeIndex index) const {
@@ -69,10 +72,10 @@ protected:
     Symbol relative(NodeIndex of, NodeIndex to, std::string term = {}) const {
         return motion_symbol<plane>(relative_name(node(of).label, node(to).label), std::move(term));
     }
-    CarriedPlace carried(NodeIndex index) const { return {node(index).place.element, node(index).bodies.front()}; }
-    Seen seen(NodeIndex of) const { return {carried(of), {}, -1}; }
+    CarriedPlace carried(NodeIndex index) { return {place(index).element, node(index).bodies.front()}; }
+    Seen seen(NodeIndex of) { return {carried(of), {}, -1}; }
     /// From a place about which it turns.
-    Seen turning(NodeIndex of, NodeIndex to) const { return {carried(of), carried(to), node(to).place.element}; }
+    Seen turning(NodeIndex of, NodeIndex to) { return {carried(of), carried(to), place(to).element}; }
     /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show.
     template <Plane plane>
     Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide) {
@@ -82,9 +85,9 @@ protected:
     Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
     /// What a driver asks of this plane; nothing where only the effect of an assumption is wanted.
     template <Plane plane>
-    ScalarHandle driven(const Exact& velocity, const Exact& acceleration) {
-        if (drivers_rest_) return board_.given(0);
-        return board_.given(is_velocity<plane> ? velocity : acceleration);
+    ScalarHandle driven(int driver) {
+        if (drivers_rest_) return board_.number(0);
+        return is_velocity<plane> ? board_.driver_velocity(driver) : board_.driver_acceleration(driver);
     }
     static bool is_backwards(bool inverse, bool is_shift) { return inverse && !is_shift; }
     template <Plane plane>
@@ -111,6 +114,7 @@ protected:
 
     Structure& structure_;
     Board& board_;
+    SpaceDiagram diagram_;
     const Mechanism& mechanism_;
     Motion motion_;
     bool drivers_rest_ = false;

@@ -29,7 +29,7 @@ void ForceModel::add_components(int hinge) {
     for (const Vector& along : {Vector{1, 0}, Vector{0, 1}}) {
         Bond part = bonds_[at(hinge)];
         part.kind = Bond::Kind::line;
-        part.direction = board_.given_direction(along);
+        part.direction = board_.own_direction(along);
         part.part_of = hinge;
         const int index = static_cast<int>(bonds_.size());
         bonds_of_[at(part.first)].push_back(index);
@@ -123,9 +123,7 @@ void ForceModel::add_effort(int index) {
         bond.second = frame;
         bond.symbol = {Symbol::Letter::F, force->name, {}};
         bond.place = board_.place(force->at);
-        const Bearing along = force->along;
-        bond.direction = board_.direction(
-            board_.given<drawing>([along](const Pose& pose) { return unit_along(direction_of(along, pose), pose.bits); }));
+        bond.direction = board_.effort_unit(index);
     } else {
         const auto& actuator = std::get<ActuatorEffort>(effort);
         const Joint& joint = mechanism_.joints[at(actuator.joint)];
@@ -146,31 +144,27 @@ bool ForceModel::turn_gears(const Run& run) {
         Bond& bond = bonds_[b];
         if (bond.joint < 0 || mechanism_.joints[at(bond.joint)].kind != JointKind::gear || !run.reactions[b].force) continue;
         const JointIndex joint = bond.joint;
-        const Vector normal = quarter_turn(board_.pose().tangents[at(joint)]);
-        const int radial = dot(board_.value(*run.reactions[b].force), normal).sign();
+        // How large the force is across the tangent, seen along the normal.
+        const int radial = board_.sign(board_.moment(board_.tangent(joint), *run.reactions[b].force));
         if (material_side(joint) * radial >= 0) continue;
         const bool mirror = mirrored_gears_.insert(joint).second;
         if (!mirror) mirrored_gears_.erase(joint);
-        const auto mirrored = [joint](const Pose& pose) {
-            const Vector &d = pose.normals[at(joint)], &t = pose.tangents[at(joint)];
-            return (2 * dot(d, t) / squared_length(t)) * t - d;
-        };
-        bond.direction = mirror ? board_.direction(board_.given<drawing>(mirrored)) : board_.normal(joint);
+        bond.direction = mirror ? board_.other_normal(joint) : board_.normal(joint);
         changed = true;
     }
     return changed;
 }
 
-int ForceModel::material_side(JointIndex index) const {
+int ForceModel::material_side(JointIndex index) {
     const Joint& joint = mechanism_.joints[at(index)];
-    const Vector normal = quarter_turn(board_.pose().tangents[at(index)]);
     const auto curvature = [&](BodyIndex body) {
         const auto profile = joint.profiles.find(body);
         const auto* circle = profile == joint.profiles.end() ? nullptr : std::get_if<CircleProfile>(&profile->second);
-        if (circle == nullptr) return Exact();
-        return 1 / dot(board_.pose().at(circle->centre) - board_.pose().at(joint.point), normal);
+        if (circle == nullptr) return board_.number(0);
+        const auto radius = board_.vector(board_.place(circle->centre), board_.place(joint.point));
+        return board_.quotient(board_.number(1), board_.moment(radius, board_.tangent(index)));
     };
-    return (curvature(joint.bodies[0]) - curvature(joint.bodies[1])).sign();
+    return board_.sign(board_.difference(curvature(joint.bodies[0]), curvature(joint.bodies[1])));
 }
 
 void ForceModel::add_load(Load load) {
@@ -181,19 +175,14 @@ void ForceModel::add_load(Load load) {
 }
 
 void ForceModel::read_loads() {
-    for (const auto& given : mechanism_.loads) {
+    for (std::size_t l = 0; l < mechanism_.loads.size(); ++l) {
+        const auto index = static_cast<int>(l);
+        const auto& given = mechanism_.loads[l];
         if (const auto* force = std::get_if<ForceLoad>(&given)) {
-            const ForceLoad& load = *force;
-            const auto vector = [load](const Pose& pose) {
-                if (load.value) return *load.value;
-                return load.magnitude->first * unit_along(direction_of(load.magnitude->second, pose), pose.bits);
-            };
-            add_load({load.body,
-                      {Symbol::Letter::F, load.name, {}},
-                      AppliedForce::Kind::load,
-                      board_.given<Plane::force>(vector),
-                      board_.place(load.at),
-                      {}});
+            const Force acting = force->value ? board_.load_force(index)
+                                              : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
+            const Symbol symbol{Symbol::Letter::F, force->name, {}};
+            add_load({force->body, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}});
         } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
             const auto& points = mechanism_.bodies[at(couple->body)].points;
             add_load({couple->body,
@@ -201,31 +190,30 @@ void ForceModel::read_loads() {
                       AppliedForce::Kind::load,
                       {},
                       board_.place(points.empty() ? 0 : points.front()),
-                      board_.given(couple->value)});
+                      board_.load_magnitude(index)});
         } else {
-            add_spring(std::get<SpringLoad>(given));
+            add_spring(index, std::get<SpringLoad>(given));
         }
     }
-    for (const Mass& mass : mechanism_.masses) {
-        add_weight(mass);
-        if (mechanism_.inertia_forces) add_inertia(mass);
+    for (std::size_t m = 0; m < mechanism_.masses.size(); ++m) {
+        add_weight(static_cast<int>(m));
+        if (mechanism_.inertia_forces) add_inertia(static_cast<int>(m));
     }
 }
 
-void ForceModel::add_spring(const SpringLoad& spring) {
+void ForceModel::add_spring(int index, const SpringLoad& spring) {
+    const auto [first, second] = spring.between;
+    if (board_.coincide(board_.place(first), board_.place(second))) {
+        missing_.push_back({{Sentence::all_forces, {}}, {Sentence::spring_without_direction, {spring.name}}});
+        return;
+    }
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        const PointIndex from = spring.between[end], to = spring.between[1 - end];
-        const Exact magnitude = spring.magnitude;
-        if (board_.coincide(board_.place(from), board_.place(to))) {
-            missing_.push_back({{Sentence::all_forces, {}}, {Sentence::spring_without_direction, {spring.name}}});
-            return;
-        }
-        const auto pull = [=](const Pose& pose) { return magnitude * unit_along(pose.at(to) - pose.at(from), pose.bits); };
+        const DirectionHandle pull = end == 0 ? board_.load_unit(index) : board_.load_unit_back(index);
         add_load({spring.bodies[end],
                   {Symbol::Letter::F, spring.name, {}},
                   AppliedForce::Kind::spring,
-                  board_.given<Plane::force>(pull),
-                  board_.place(from),
+                  board_.scale<Plane::force>(board_.load_magnitude(index), pull),
+                  board_.place(spring.between[end]),
                   {}});
     }
 }
@@ -234,17 +222,19 @@ std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
     return mechanism_.masses.size() == 1 ? std::string(letter) : std::string(letter) + mechanism_.bodies[at(mass.body)].name;
 }
 
-void ForceModel::add_weight(const Mass& mass) {
+void ForceModel::add_weight(int index) {
     if (!mechanism_.gravity) return;
+    const Mass& mass = mechanism_.masses[at(index)];
     add_load({mass.body,
               {Symbol::Letter::F, mass_name(mass, "g"), {}},
               AppliedForce::Kind::weight,
-              board_.given<Plane::force>([weight = mass.mass * *mechanism_.gravity](const Pose&) { return weight; }),
+              board_.scale<Plane::force>(board_.mass(index), board_.gravity()),
               board_.place(mass.centre),
               {}});
 }
 
-void ForceModel::add_inertia(const Mass& mass) {
+void ForceModel::add_inertia(int index) {
+    const Mass& mass = mechanism_.masses[at(index)];
     const auto& track = motion_.acceleration;
     const NodeIndex centre = structure_.find(mass.centre, mass.body);
     if (track.polygon < 0 || centre < 0 || !track.has(centre) || !track.turns(mass.body)) {
@@ -256,13 +246,13 @@ void ForceModel::add_inertia(const Mass& mass) {
     Load load{mass.body,
               {Symbol::Letter::F, mass_name(mass, "i"), {}},
               AppliedForce::Kind::inertia,
-              board_.scale<Plane::force>(board_.given(-mass.mass), acceleration),
+              board_.negate(board_.scale<Plane::force>(board_.mass(index), acceleration)),
               board_.place(mass.centre),
               {}};
     add_load(load);
     load.force.reset();
     load.symbol.letter = Symbol::Letter::M;
-    load.couple = board_.product(board_.given(-mass.inertia), track.spin(mass.body));
+    load.couple = board_.opposite(board_.product(board_.inertia(index), track.spin(mass.body)));
     add_load(load);
 }
 
@@ -275,7 +265,7 @@ LineOn<drawing> ForceModel::line_of(const Wrench& wrench) {
 }
 
 ScalarHandle ForceModel::moment(const Wrench& wrench, PlaceOnDrawing about) {
-    if (!wrench.force) return wrench.couple ? *wrench.couple : board_.given(0);
+    if (!wrench.force) return wrench.couple ? *wrench.couple : board_.number(0);
     return board_.moment(board_.vector(about, wrench.place), *wrench.force);
 }
 
@@ -323,7 +313,7 @@ Wrench ForceModel::wrench_of(const Bond& bond, const Reaction& reaction, int mem
     const bool reversed = bond.second == member;
     if (reaction.force) wrench.force = reversed ? board_.negate(*reaction.force) : *reaction.force;
     if (reaction.couple) {
-        const ScalarHandle couple = reversed ? board_.difference(board_.given(0), *reaction.couple) : *reaction.couple;
+        const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
         wrench = with_couple(wrench, couple);
     }
     return wrench;

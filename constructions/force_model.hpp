@@ -133,14 +133,14 @@ private:
     void add_effort(int index);
     /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the centres'
     /// places along it (0 for a rack); 0 where the file gives only a tangent.
-    int material_side(JointIndex index) const;
+    int material_side(JointIndex index);
     void add_load(Load load);
     void read_loads();
-    void add_spring(const SpringLoad& spring);
+    void add_spring(int index, const SpringLoad& spring);
     std::string mass_name(const Mass& mass, const char* letter) const;
-    void add_weight(const Mass& mass);
+    void add_weight(int index);
     /// d'Alembert: −m a_G at the mass centre and −J_G α.
-    void add_inertia(const Mass& mass);
+    void add_inertia(int index);
 
     Structure& structure_;
     Board& board_;

@@ -88,9 +88,19 @@ private:
     void advance(const std::vector<Load>& loads, Run& run) {
         fit(run);
         const auto all = groups();
+        // A rule that does not apply leaves no stroke.
+        const auto leads_on = [&](auto rule) {
+            const Board::Mark before = board_.mark();
+            const bool applied = rule();
+            if (!applied) board_.rewind(before);
+            return applied;
+        };
         const auto any = [&](auto rule) { return std::any_of(all.begin(), all.end(), rule); };
-        const auto direct = [&](const auto& group) { return magnitudes(group, loads, run) || lines(group, loads, run, false); };
-        const auto beside_couples = [&](const auto& group) { return lines(group, loads, run, true); };
+        const auto direct = [&](const auto& group) {
+            return leads_on([&] { return magnitudes(group, loads, run); }) ||
+                   leads_on([&] { return lines(group, loads, run, false); });
+        };
+        const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
         while (!all_known(run) && (any(direct) || any(beside_couples))) {
         }
         run.complete = all_known(run);
@@ -314,8 +324,7 @@ private:
         Reaction& reaction = run.reactions[at(b)];
         reaction.known = true;
         if (board_.is_zero(couple_on_group)) return;
-        reaction.couple =
-            in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.difference(board_.given(0), couple_on_group);
+        reaction.couple = in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
     }
 
     void note(const std::vector<int>& group, Run& run) {
@@ -379,7 +388,7 @@ private:
     /// The part of −F that a line or a guide can give: all of it where the loads allow equilibrium; what is missing shows as a
     /// gap.
     Force opposite_along(const Wrench& known, DirectionHandle direction) {
-        const Force unit = board_.scale<Plane::force>(board_.given(1), direction);
+        const Force unit = board_.scale<Plane::force>(board_.number(1), direction);
         return board_.scale<Plane::force>(board_.ratio(opposite(known), unit), direction);
     }
 
@@ -388,7 +397,7 @@ private:
         const Shape of = shape(b, run);
         say(Sentence::single_reaction, {name(group), symbol_on(b, group)});
         if (of == Shape::couple) {
-            settle_couple(b, board_.difference(board_.given(0), model_.moment(known, model_.bonds()[at(b)].place)), group, run);
+            settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
             return true;
         }
         const bool takes_couple =
@@ -401,7 +410,7 @@ private:
                 run.reactions[at(b)].known = true;
             }
         } else if (takes_couple) {
-            const ScalarHandle couple = board_.difference(board_.given(0), model_.moment(known, model_.bonds()[at(b)].place));
+            const ScalarHandle couple = board_.opposite(model_.moment(known, model_.bonds()[at(b)].place));
             if (known.force) {
                 const Force force = of == Shape::guide ? opposite_along(known, model_.bonds()[at(b)].direction) : opposite(known);
                 settle_with_couple(b, force, couple, group, run);
@@ -426,7 +435,7 @@ private:
     bool force_and_couple(const std::vector<int>& group, int force, int couple, const Wrench& known, Run& run) {
         const PlaceOnDrawing place = place_of(force, run);
         say(Sentence::force_and_couple, {name(group), symbol_on(force, group), symbol_on(couple, group)});
-        const ScalarHandle balancing = board_.difference(board_.given(0), model_.moment(known, place));
+        const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
         if (known.force) {
             const auto& line = run.reactions[at(force)].action;
             settle(force, line ? opposite_along(known, line->direction) : opposite(known), place, group, run);
@@ -441,7 +450,7 @@ private:
     std::optional<Force> by_moments(const Action& line, PlaceOnDrawing about, const Wrench& known) {
         const ScalarHandle lever = board_.moment(board_.vector(about, line.place), line.direction);
         if (board_.is_zero(lever)) return std::nullopt;
-        const ScalarHandle size = board_.quotient(board_.difference(board_.given(0), model_.moment(known, about)), lever);
+        const ScalarHandle size = board_.quotient(board_.opposite(model_.moment(known, about)), lever);
         return board_.scale<Plane::force>(size, line.direction);
     }
 
@@ -507,8 +516,7 @@ private:
 
     /// A guide's reaction balances what is left, force and couple.
     void settle_guide(int guide, Force across, const Wrench& rest, const std::vector<int>& group, Run& run) {
-        settle_with_couple(guide, across,
-                           board_.difference(board_.given(0), model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
+        settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
     }
 
     bool two_lines(const std::vector<int>& group, int one, int two, int couple, const Wrench& known, Run& run) {
@@ -520,7 +528,7 @@ private:
             settle(two, y, second.place, group, run);
             if (couple >= 0) {
                 Wrench rest = model_.sum(model_.sum(known, nonzero(x, first.place)), nonzero(y, second.place));
-                settle_couple(couple, board_.difference(board_.given(0), model_.moment(rest, first.place)), group, run);
+                settle_couple(couple, board_.opposite(model_.moment(rest, first.place)), group, run);
             }
             return true;
         }
@@ -706,7 +714,7 @@ private:
                 const ScalarHandle change = board_.difference(gap_1[c], gap_2[c]);
                 if (board_.is_zero(change)) continue;
                 const ScalarHandle share = board_.quotient(gap_1[c], change);
-                run = combine(first, board_.difference(board_.given(1), share), second, share);
+                run = combine(first, board_.difference(board_.number(1), share), second, share);
                 run.complete = true;
                 return true;
             }
@@ -720,10 +728,10 @@ private:
         const Bond& bond = model_.bonds()[at(b)];
         reaction.known = true;
         if (shape(b, run) == Shape::couple) {
-            reaction.couple = board_.given(size);
+            reaction.couple = board_.number(size);
             return;
         }
-        reaction.force = board_.scale<Plane::force>(board_.given(size), reaction.action->direction);
+        reaction.force = board_.scale<Plane::force>(board_.number(size), reaction.action->direction);
         if (bond.kind != Bond::Kind::guide) return;
         const ScalarHandle turning = board_.moment(board_.vector(bond.place, reaction.action->place), *reaction.force);
         if (!board_.is_zero(turning)) reaction.couple = turning;
@@ -733,8 +741,8 @@ private:
     std::array<ScalarHandle, 3> gaps(int member, const std::vector<Load>& loads, const Run& run) {
         const Wrench gap = model_.known_on({member}, loads, run);
         const auto component = [&](const Vector& across) {
-            if (!gap.force) return board_.given(0);
-            return board_.moment(board_.given<drawing>([across](const Pose&) { return across; }), *gap.force);
+            if (!gap.force) return board_.number(0);
+            return board_.moment(board_.own_direction(across), *gap.force);
         };
         return {component({0, -1}), component({1, 0}), model_.moment(gap, origin_)};
     }

@@ -73,7 +73,7 @@ private:
             const Bond& bond = model_.bonds()[b];
             if (bond.joint < 0 || !run.reactions[b].force) continue;
             const Joint& joint = mechanism_.joints[at(bond.joint)];
-            if (!joint.pushes || dot(board_.value(*run.reactions[b].force), *joint.pushes).sign() >= 0) continue;
+            if (!joint.pushes || board_.along_sign(board_.push(bond.joint), *run.reactions[b].force) >= 0) continue;
             results_.remarks.push_back({Sentence::lift_off, {PointName{joint.name}}});
         }
     }
@@ -102,8 +102,12 @@ private:
         results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
     }
 
-    Vector value(const std::optional<Force>& force) const { return force ? board_.value(*force) : Vector{}; }
-    Exact value(const std::optional<ScalarHandle>& couple) const { return couple ? board_.value(*couple) : Exact(); }
+    static Recorded<Vector> found(const std::optional<Force>& force) {
+        return force ? Recorded<Vector>::at(force->element) : Recorded<Vector>::zero();
+    }
+    static Recorded<Exact> found(const std::optional<ScalarHandle>& couple) {
+        return couple ? Recorded<Exact>::at(couple->element) : Recorded<Exact>::zero();
+    }
 
     void collect(const Bond& bond, const Reaction& reaction, bool valid) {
         if (bond.effort >= 0) {
@@ -111,13 +115,13 @@ private:
             result.name = std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(bond.effort)]);
             if (valid && reaction.known) {
                 if (bond.kind == Bond::Kind::couple) {
-                    result.value = value(reaction.couple);
+                    result.value = found(reaction.couple);
                 } else if (reaction.force) {
                     // In units of the direction, which is a unit vector.
-                    result.value =
-                        board_.value(board_.ratio(*reaction.force, board_.scale<Plane::force>(board_.given(1), bond.direction)));
+                    const Force unit = board_.scale<Plane::force>(board_.number(1), bond.direction);
+                    result.value = Recorded<Exact>::at(board_.ratio(*reaction.force, unit).element);
                 } else {
-                    result.value = Exact();
+                    result.value = Recorded<Exact>::zero();
                 }
             }
             results_.efforts.push_back(std::move(result));
@@ -128,15 +132,15 @@ private:
         on_first.on = bond.first;
         on_first.from = model_.is_pin(bond.second) ? -1 : bond.second;
         if (valid && reaction.known) {
-            on_first.force = value(reaction.force);
-            on_first.couple = value(reaction.couple);
+            on_first.force = found(reaction.force);
+            on_first.couple = found(reaction.couple);
         }
         results_.joints.push_back(on_first);
         if (model_.is_pin(bond.second)) return;
         JointForce on_second = on_first;
         std::swap(on_second.on, on_second.from);
-        if (on_second.force) on_second.force = -*on_second.force;
-        if (on_second.couple) on_second.couple = -*on_second.couple;
+        if (on_second.force && reaction.force) on_second.force = found(board_.negate(*reaction.force));
+        if (on_second.couple && reaction.couple) on_second.couple = found(board_.opposite(*reaction.couple));
         results_.joints.push_back(on_second);
     }
 
@@ -150,20 +154,20 @@ private:
         std::vector<Side> sides;
         const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
             if (force) {
-                applied.force = board_.value(*force);
+                applied.elements.force = force->element;
                 const bool external =
                     bond < 0 || model_.bonds()[at(bond)].first == frame || model_.bonds()[at(bond)].second == frame;
                 sides.push_back({applied.symbol, *force, bond, external});
             }
-            if (!applied.force.is_zero() || !applied.couple.is_zero()) body.forces.push_back(std::move(applied));
+            if (applied.elements.force >= 0 || applied.elements.couple >= 0) body.forces.push_back(std::move(applied));
         };
         for (const Load& load : model_.loads()) {
             if (load.member != member) continue;
             AppliedForce applied;
             applied.symbol = load.symbol;
             applied.kind = load.kind;
-            applied.at = board_.value(load.place).place();
-            applied.couple = value(load.couple);
+            applied.elements.at = load.place.element;
+            if (load.couple) applied.elements.couple = load.couple->element;
             apply(std::move(applied), load.force, -1);
         }
         for (const int b : model_.bonds_of(member)) {
@@ -176,18 +180,17 @@ private:
             applied.joint = bond.joint;
             applied.from = reversed ? bond.first : bond.second;
             if (model_.is_pin(applied.from)) applied.from = -1;
-            applied.at = board_.value(bond.place).place();
+            applied.elements.at = bond.place.element;
             applied.line_by_construction = reaction.deduced;
             std::optional<Force> force;
             if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
             if (reaction.couple) {
+                const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
                 // A force with a couple is the same force moved aside: its real line.
                 if (force) {
-                    const ScalarHandle couple =
-                        reversed ? board_.difference(board_.given(0), *reaction.couple) : *reaction.couple;
-                    applied.at = board_.value(board_.carry(bond.place, board_.arm(couple, *force))).place();
+                    applied.elements.at = board_.carry(bond.place, board_.arm(couple, *force)).element;
                 } else {
-                    applied.couple = reversed ? -board_.value(*reaction.couple) : board_.value(*reaction.couple);
+                    applied.elements.couple = couple.element;
                 }
             }
             apply(std::move(applied), force, b);
@@ -197,7 +200,9 @@ private:
             for (const auto& meet : meets->second) {
                 const bool listed =
                     std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.first == meet.first; });
-                if (!listed) body.meets.emplace_back(meet.first, board_.value(meet.second).place());
+                if (listed) continue;
+                body.meets.emplace_back(meet.first, Vector{});
+                body.meet_elements.push_back(meet.second.element);
             }
         }
         if (!sides.empty()) {
@@ -210,16 +215,15 @@ private:
 
     /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of common
     /// forces.
-    void sort_round(std::vector<Side>& sides) const {
-        const Vector first = board_.value(sides.front().force);
-        const auto half = [&](const Vector& v) {
-            const int turned = cross(first, v).sign();
-            return turned > 0 || (turned == 0 && dot(first, v).sign() > 0) ? 0 : 1;
+    void sort_round(std::vector<Side>& sides) {
+        const Force first = sides.front().force;
+        const auto half = [&](Force v) {
+            const int turned = board_.choose_turn(first, v);
+            return turned > 0 || (turned == 0 && board_.choose_along(first, v) > 0) ? 0 : 1;
         };
         std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
-            const Vector u = board_.value(a.force), v = board_.value(b.force);
-            if (half(u) != half(v)) return half(u) < half(v);
-            return cross(u, v).sign() > 0;
+            if (half(a.force) != half(b.force)) return half(a.force) < half(b.force);
+            return board_.choose_turn(a.force, b.force) > 0;
         });
     }
 

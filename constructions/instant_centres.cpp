@@ -15,7 +15,10 @@ using Drawing = PointOn<Plane::drawing>;
 }  // namespace
 
 InstantCentres::InstantCentres(Structure& structure, Board& board)
-    : structure_(structure), board_(board), count_(static_cast<int>(structure.mechanism().bodies.size())) {
+    : structure_(structure),
+      board_(board),
+      diagram_(structure, board),
+      count_(static_cast<int>(structure.mechanism().bodies.size())) {
     for (BodyIndex i = 0; i < count_; ++i) {
         for (BodyIndex j = i + 1; j < count_; ++j) {
             Pair entry;
@@ -32,7 +35,7 @@ std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
     return at(i * (2 * count_ - i - 1) / 2 + (j - i - 1));
 }
 
-Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) const {
+Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
     if (i > j) std::swap(i, j);
     const std::string& first = structure_.body_name(i);
     const std::string& second = structure_.body_name(j);
@@ -55,7 +58,7 @@ int InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
 void InstantCentres::settle(Pair& entry, Drawing point, InstantCentre::How how) {
     entry.point = point;
     entry.centre.how = how;
-    entry.centre.at = board_.value(point);
+    entry.centre.at = Recorded<ProjectivePoint>::at(point.element);
     entry.centre.order = order_++;
 }
 
@@ -82,20 +85,23 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
             say(Sentence::primary_weld, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
         return;
     }
-    const Drawing point = joint.kind == JointKind::prismatic
-                              ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
-                              : board_.place(joint.point);
+    const auto place = [&] {
+        return joint.kind == JointKind::prismatic ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
+                                                  : board_.place(joint.point);
+    };
     if (entry.point) {
         // Two pairs between the same bodies: they agree, or the bodies cannot move against each other.
-        if (!board_.coincide(*entry.point, point)) entry.centre.everywhere = true;
+        if (!board_.coincide(*entry.point, place())) entry.centre.everywhere = true;
         return;
     }
-    settle(entry, point, InstantCentre::How::primary);
     const Sentence sentence = joint.kind == JointKind::prismatic ? Sentence::primary_prismatic
                               : joint.kind == JointKind::rolling ? Sentence::primary_rolling
                               : joint.kind == JointKind::gear    ? Sentence::primary_gear
                                                                  : Sentence::primary_revolute;
-    entry.centre.statement = say(sentence, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+    entry.centre.statement = say(sentence, {});
+    settle(entry, place(), InstantCentre::How::primary);
+    board_.statement(entry.centre.statement).message.arguments = {symbol(i, j),
+                                                                  PointName{structure_.mechanism().points[at(joint.point)].name}};
 }
 
 /// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be drawn.
@@ -117,54 +123,58 @@ LineOn<Plane::drawing> InstantCentres::line_over(BodyIndex i, BodyIndex k, BodyI
     return board_.join(*pair(i, k).point, *pair(k, j).point);
 }
 
-bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
-    Pair& entry = pair(i, j);
+LineOn<Plane::drawing> InstantCentres::line_of(BodyIndex i, BodyIndex j, const Line& line) {
+    return line.by < 0 ? pair(i, j).normals[at(line.normal)].first : line_over(i, line.by, j);
+}
+
+/// The first two lines that meet in one point: normals first, then Kennedy's lines.
+std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCentres::lines_that_meet(BodyIndex i, BodyIndex j) {
     std::vector<Line> lines;
-    for (const auto& [line, point] : entry.normals) lines.push_back({line, -1, point});
-    const auto meet_with_all = [&](const Line& candidate) {
+    std::optional<std::pair<Line, Line>> found;
+    const auto meets_one = [&](const Line& candidate) {
         for (const Line& earlier : lines) {
-            const auto met = board_.meet(earlier.line, candidate.line);
-            if (!met) continue;  // the same line once more
-            settle(entry, *met, InstantCentre::How::kennedy);
-            const auto point_name = [&](const Line& l) { return PointName{structure_.mechanism().points[at(l.normal)].name}; };
-            const Symbol sought = symbol(i, j);
-            for (const Line* used : {&earlier, &candidate}) {
-                if (used->by >= 0) {
-                    entry.centre.through.emplace_back(static_cast<int>(index(i, used->by)), static_cast<int>(index(used->by, j)));
-                } else {
-                    entry.centre.normals.push_back(used->normal);
-                }
-            }
-            const auto centres = [&](const Line& l) { return std::pair(symbol(i, l.by), symbol(l.by, j)); };
-            if (earlier.by < 0 && candidate.by < 0) {
-                entry.centre.statement = say(Sentence::kennedy_two_normals, {sought, point_name(earlier), point_name(candidate)});
-            } else if (earlier.by < 0) {
-                const auto [first, second] = centres(candidate);
-                entry.centre.statement = say(Sentence::kennedy_line, {sought, first, second, point_name(earlier)});
-            } else {
-                const auto [first, second] = centres(earlier);
-                const auto [third, fourth] = centres(candidate);
-                entry.centre.statement = say(Sentence::kennedy, {sought, first, second, third, fourth});
-            }
+            if (!board_.meet(line_of(i, j, earlier), line_of(i, j, candidate))) continue;  // the same line once more
+            found.emplace(earlier, candidate);
             return true;
         }
+        lines.push_back(candidate);
         return false;
     };
-    if (lines.size() > 1) {
-        std::vector<Line> all;
-        all.swap(lines);
-        for (const Line& line : all) {
-            if (meet_with_all(line)) return true;
-            lines.push_back(line);
-        }
-    }
+    for (std::size_t n = 0; n < pair(i, j).normals.size(); ++n)
+        if (meets_one({-1, static_cast<int>(n)})) return found;
     for (const BodyIndex k : intermediates(i, j)) {
         if (board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
-        const Line candidate{line_over(i, k, j), k, -1};
-        if (meet_with_all(candidate)) return true;
-        lines.push_back(candidate);
+        if (meets_one({k, -1})) return found;
     }
-    return false;
+    return std::nullopt;
+}
+
+bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
+    const Board::Mark before = board_.mark();
+    const auto lines = lines_that_meet(i, j);
+    board_.rewind(before);  // which lines do not lead on was found out on scratch paper
+    if (!lines) return false;
+    const auto& [first, second] = *lines;
+    Pair& entry = pair(i, j);
+    entry.centre.statement = say(Sentence::kennedy, {});
+    settle(entry, *board_.meet(line_of(i, j, first), line_of(i, j, second)), InstantCentre::How::kennedy);
+    std::vector<Argument> names{symbol(i, j)}, normals;
+    for (const Line& used : {first, second}) {
+        if (used.by < 0) {
+            const PointIndex point = entry.normals[at(used.normal)].second;
+            entry.centre.normals.push_back(point);
+            normals.emplace_back(PointName{structure_.mechanism().points[at(point)].name});
+        } else {
+            entry.centre.through.emplace_back(static_cast<int>(index(i, used.by)), static_cast<int>(index(used.by, j)));
+            names.insert(names.end(), {symbol(i, used.by), symbol(used.by, j)});
+        }
+    }
+    const Sentence sentence = normals.empty()       ? Sentence::kennedy
+                              : normals.size() == 1 ? Sentence::kennedy_line
+                                                    : Sentence::kennedy_two_normals;
+    names.insert(names.end(), normals.begin(), normals.end());
+    board_.statement(entry.centre.statement).message = {sentence, std::move(names)};
+    return true;
 }
 
 bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) {
@@ -190,6 +200,7 @@ bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) {
 }
 
 bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
+    const Board::Mark before = board_.mark();
     for (const BodyIndex k : intermediates(i, j)) {
         if (!board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
         Pair& entry = pair(i, j);
@@ -197,6 +208,7 @@ bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
         entry.centre.statement = say(Sentence::kennedy_same, {symbol(i, j), symbol(i, k), symbol(k, j)});
         return true;
     }
+    board_.rewind(before);
     return false;
 }
 
@@ -218,12 +230,12 @@ void InstantCentres::draw() {
 namespace {
 
 /// The velocity of the place of a node as carried by a body whose motion is known.
-std::optional<PointOn<Plane::velocity>> tip_on(Structure& structure, Board& board, const Track<Plane::velocity>& track,
+std::optional<PointOn<Plane::velocity>> tip_on(const Structure& structure, Board& board, const Track<Plane::velocity>& track,
                                                BodyIndex body, Drawing place) {
     if (body == frame) return board.pole<Plane::velocity>();
     for (const NodeIndex base : structure.nodes_of(body)) {
         if (!track.has(base)) continue;
-        const auto join = board.vector(structure.node(base).place, place);
+        const auto join = board.vector(SpaceDiagram(structure, board).place(base), place);
         return board.carry(track.tip(base), board.scale<Plane::velocity>(track.spin(body), board.turn(join)));
     }
     return std::nullopt;
@@ -249,7 +261,7 @@ bool InstantCentres::at_relative_rest(const Pair& entry, const Motion& motion) {
     const BodyIndex i = entry.centre.first, j = entry.centre.second;
     if (!board_.is_zero(board_.difference(track.spin(i), track.spin(j)))) return false;
     if (structure_.nodes_of(j).empty()) return false;
-    const Drawing place = structure_.node(structure_.nodes_of(j).front()).place;
+    const Drawing place = diagram_.place(structure_.nodes_of(j).front());
     const auto on_i = tip_on(structure_, board_, track, i, place), on_j = tip_on(structure_, board_, track, j, place);
     return on_i && on_j && board_.is_zero(board_.vector(*on_i, *on_j));
 }
@@ -260,12 +272,13 @@ std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, Bo
     std::vector<Place> places;
     for (const BodyIndex body : {first, second}) {
         for (const NodeIndex node : structure_.nodes_of(body))
-            places.push_back({structure_.node(node).place, structure_.node(node).label, structure_.node(node).point});
+            places.push_back({diagram_.place(node), structure_.node(node).label, structure_.node(node).point});
     }
-    for (const Node& other : structure_.nodes()) {
-        if (places.empty() || board_.coincide(places.front().at, other.place)) continue;
-        places.push_back({other.place, other.label, other.point});
-        const auto aside = board_.turn(board_.vector(places.front().at, other.place));
+    for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+        const Drawing there = diagram_.place(node);
+        if (places.empty() || board_.coincide(places.front().at, there)) continue;
+        places.push_back({there, structure_.node(node).label, structure_.node(node).point});
+        const auto aside = board_.turn(board_.vector(places.front().at, there));
         places.push_back({board_.carry(places.front().at, aside), places.front().name, -1});
         break;
     }
@@ -333,7 +346,7 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
         const auto from_body = board_.vector(*absolute.point, *relative.point);
         const ScalarHandle found = board_.product(track.spin(driver), board_.ratio(from_driver, from_body));
-        results.push_back({body, board_.value(found), board_.is_zero(board_.difference(found, track.spin(body)))});
+        results.push_back({body, Recorded<Exact>::at(found.element), board_.is_zero(board_.difference(found, track.spin(body)))});
     }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "constructions/motion.hpp"
+#include "constructions/space_diagram.hpp"
 #include "constructions/structure.hpp"
 #include "engine/solution.hpp"
 
@@ -33,19 +34,21 @@ private:
         std::optional<PointOn<Plane::drawing>> point;
         std::vector<std::pair<LineOn<Plane::drawing>, PointIndex>> normals;
     };
+    /// A line on which the centre of a pair lies.
     struct Line {
-        LineOn<Plane::drawing> line;
-        BodyIndex by = -1;  ///< over which body, or −1: a normal
-        PointIndex normal = -1;
+        BodyIndex by = -1;  ///< over which body (Kennedy), or −1: …
+        int normal = -1;    ///< … which of the pair's normals
     };
     std::size_t index(BodyIndex i, BodyIndex j) const;
     Pair& pair(BodyIndex i, BodyIndex j) { return pairs_[index(i, j)]; }
     bool solved(const Pair& pair) const { return pair.point.has_value() || pair.centre.everywhere; }
-    Symbol symbol(BodyIndex i, BodyIndex j) const;
+    Symbol symbol(BodyIndex i, BodyIndex j);
     int say(Sentence sentence, std::vector<Argument> arguments);
     void settle(Pair& pair, PointOn<Plane::drawing> point, InstantCentre::How how);
     void primary(JointIndex joint);
     void primary(JointIndex joint, BodyIndex i, BodyIndex j);
+    LineOn<Plane::drawing> line_of(BodyIndex i, BodyIndex j, const Line& line);
+    std::optional<std::pair<Line, Line>> lines_that_meet(BodyIndex i, BodyIndex j);
     bool kennedy(BodyIndex i, BodyIndex j);
     bool by_rigidity(BodyIndex i, BodyIndex j);
     bool by_coincidence(BodyIndex i, BodyIndex j);
@@ -63,6 +66,7 @@ private:
 
     Structure& structure_;
     Board& board_;
+    SpaceDiagram diagram_;
     int count_ = 0;  ///< bodies
     std::vector<Pair> pairs_;
     int order_ = 0;

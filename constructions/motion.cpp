@@ -47,7 +47,7 @@ public:
         if (!condition.locus) return !board_.is_zero(mismatch_of_spins(response, condition));
         if (!ready(response, *condition.locus)) return false;
         const auto missed = miss(response, *condition.locus);
-        return !board_.is_zero(missed) && !board_.parallel(board_.direction(missed), condition.locus->direction);
+        return !board_.is_zero(missed) && !board_.parallel(board_.direction(missed), diagram_.direction(*condition.locus));
     }
 
 private:
@@ -119,7 +119,7 @@ private:
     void start(Track<plane>& track) {
         track.tips.resize(structure_.nodes().size());
         track.spins.resize(mechanism_.bodies.size());
-        track.spins[frame] = board_.given(0);
+        track.spins[frame] = board_.number(0);
         for (const NodeIndex index : structure_.nodes_of(frame)) set_tip(track, index, board_.pole<plane>(), false);
     }
 
@@ -175,23 +175,21 @@ private:
     template <Plane plane>
     void spin_by_driver(Track<plane>& track, const Step& step) {
         if (!track.turns(step.other)) return;
-        const auto& driver = std::get<SpinDriver>(mechanism_.drivers[at(step.driver)]);
         if (step.other != frame) {
             begin<plane>(either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
                          {spin_of<plane>(step.body), spin_of<plane>(step.other)}, "");
         }
-        const ScalarHandle given = driven<plane>(driver.omega, driver.alpha);
+        const ScalarHandle given = driven<plane>(step.driver);
         ScalarHandle& spin = track.spins[at(step.body)].emplace(given);
         if (step.other != frame)
             spin = step.inverse ? board_.difference(track.spin(step.other), given) : board_.sum(track.spin(step.other), given);
-        if (step.other == frame && step.inverse) spin = board_.difference(board_.given(0), given);
+        if (step.other == frame && step.inverse) spin = board_.opposite(given);
     }
 
     /// v_X = v_X* + ṡ u;  a_X = a_X* + 2 ω_j ∧ v_rel + s̈ u (Coriolis), the slide being driven.
     template <Plane plane>
     void slide_by_driver(Track<plane>& track, const Step& step) {
         if (!track.has(step.base)) return;
-        const auto& driver = std::get<SlideDriver>(mechanism_.drivers[at(step.driver)]);
         const BodyIndex guide_body = step.inverse ? step.body : step.other;
         if (!is_velocity<plane> && !motion_.velocity.turns(guide_body)) return;
         begin<plane>(either<plane>(Sentence::driven_point_velocity, Sentence::driven_point_acceleration),
@@ -204,7 +202,7 @@ private:
             if (const auto coriolis = coriolis_of(guide_body, slider, guide)) links.push_back(*coriolis);
         }
         Link<plane> slide;
-        slide.vector = board_.scale<plane>(driven<plane>(driver.speed, driver.acceleration), board_.guide_unit(step.joint));
+        slide.vector = board_.scale<plane>(driven<plane>(step.driver), board_.guide_unit(step.joint));
         slide.term.symbol = relative<plane>(slider, guide, is_velocity<plane> ? "" : "rel");
         slide.role = DrawnVector::Role::sliding;
         slide.seen = sliding<plane>(step.joint, slider, guide);
@@ -239,7 +237,7 @@ private:
                                                   {PointName{node(step.node).label}, body(step.body), absolute<plane>(step.node),
                                                    PointName{node(step.base).label}},
                                                   "Rivals");
-        const auto join = board_.vector(node(step.base).place, node(step.node).place);
+        const auto join = diagram_.join(step.base, step.node);
         PointOn<plane> tip = track.tip(step.base);
         if constexpr (is_velocity<plane>) {
             if (!rest && board_.is_zero(track.spin(step.body))) {
@@ -332,13 +330,13 @@ private:
     }
 
     /// Two circles curve apart where their centres are on different sides of the contact.
-    RollingLever rolling_lever(const Joint& joint) const {
-        std::vector<Vector> radii;
+    RollingLever rolling_lever(const Joint& joint) {
+        std::vector<VectorOn<Plane::drawing>> radii;
         for (const BodyIndex each : joint.bodies)
             if (const auto* circle = std::get_if<CircleProfile>(&joint.profiles.at(each)))
-                radii.push_back(board_.pose().at(circle->centre) - board_.pose().at(joint.point));
+                radii.push_back(board_.vector(board_.place(joint.point), board_.place(circle->centre)));
         if (radii.size() < 2) return RollingLever::on_straight;
-        return dot(radii[0], radii[1]).sign() < 0 ? RollingLever::outside : RollingLever::inside;
+        return board_.along_sign(board_.direction(radii[0]), radii[1]) < 0 ? RollingLever::outside : RollingLever::inside;
     }
 
     /// Two loci meet in the tip sought: the dyad's vector equation, closed.
@@ -374,7 +372,7 @@ private:
                                                     : relative<plane>(step.node, step.base, is_velocity<plane> ? "" : "t");
         begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
                      {spin_of<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
-        const auto turned = board_.turn(board_.vector(node(step.base).place, node(step.node).place));
+        const auto turned = board_.turn(diagram_.join(step.base, step.node));
         const auto found = track.tangential.find({step.base, step.node});
         VectorOn<plane> tangential;
         if (found != track.tangential.end()) {
@@ -416,7 +414,7 @@ private:
             reasons[i] = drawn.reason;
             if constexpr (!is_velocity<plane>) {
                 ends[i] = board_.carry(drawn.end, normal_of(step.body, loci[i]->holds(), step.node));
-                lines[i] = board_.through(ends[i], loci[i]->direction);
+                lines[i] = board_.through(ends[i], diagram_.direction(*loci[i]));
             }
         }
         const auto met = board_.meet(lines[0], lines[1]);
@@ -439,7 +437,7 @@ private:
         draw_line(track, first.line, first.reason, {first.end.element});
         draw_line(track, second.line, second.reason, {second.end.element});
         // From a place of the first locus, the line ⟂ to the join (the direction of the difference sought) meets the second.
-        const auto join = board_.vector(node(step.first.holds()).place, node(step.second.holds()).place);
+        const auto join = diagram_.join(step.first.holds(), step.second.holds());
         PointOn<plane> from = first.end;
         if constexpr (!is_velocity<plane>)
             from = board_.carry(from, normal_of(step.body, step.first.holds(), step.second.holds()));
@@ -462,8 +460,7 @@ private:
     ScalarHandle mismatch_of_spins(const Track<plane>& track, const Closing& closing) {
         const ScalarHandle relative = board_.difference(track.spin(closing.body), track.spin(closing.other));
         if (closing.driver < 0) return relative;
-        const auto& driver = std::get<SpinDriver>(mechanism_.drivers[at(closing.driver)]);
-        return board_.difference(relative, driven<plane>(driver.omega, driver.alpha));
+        return board_.difference(relative, driven<plane>(closing.driver));
     }
 
     /// An unknown with its two trial values: the tip of a node on its line, or a body's ω (α).
@@ -505,7 +502,7 @@ private:
         hand_ = hand;
         begin<plane>(step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
                      closing_arguments<plane>(step), "");
-        const ScalarHandle share = step.closing.locus ? share_by_line(missed, step.closing.locus->direction)
+        const ScalarHandle share = step.closing.locus ? share_by_line(missed, diagram_.direction(*step.closing.locus))
                                                       : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
         if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {
             draw_line_of_ends(track, *ends[0], *ends[1]);
@@ -533,14 +530,13 @@ private:
     Assumed<plane> assumed_of(Track<plane>& track, const Step& step) {
         Assumed<plane> assumed;
         if (step.node < 0) {
-            assumed.spins[0] = board_.given(0);
-            assumed.spins[1] = board_.given(1);
+            assumed.spins[0] = board_.number(0);
+            assumed.spins[1] = board_.number(1);
             return assumed;
         }
         assumed.line = chain(track, step.first);
         assumed.tips[0] = assumed.line->end;
-        assumed.tips[1] = board_.carry(
-            assumed.line->end, board_.scale<plane>(board_.given(reach(track, step.first.direction)), step.first.direction));
+        assumed.tips[1] = board_.carry(assumed.line->end, reach(track, diagram_.direction(step.first)));
         return assumed;
     }
 
@@ -585,20 +581,23 @@ private:
         return board_.ratio(board_.vector(first, *met), board_.vector(first, second));
     }
 
-    /// How many times a direction the second trial is set off: free to choose, so about as long as the longest vector drawn yet,
+    /// How far along a direction the second trial is set off: free to choose, so about as long as the longest vector drawn yet,
     /// in one figure.
     template <Plane plane>
-    Exact reach(const Track<plane>& track, DirectionHandle direction) const {
-        if (hand_ == Hand::silent) return 1;
-        Exact longest = 0;  // squared, as all lengths here
-        for (const auto& tip : track.tips)
-            if (tip) longest = std::max(longest, squared_length(board_.value(*tip).place()));
-        const Vector way = board_.protocol().vector(direction.element);
-        if (longest.is_zero() || squared_length(way).is_zero()) return 1;
+    VectorOn<plane> reach(const Track<plane>& track, DirectionHandle direction) {
+        const auto times = [&](const Exact& power) { return board_.scale<plane>(board_.number(power), direction); };
+        if (hand_ == Hand::silent) return times(1);
+        std::optional<VectorOn<plane>> longest;
+        for (const auto& tip : track.tips) {
+            if (!tip) continue;
+            const auto vector = board_.vector(board_.pole<plane>(), *tip);
+            if (!longest || board_.choose_longer(vector, *longest)) longest = vector;
+        }
+        if (!longest || board_.is_zero(*longest)) return times(1);
         Exact power = 1;
-        while (squared_length(Exact(10) * power * way) <= longest) power = power * Exact(10);
-        while (longest < squared_length(power * way)) power = power / Exact(10);
-        return power;
+        while (!board_.choose_longer(times(10 * power), *longest)) power = 10 * power;
+        while (board_.choose_longer(times(power), *longest)) power = power / 10;
+        return times(power);
     }
 
     template <Plane plane>

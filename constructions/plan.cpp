@@ -1,11 +1,11 @@
 #include "constructions/plan.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 
 #include "constructions/motion.hpp"
+#include "constructions/space_diagram.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -87,7 +87,12 @@ bool gives_any(const Step& step, const Quantities& wanted) {
 class Planner {
 public:
     Planner(Structure& structure, Board& board, const std::vector<bool>& drivers, const std::vector<bool>& determined)
-        : structure_(structure), board_(board), mechanism_(structure.mechanism()), use_driver_(drivers), determined_(determined) {
+        : structure_(structure),
+          board_(board),
+          diagram_(structure, board),
+          mechanism_(structure.mechanism()),
+          use_driver_(drivers),
+          determined_(determined) {
         plan_.bodies.assign(mechanism_.bodies.size(), false);
         plan_.spins.assign(mechanism_.bodies.size(), false);
         plan_.bodies[frame] = plan_.spins[frame] = true;
@@ -225,11 +230,9 @@ private:
         }
     }
 
-    bool apart(NodeIndex a, NodeIndex b) {
-        const auto key = std::minmax(a, b);
-        const auto [entry, fresh] = apart_.try_emplace(key, false);
-        if (fresh) entry->second = !board_.coincide(structure_.node(a).place, structure_.node(b).place);
-        return entry->second;
+    bool apart(NodeIndex a, NodeIndex b) { return !board_.coincide(diagram_.place(a), diagram_.place(b)); }
+    bool are_parallel(const Locus& one, const Locus& other) {
+        return board_.parallel(diagram_.direction(one), diagram_.direction(other));
     }
 
     bool learn_spins() {
@@ -368,30 +371,13 @@ private:
         return false;
     }
 
-    DirectionHandle perpendicular_to_join(NodeIndex base, NodeIndex node) {
-        const auto key = std::minmax(base, node);
-        const auto [entry, fresh] = joins_.try_emplace(key);
-        if (fresh) {
-            entry->second = board_.perpendicular(
-                board_.direction(board_.vector(structure_.node(key.first).place, structure_.node(key.second).place)));
-        }
-        return entry->second;
-    }
-
-    DirectionHandle perpendicular_to(DirectionHandle direction) {
-        const auto [entry, fresh] = quarter_turns_.try_emplace(direction.element);
-        if (fresh) entry->second = board_.perpendicular(direction);
-        return entry->second;
-    }
-
     /// The body turns about `base`, already known.
-    Locus rotation(BodyIndex body, NodeIndex base, NodeIndex node) {
+    static Locus rotation(BodyIndex body, NodeIndex base, NodeIndex node) {
         Locus locus;
         locus.kind = Locus::Kind::rotation;
         locus.body = body;
         locus.node = node;
         locus.base = base;
-        locus.direction = perpendicular_to_join(base, node);
         return locus;
     }
 
@@ -418,7 +404,6 @@ private:
                 locus.body = body;
                 locus.node = node;
                 locus.driver = static_cast<int>(d);
-                locus.direction = perpendicular_to(board_.driver_direction(static_cast<int>(d)));
                 loci.push_back(locus);
             }
         }
@@ -430,7 +415,7 @@ private:
         return known_on(point, other);
     }
 
-    /// The locus of a node of `body` that moves past `base` in a slide or passage; kind and direction are left to say.
+    /// The locus of a node of `body` that moves past `base` in a slide or passage; the kind is left to say.
     template <class Pair>
     static Locus past(const Pair& pair, BodyIndex body, NodeIndex node, NodeIndex base) {
         Locus locus;
@@ -448,7 +433,6 @@ private:
         if (base < 0 || base == node) return;
         Locus locus = past(slide, body, node, base);
         locus.kind = Locus::Kind::sleeve;
-        locus.direction = board_.guide(slide.joint);
         loci.push_back(locus);
     }
 
@@ -459,29 +443,19 @@ private:
         switch (passage.kind) {
             case Passage::Kind::slot:
                 locus.kind = Locus::Kind::slot;
-                locus.direction = direction_of_slot(passage.joint);
                 break;
             case Passage::Kind::link:
                 locus.kind = Locus::Kind::link;
                 locus.inverse = false;  // a link is seen from either end alike
-                locus.direction = perpendicular_to_join(base, node);
                 break;
             case Passage::Kind::tangent:
                 locus.kind = Locus::Kind::tangent;
-                locus.direction = board_.tangent(passage.joint);
                 break;
             case Passage::Kind::mesh:
                 locus.kind = Locus::Kind::mesh;
-                locus.direction = perpendicular_to(board_.tangent(passage.joint));
                 break;
         }
         loci.push_back(locus);
-    }
-
-    DirectionHandle direction_of_slot(JointIndex index) {
-        const Joint& joint = mechanism_.joints[at(index)];
-        if (joint.kind == JointKind::contact) return board_.tangent(index);
-        return joint.arc >= 0 ? perpendicular_to(board_.normal(index)) : board_.guide(index);
     }
 
     /// A node to which loci of others can be carried, and how from there to the node sought.
@@ -602,7 +576,7 @@ private:
         for (std::size_t i = 0; i < loci.size(); ++i) {
             for (std::size_t k = i + 1; k < loci.size(); ++k) {
                 if (!with_carried && !(loci[i].carries.empty() && loci[k].carries.empty())) continue;
-                if (board_.parallel(loci[i].direction, loci[k].direction)) continue;
+                if (are_parallel(loci[i], loci[k])) continue;
                 Step step;
                 step.kind = Step::Kind::meet;
                 step.node = node;
@@ -652,14 +626,8 @@ private:
         for (const bool want_parallel : {true, false}) {
             for (std::size_t i = 0; i < loci.size(); ++i) {
                 for (std::size_t k = i + 1; k < loci.size(); ++k) {
-                    if (loci[i].holds() == loci[k].holds() ||
-                        board_.parallel(loci[i].direction, loci[k].direction) != want_parallel)
-                        continue;
-                    const auto first =
-                        board_.through(structure_.node(loci[i].holds()).place, perpendicular_to(loci[i].direction));
-                    const auto second =
-                        board_.through(structure_.node(loci[k].holds()).place, perpendicular_to(loci[k].direction));
-                    const auto met = board_.meet(first, second);
+                    if (loci[i].holds() == loci[k].holds() || are_parallel(loci[i], loci[k]) != want_parallel) continue;
+                    const auto met = board_.meet(diagram_.perpendicular_at(loci[i]), diagram_.perpendicular_at(loci[k]));
                     if (!met) continue;  // the two perpendiculars coincide: the loci say the same thing twice
                     Step step;
                     step.body = body;
@@ -670,7 +638,7 @@ private:
                         plan_.spins[at(body)] = true;
                     } else {
                         step.kind = Step::Kind::auxiliary;
-                        step.node = structure_.add_auxiliary(*met, body);
+                        step.node = structure_.add_auxiliary(body, loci[i], loci[k]);
                         sync();
                         plan_.nodes[at(step.node)] = true;
                     }
@@ -691,9 +659,6 @@ private:
     State state() const { return {plan_, parallel_at_, structure_.mark()}; }
     void restore(const State& state) {
         structure_.rewind(state.mark);
-        const auto gone = [&](const auto& entry) { return at(entry.first.second) >= state.mark.nodes; };
-        std::erase_if(apart_, gone);
-        std::erase_if(joins_, gone);
         plan_ = state.plan;
         parallel_at_ = state.parallel_at;
         sync();
@@ -882,7 +847,6 @@ private:
             found.push_back(projections);
             if (!moved.turns(body)) continue;
             locus.kind = Locus::Kind::image;
-            locus.direction = perpendicular_to(locus.direction);
             Closing image;
             image.locus = locus;
             found.push_back(image);
@@ -902,9 +866,8 @@ private:
                 locus.base = structure_.find(rolling.point, rolling.other);
                 if (rolling.other > body || locus.node < 0 || locus.base < 0 || locus.node == locus.base) continue;
                 if (!moved.has(locus.node) || !moved.has(locus.base)) continue;
-                for (const DirectionHandle direction :
-                     {board_.tangent(rolling.joint), perpendicular_to(board_.tangent(rolling.joint))}) {
-                    locus.direction = direction;
+                for (const bool across : {false, true}) {
+                    locus.across = across;
                     Closing condition;
                     condition.locus = locus;
                     found.push_back(std::move(condition));
@@ -927,7 +890,6 @@ private:
             locus.joint = slide->joint;
             locus.guide = joint.bodies[1];
             locus.driver = static_cast<int>(d);
-            locus.direction = perpendicular_to(board_.guide(slide->joint));
             Closing condition;
             condition.locus = locus;
             found.push_back(condition);
@@ -954,22 +916,20 @@ private:
     }
 
     Structure& structure_;
-    Board& board_;
+    Board& board_;  ///< the scratch paper
+    SpaceDiagram diagram_;
     const Mechanism& mechanism_;
     std::vector<bool> use_driver_;
     std::vector<bool> determined_;
     Plan plan_;
     bool thrifty_ = false;                  ///< no places beyond those that bodies carry
     std::vector<std::size_t> parallel_at_;  ///< by NodeIndex: how many loci it had when all were found parallel
-    std::map<std::pair<NodeIndex, NodeIndex>, bool> apart_;
-    std::map<std::pair<NodeIndex, NodeIndex>, DirectionHandle> joins_;
-    std::map<int, DirectionHandle> quarter_turns_;
 };
 
 }  // namespace
 
-Plan plan_motion(Structure& structure, Board& board, const std::vector<bool>& drivers, const std::vector<bool>& determined) {
-    return Planner(structure, board, drivers, determined).run();
+Plan plan_motion(Structure& structure, Board& scratch, const std::vector<bool>& drivers, const std::vector<bool>& determined) {
+    return Planner(structure, scratch, drivers, determined).run();
 }
 
 }  // namespace kinegraph

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "constructions/polygon_pen.hpp"
+#include "constructions/space_diagram.hpp"
 
 namespace kinegraph {
 namespace {
@@ -31,7 +32,8 @@ NodeIndex node_of_point(const Structure& structure, PointIndex point, BodyIndex 
 
 class Observer {
 public:
-    Observer(Structure& structure, Board& board, const Motion& motion) : structure_(structure), board_(board), motion_(motion) {}
+    Observer(Structure& structure, Board& board, const Motion& motion)
+        : structure_(structure), board_(board), diagram_(structure, board), motion_(motion) {}
 
     RelativeMotion see(const RelativeMotionQuery& query, bool with_accelerations) {
         RelativeMotion result;
@@ -43,19 +45,16 @@ public:
         observer_ = query.observer;
         if (!motion_.velocity.has(point_) || !motion_.velocity.has(transport_)) return result;
         const auto v = velocities();
-        result.velocity = place_of(motion_.velocity.tip(point_));
-        result.transport_velocity = place_of(motion_.velocity.tip(transport_));
-        result.relative_velocity = board_.value(v);
+        result.velocity = found(motion_.velocity.tip(point_));
+        result.transport_velocity = found(motion_.velocity.tip(transport_));
+        result.relative_velocity = found(v);
         const bool drawn = motion_.acceleration.has(point_) && motion_.acceleration.has(transport_);
         if (with_accelerations && drawn && (translating_ || motion_.velocity.turns(observer_))) accelerations(v, result);
         return result;
     }
 
 private:
-    template <Plane plane>
-    Vector place_of(PointOn<plane> tip) const {
-        return board_.value(tip).place();
-    }
+    static Recorded<Vector> found(auto handle) { return Recorded<Vector>::at(handle.element); }
 
     template <Plane plane>
     int polygon(const char* kind) {
@@ -75,14 +74,12 @@ private:
             .vector(motion_symbol<plane>(structure_.node(point_).label, std::move(term)), seen_as(role), tail, tip, body, role);
     }
 
-    CarriedPlace carried(NodeIndex node) const {
-        return {structure_.node(node).place.element, structure_.node(node).bodies.front()};
-    }
-    Seen seen_as(DrawnVector::Role role) const {
+    CarriedPlace carried(NodeIndex node) { return {diagram_.place(node).element, structure_.node(node).bodies.front()}; }
+    Seen seen_as(DrawnVector::Role role) {
         if (role == DrawnVector::Role::absolute) return {carried(point_), {}, -1};
         // An observer that translates turns no more than the frame does.
         if (role == DrawnVector::Role::coriolis && translating_)
-            return {carried(point_), {structure_.node(transport_).place.element, frame}, -1};
+            return {carried(point_), {diagram_.place(transport_).element, frame}, -1};
         if (role == DrawnVector::Role::transport) return {carried(transport_), {}, -1};
         return {carried(point_), carried(transport_), -1};
     }
@@ -122,22 +119,23 @@ private:
         say(Sentence::relative_transport_acceleration, Sentence::relative_translating_acceleration, Symbol::Letter::a,
             "Coriolis");
         const auto from = motion_.acceleration.tip(transport_), to = motion_.acceleration.tip(point_);
-        const ScalarHandle omega = translating_ ? board_.given(0) : motion_.velocity.spin(observer_);
-        const auto coriolis = board_.scale<Plane::acceleration>(board_.product(board_.given(2), omega), board_.turn(relative));
+        const ScalarHandle omega = translating_ ? board_.number(0) : motion_.velocity.spin(observer_);
+        const auto coriolis = board_.scale<Plane::acceleration>(board_.product(board_.number(2), omega), board_.turn(relative));
         const auto middle = board_.carry(from, coriolis);
         const int figure = polygon<Plane::acceleration>("acceleration");
         draw(figure, "", board_.pole<Plane::acceleration>(), to, DrawnVector::Role::absolute);
         draw(figure, "tr", board_.pole<Plane::acceleration>(), from, DrawnVector::Role::transport);
         draw(figure, "cor", from, middle, DrawnVector::Role::coriolis);
         draw(figure, "rel", middle, to, translating_ ? DrawnVector::Role::relative : DrawnVector::Role::sliding);
-        result.acceleration = place_of(to);
-        result.transport_acceleration = place_of(from);
-        result.coriolis = board_.value(coriolis);
-        result.relative_acceleration = board_.value(board_.vector(middle, to));
+        result.acceleration = found(to);
+        result.transport_acceleration = found(from);
+        result.coriolis = found(coriolis);
+        result.relative_acceleration = found(board_.vector(middle, to));
     }
 
     Structure& structure_;
     Board& board_;
+    SpaceDiagram diagram_;
     const Motion& motion_;
     NodeIndex point_ = -1, transport_ = -1;
     BodyIndex observer_ = -1;
@@ -189,18 +187,18 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
         };
         say(on_rest ? Sentence::slide_velocity_on_rest : Sentence::slide_velocity, relative, "velocity");
         const auto velocity = board.vector(motion.velocity.tip(guide), motion.velocity.tip(slider));
-        result.velocity = board.value(velocity);
+        result.velocity = Recorded<Vector>::at(velocity.element);
         if (with_accelerations && motion.acceleration.has(slider) && motion.acceleration.has(guide) &&
             motion.velocity.turns(joint.bodies[1])) {
             Symbol symbol = relative;
             symbol.letter = Symbol::Letter::a;
             symbol.term = "rel";
             say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol, "acceleration");
-            const ScalarHandle twice = board.product(board.given(2), motion.velocity.spin(joint.bodies[1]));
+            const ScalarHandle twice = board.product(board.number(2), motion.velocity.spin(joint.bodies[1]));
             const auto coriolis = board.scale<Plane::acceleration>(twice, board.turn(velocity));
             const auto difference = board.vector(motion.acceleration.tip(guide), motion.acceleration.tip(slider));
-            result.coriolis = board.value(coriolis);
-            result.acceleration = board.value(board.subtract(difference, coriolis));
+            result.coriolis = Recorded<Vector>::at(coriolis.element);
+            result.acceleration = Recorded<Vector>::at(board.subtract(difference, coriolis).element);
         }
         results.push_back(std::move(result));
     }

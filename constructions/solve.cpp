@@ -65,8 +65,9 @@ public:
         : solution_(solution),
           mechanism_(solution.mechanism),
           wanted_(wanted_of(mechanism_)),
-          board_(solution.pose, [this]() -> const Pose& { return finer_pose(); }),
-          structure_(mechanism_, board_) {}
+          board_(mechanism_, solution.pose, [this]() -> const Pose& { return finer_pose(); }),
+          scratch_(mechanism_, solution.pose, [this]() -> const Pose& { return finer_pose(); }),
+          structure_(mechanism_, scratch_) {}
 
     void run() {
         solution_.remarks = solution_.pose.remarks;
@@ -80,7 +81,7 @@ public:
         }
         collect_points();
         if (wanted_.forces) collect_forces();
-        solution_.protocol = std::move(board_).finish();
+        finish_record();
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
         solution_.checks = std::move(comparison.rows);
@@ -108,6 +109,45 @@ private:
             explain_missing_motion();
         }
         if (wanted_.centres) collect_centres(centres);
+    }
+
+    /// The record cut to what is drawn and found; then its values are the solution's.
+    void finish_record() {
+        Protocol& protocol = solution_.protocol = std::move(board_).finish();
+        std::vector<int> wanted;
+        for_each_drawn(protocol, [&](int& element) { wanted.push_back(element); });
+        for_each_found(solution_, [&](int& element, auto&) { wanted.push_back(element); });
+        Cut record = cut(protocol.program, wanted, static_cast<int>(protocol.program.strokes.size()));
+        const auto renumber = [&](int& element) { element = record.element[at(element)]; };
+        for_each_drawn(protocol, renumber);
+        for_each_found(solution_, [&](int& element, auto&) { renumber(element); });
+        std::vector<Value> values(record.program.strokes.size());
+        for (std::size_t i = 0; i < record.element.size(); ++i)
+            if (record.element[i] >= 0) values[at(record.element[i])] = std::move(protocol.values[i]);
+        protocol.values = std::move(values);
+        protocol.program = std::move(record.program);
+        read_values(solution_, protocol.values);
+        say_projections();
+    }
+
+    /// By how much the projections of two velocities on the join of their points differ, in the file's unit.
+    void say_projections() {
+        if (!solution_.act_of_motion || !solution_.act_of_motion->differing) return;
+        const auto& differing = *solution_.act_of_motion->differing;
+        const Unit& unit = mechanism_.units.velocity;
+        const auto measure = [&](const Vector& projection) {
+            const Exact share = ratio_of(projection, *differing.join) / unit.si;
+            return Amount{share.to_double() * length(*differing.join), unit.symbol};
+        };
+        const Amount first = measure(*differing.of_first), second = measure(*differing.of_second);
+        auto& said = solution_.protocol.statements[at(differing.statement)].message.arguments;
+        said.insert(said.end(), {first, second});
+        for (Unsolved& missing : solution_.unsolved) {
+            if (missing.why.sentence != Sentence::unequal_projections) continue;
+            auto& arguments = missing.why.arguments;  // segment, first point, second point
+            arguments.insert(arguments.begin() + 2, first);
+            arguments.emplace_back(second);
+        }
     }
 
     /// One body's act of motion; of other bodies the file says nothing.
@@ -160,7 +200,7 @@ private:
         for (const int idle : solution_.mobility.idle_drivers) use[at(idle)] = false;
         // Against a dead point or a lock nothing is tried: what is not reached then has no motion to be found.
         const bool tries = !mechanism_.drivers.empty() && solution_.mobility.idle_drivers.empty();
-        plan_ = plan_motion(structure_, board_, use, tries ? solution_.mobility.determined : std::vector<bool>());
+        plan_ = plan_motion(structure_, scratch_, use, tries ? solution_.mobility.determined : std::vector<bool>());
         motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
         solution_.equivalent_linkages = motion_.equivalents;
         for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
@@ -182,45 +222,47 @@ private:
         if (!agrees) unsolved(what, {idle_reason(), {}});
     }
 
-    bool asks_the_same(const SpinDriver& spin, int) {
-        const auto same = [&](const auto& track, const Exact& asked) {
-            if (!track.turns(spin.body) || !track.turns(spin.relative_to)) return asked.is_zero();
+    bool asks_the_same(const SpinDriver& spin, int driver) {
+        const auto same = [&](const auto& track, ScalarHandle asked) {
+            if (!track.turns(spin.body) || !track.turns(spin.relative_to)) return board_.is_zero(asked);
             const ScalarHandle found = board_.difference(track.spin(spin.body), track.spin(spin.relative_to));
-            return board_.is_zero(board_.difference(found, board_.given(asked)));
+            return board_.is_zero(board_.difference(found, asked));
         };
-        return same(motion_.velocity, spin.omega) && (!wanted_.accelerations || same(motion_.acceleration, spin.alpha));
+        return same(motion_.velocity, board_.driver_velocity(driver)) &&
+               (!wanted_.accelerations || same(motion_.acceleration, board_.driver_acceleration(driver)));
     }
 
-    bool asks_the_same(const SlideDriver& slide, int) {
+    bool asks_the_same(const SlideDriver& slide, int driver) {
         const Joint& joint = mechanism_.joints[at(slide.joint)];
         const NodeIndex slider = structure_.find(joint.point, joint.bodies[0]),
                         guide = structure_.find(joint.point, joint.bodies[1]);
         const auto& v = motion_.velocity;
         const auto& a = motion_.acceleration;
         if (slider < 0 || guide < 0 || !v.has(slider) || !v.has(guide))
-            return slide.speed.is_zero() && slide.acceleration.is_zero();
+            return board_.is_zero(board_.driver_velocity(driver)) && board_.is_zero(board_.driver_acceleration(driver));
         const DirectionHandle along = board_.guide_unit(slide.joint);
         const auto velocity = board_.vector(v.tip(guide), v.tip(slider));
-        if (!board_.is_zero(board_.subtract(velocity, board_.scale<Plane::velocity>(board_.given(slide.speed), along))))
+        if (!board_.is_zero(board_.subtract(velocity, board_.scale<Plane::velocity>(board_.driver_velocity(driver), along))))
             return false;
         if (!wanted_.accelerations || !a.has(slider) || !a.has(guide) || !v.turns(joint.bodies[1])) return true;
         const auto coriolis =
-            board_.scale<Plane::acceleration>(board_.product(board_.given(2), v.spin(joint.bodies[1])), board_.turn(velocity));
+            board_.scale<Plane::acceleration>(board_.product(board_.number(2), v.spin(joint.bodies[1])), board_.turn(velocity));
         const auto relative = board_.subtract(board_.vector(a.tip(guide), a.tip(slider)), coriolis);
         return board_.is_zero(
-            board_.subtract(relative, board_.scale<Plane::acceleration>(board_.given(slide.acceleration), along)));
+            board_.subtract(relative, board_.scale<Plane::acceleration>(board_.driver_acceleration(driver), along)));
     }
 
     bool asks_the_same(const PointDriver& point, int driver) {
         const NodeIndex node = structure_.find(point.at, point.body);
-        const auto same = [&]<Plane plane>(const Track<plane>& track, const Exact& asked) {
-            if (node < 0 || !track.has(node)) return asked.is_zero();
+        const auto same = [&]<Plane plane>(const Track<plane>& track, ScalarHandle asked) {
+            if (node < 0 || !track.has(node)) return board_.is_zero(asked);
             const DirectionHandle along = board_.driver_unit(driver);
-            const auto rest = board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)),
-                                              board_.scale<plane>(board_.given(asked), along));
+            const auto rest =
+                board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)), board_.scale<plane>(asked, along));
             return board_.is_zero(rest) || board_.parallel(board_.direction(rest), board_.perpendicular(along));
         };
-        return same(motion_.velocity, point.speed) && (!wanted_.accelerations || same(motion_.acceleration, point.acceleration));
+        return same(motion_.velocity, board_.driver_velocity(driver)) &&
+               (!wanted_.accelerations || same(motion_.acceleration, board_.driver_acceleration(driver)));
     }
 
     Sentence idle_reason() const {
@@ -240,9 +282,10 @@ private:
     void collect_motion() {
         for (std::size_t body = 0; body < mechanism_.bodies.size(); ++body) {
             const auto index = static_cast<BodyIndex>(body);
-            if (motion_.velocity.turns(index)) solution_.bodies[body].omega = board_.value(motion_.velocity.spin(index));
+            if (motion_.velocity.turns(index))
+                solution_.bodies[body].omega = Recorded<Exact>::at(motion_.velocity.spin(index).element);
             if (wanted_.accelerations && motion_.acceleration.polygon >= 0 && motion_.acceleration.turns(index))
-                solution_.bodies[body].alpha = board_.value(motion_.acceleration.spin(index));
+                solution_.bodies[body].alpha = Recorded<Exact>::at(motion_.acceleration.spin(index).element);
         }
     }
 
@@ -255,9 +298,9 @@ private:
             point.bodies = here.bodies;
             point.label = here.label;
             if (motion_.velocity.polygon >= 0 && motion_.velocity.has(node))
-                point.velocity = board_.value(motion_.velocity.tip(node)).place();
+                point.velocity = Recorded<Vector>::at(motion_.velocity.tip(node).element);
             if (motion_.acceleration.polygon >= 0 && motion_.acceleration.has(node)) {
-                point.acceleration = board_.value(motion_.acceleration.tip(node)).place();
+                point.acceleration = Recorded<Vector>::at(motion_.acceleration.tip(node).element);
             }
             solution_.points.push_back(std::move(point));
         }
@@ -350,6 +393,7 @@ private:
     Wanted wanted_;
     std::unique_ptr<Pose> finer_;
     Board board_;
+    Board scratch_;  ///< the planner's
     Structure structure_;
     Plan plan_;
     Motion motion_;

@@ -75,9 +75,8 @@ private:
 
 }  // namespace
 
-Structure::Structure(const Mechanism& mechanism, Board& board)
+Structure::Structure(const Mechanism& mechanism, Board& scratch)
     : mechanism_(mechanism),
-      board_(board),
       nodes_of_(mechanism.bodies.size()),
       nodes_at_(mechanism.points.size()),
       sleeves_(mechanism.bodies.size()),
@@ -117,7 +116,7 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
             rollings_[at(joint.bodies[0])].push_back({index, joint.bodies[1], joint.point});
             rollings_[at(joint.bodies[1])].push_back({index, joint.bodies[0], joint.point});
         }
-        curvatures_.push_back(finds_curvatures(joint));
+        curvatures_.push_back(finds_curvatures(joint, scratch));
         add_passages(index);
         if (joint.kind == JointKind::prismatic || joint.kind == JointKind::weld) {
             for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
@@ -156,11 +155,11 @@ void Structure::add_passages(JointIndex index) {
     add(Kind::link, 0, centre_of(joint, 0), centre_of(joint, 1));
 }
 
-bool Structure::finds_curvatures(const Joint& joint) {
+bool Structure::finds_curvatures(const Joint& joint, Board& scratch) {
     if (joint.kind != JointKind::rolling && joint.kind != JointKind::contact) return false;
     if (!joint.profiles.contains(joint.bodies[0]) || !joint.profiles.contains(joint.bodies[1])) return false;
     if (is_straight(joint, 0) || is_straight(joint, 1)) return true;
-    return !board_.coincide(board_.place(centre_of(joint, 0)), board_.place(centre_of(joint, 1)));
+    return !scratch.coincide(scratch.place(centre_of(joint, 0)), scratch.place(centre_of(joint, 1)));
 }
 
 NodeIndex Structure::add(Node node) {
@@ -168,7 +167,6 @@ NodeIndex Structure::add(Node node) {
     if (node.point >= 0) {
         auto& here = nodes_at_[at(node.point)];
         node.label = mechanism_.points[at(node.point)].name + std::string(here.size(), '*');
-        node.place = board_.place(node.point);
         here.push_back(index);
     }
     for (const BodyIndex body : node.bodies) nodes_of_[at(body)].push_back(index);
@@ -205,17 +203,19 @@ void Structure::rewind(const Mark& mark) {
         for (const BodyIndex body : last.bodies) nodes_of_[at(body)].pop_back();
         nodes_.pop_back();
     }
-    auxiliaries_ = mark.auxiliaries;
+    auxiliaries_.resize(mark.auxiliaries);
+    named_auxiliaries_ = mark.named;
 }
 
-NodeIndex Structure::add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body) {
+NodeIndex Structure::add_auxiliary(BodyIndex body, const Locus& first, const Locus& second) {
     Node node;
     node.bodies = {body};
     node.carried = node.of_interest = false;
-    node.place = place;
+    node.auxiliary = static_cast<int>(auxiliaries_.size());
+    auxiliaries_.push_back({first, second});
     do {
-        node.label = auxiliaries_ == 0 ? "S" : "S" + std::to_string(auxiliaries_ + 1);
-        ++auxiliaries_;
+        node.label = named_auxiliaries_ == 0 ? "S" : "S" + std::to_string(named_auxiliaries_ + 1);
+        ++named_auxiliaries_;
     } while (mechanism_.point_named(node.label));
     return add(std::move(node));
 }

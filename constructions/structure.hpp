@@ -3,23 +3,24 @@
 // Knows how bodies hang together; nothing of where they are or how fast.
 #pragma once
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "constructions/locus.hpp"
 #include "engine/board.hpp"
 #include "engine/mechanism.hpp"
 
 namespace kinegraph {
 
-using NodeIndex = int;
-
 struct Node {
     PointIndex point = -1;          ///< −1: an auxiliary point of the construction
+    int auxiliary = -1;             ///< which one, then
     std::vector<BodyIndex> bodies;  ///< in the file's order
     std::string label;              ///< "A", "A*", "S"
     bool carried = true;            ///< false: a place seen on a body that does not carry it in the file
     bool of_interest = true;        ///< its motion is wanted for its own sake, not only as a step to another
-    PointOn<Plane::drawing> place;  ///< on the board
 };
 
 /// A joint in which one body slides on another, seen from body `moving` (inverse: from the guide's side).
@@ -54,7 +55,8 @@ struct Rolling {
 
 class Structure {
 public:
-    Structure(const Mechanism& mechanism, Board& board);
+    /// `scratch` is asked whether the centres of curvature at a contact fall together.
+    Structure(const Mechanism& mechanism, Board& scratch);
 
     const Mechanism& mechanism() const { return mechanism_; }
     const std::vector<Node>& nodes() const { return nodes_; }
@@ -65,13 +67,14 @@ public:
     NodeIndex on(PointIndex point, BodyIndex body, bool of_interest = false);
     /// How much has been added since the file was read; `rewind` takes back what came after, where a plan led nowhere.
     struct Mark {
-        std::size_t nodes = 0;
-        int auxiliaries = 0;
+        std::size_t nodes = 0, auxiliaries = 0;
+        int named = 0;
     };
-    Mark mark() const { return {nodes_.size(), auxiliaries_}; }
+    Mark mark() const { return {nodes_.size(), auxiliaries_.size(), named_auxiliaries_}; }
     void rewind(const Mark& mark);
-    /// An auxiliary point carried by one body.
-    NodeIndex add_auxiliary(PointOn<Plane::drawing> place, BodyIndex body);
+    /// Assur's point of a body: where the perpendiculars to two loci meet.
+    NodeIndex add_auxiliary(BodyIndex body, const Locus& first, const Locus& second);
+    const std::array<Locus, 2>& auxiliary(int index) const { return auxiliaries_[static_cast<std::size_t>(index)]; }
     const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[static_cast<std::size_t>(body)]; }
     /// Sleeves (prismatic) of a body, in the file's order.
     const std::vector<Slide>& sleeves_of(BodyIndex body) const { return sleeves_[static_cast<std::size_t>(body)]; }
@@ -90,12 +93,11 @@ public:
 
 private:
     NodeIndex add(Node node);
-    bool finds_curvatures(const Joint& joint);
+    static bool finds_curvatures(const Joint& joint, Board& scratch);
     void add_passages(JointIndex joint);
     void add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slider, PointIndex place, BodyIndex guide,
                      PointIndex guides_place);
     const Mechanism& mechanism_;
-    Board& board_;
     std::vector<Node> nodes_;
     std::vector<std::vector<NodeIndex>> nodes_of_;
     std::vector<std::vector<NodeIndex>> nodes_at_;  ///< by PointIndex
@@ -105,7 +107,8 @@ private:
     std::vector<bool> curvatures_;  ///< by JointIndex
     std::vector<std::vector<std::pair<BodyIndex, JointIndex>>> same_spin_;
     std::vector<bool> guided_;  ///< by BodyIndex: a joint holds it to the frame
-    int auxiliaries_ = 0;
+    std::vector<std::array<Locus, 2>> auxiliaries_;
+    int named_auxiliaries_ = 0;
 };
 
 }  // namespace kinegraph

@@ -3,46 +3,72 @@
 #include <algorithm>
 #include <utility>
 
+#include "constructions/space_diagram.hpp"
+
 namespace kinegraph {
 namespace {
 
-/// How a body moves: the velocity of one of its places, and how fast it turns.
-struct Turning {
-    Vector place, velocity;
-    Exact omega;
-
-    Vector velocity_at(const Vector& other) const { return velocity + omega * quarter_turn(other - place); }
-};
-
-std::optional<Turning> turning_of(const Structure& structure, const Board& board, const Track<Plane::velocity>& velocities,
-                                  BodyIndex body) {
+/// A place of a body with its velocity: about it the body turns as seen from there.
+std::optional<NodeIndex> base_of(const Structure& structure, const Track<Plane::velocity>& velocities, BodyIndex body) {
     if (velocities.polygon < 0 || !velocities.turns(body)) return std::nullopt;
     const auto& nodes = structure.nodes_of(body);
     const auto base = std::find_if(nodes.begin(), nodes.end(), [&](NodeIndex node) { return velocities.has(node); });
     if (base == nodes.end()) return std::nullopt;
-    return Turning{board.value(structure.node(*base).place).place(), board.value(velocities.tip(*base)).place(),
-                   board.value(velocities.spin(body))};
+    return *base;
 }
+
+/// Draws the powers of forces and couples and adds them up.
+class Powers {
+public:
+    Powers(const Structure& structure, Board& board, const Track<Plane::velocity>& velocities)
+        : board_(board), diagram_(structure, board), velocities_(velocities) {}
+
+    /// v_X = v_A + ω ∧ AX;  P = F·v_X + M ω.
+    VirtualWork::Entry of(const AppliedForce& applied, BodyIndex body, NodeIndex base) {
+        const PointOn<Plane::drawing> at{applied.elements.at};
+        const ScalarHandle omega = velocities_.spin(body);
+        const auto turned = board_.scale<Plane::velocity>(omega, board_.turn(board_.vector(diagram_.place(base), at)));
+        const auto tip = board_.carry(velocities_.tip(base), turned);
+        const auto velocity = board_.vector(board_.pole<Plane::velocity>(), tip);
+        std::optional<ScalarHandle> power;
+        const auto add = [&](ScalarHandle part) { power = power ? board_.sum(*power, part) : part; };
+        if (applied.elements.force >= 0) add(board_.power(VectorOn<Plane::force>{applied.elements.force}, velocity));
+        if (applied.elements.couple >= 0) add(board_.product(ScalarHandle{applied.elements.couple}, omega));
+        total_ = total_ ? board_.sum(*total_, *power) : *power;
+
+        VirtualWork::Entry entry;
+        entry.symbol = applied.symbol;
+        entry.body = body;
+        entry.elements = {at.element,    velocity.element, applied.elements.force, applied.elements.couple,
+                          omega.element, power->element};
+        return entry;
+    }
+    int total() const { return total_->element; }
+
+private:
+    Board& board_;
+    SpaceDiagram diagram_;
+    const Track<Plane::velocity>& velocities_;
+    std::optional<ScalarHandle> total_;
+};
 
 }  // namespace
 
-std::optional<VirtualWork> virtual_work(const Structure& structure, const Board& board, const Track<Plane::velocity>& velocities,
+std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board, const Track<Plane::velocity>& velocities,
                                         const std::vector<FreeBody>& bodies) {
     VirtualWork work;
+    Powers powers(structure, board, velocities);
     for (const FreeBody& free : bodies) {
         if (free.body < 0) continue;
-        const std::optional<Turning> turning = turning_of(structure, board, velocities, free.body);
+        const std::optional<NodeIndex> base = base_of(structure, velocities, free.body);
         for (const AppliedForce& applied : free.forces) {
             if (applied.kind == AppliedForce::Kind::reaction) continue;
-            if (!turning) return std::nullopt;
-            const Vector velocity = turning->velocity_at(applied.at);
-            const Exact power = dot(applied.force, velocity) + applied.couple * turning->omega;
-            work.entries.push_back(
-                {applied.symbol, free.body, applied.at, velocity, applied.force, applied.couple, turning->omega, power});
-            work.total += power;
+            if (!base) return std::nullopt;
+            work.entries.push_back(powers.of(applied, free.body, *base));
         }
     }
     if (work.entries.empty()) return std::nullopt;
+    work.total_element = powers.total();
     return work;
 }
 

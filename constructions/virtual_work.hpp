@@ -14,7 +14,7 @@ namespace kinegraph {
 /// The powers (W) of all that acts from outside on the free bodies, in the motion of the velocity polygon. Ideal pairs do no
 /// work, so they cancel: d'Alembert's principle where forces of inertia are among them. Nothing where no such force acts or the
 /// motion of a body that carries one is not known.
-std::optional<VirtualWork> virtual_work(const Structure& structure, const Board& board, const Track<Plane::velocity>& velocities,
+std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board, const Track<Plane::velocity>& velocities,
                                         const std::vector<FreeBody>& bodies);
 
 }  // namespace kinegraph

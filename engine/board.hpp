@@ -1,29 +1,26 @@
 // The drawing board: the instruments and nothing else. Each call does a construction exactly and enters a stroke in the Protocol:
-// verb, inputs, output, figure. Predicates answer and are entered as guards. It knows no mechanism theory, no millimetre.
+// verb, inputs, output, figure. Predicates answer and are entered as guards. Nothing asks a number off the board: what was found
+// is read from the finished protocol. It knows no mechanism theory, no millimetre.
 //
-// Strokes are a straight-line program over the pose: branch-free, because a verdict (parallel, coincident) chooses the verb.
-// So the board can replay them on a finer pose, which is how a suspiciously small value is decided (docs/notation.md, "Exact").
+// The board replays its program on a finer pose, which is how a suspiciously small value is decided (docs/notation.md, "Exact").
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
-#include <variant>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/exact.hpp"
 #include "engine/geometry.hpp"
+#include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
+#include "engine/program.hpp"
 #include "engine/statement.hpp"
 
 namespace kinegraph {
-
-/// The planes a stroke may lie in: the drawing of the mechanism (m), the velocity plane (m/s), the acceleration plane (m/s²),
-/// the force plane (N).
-enum class Plane : std::uint8_t { drawing, velocity, acceleration, force };
-
-using Value = std::variant<ProjectivePoint, ProjectiveLine, Vector, Exact>;
 
 /// Typed handles: an index into the protocol's elements that knows its plane. A point of the drawing cannot be joined to a tip.
 template <Plane plane>
@@ -43,58 +40,6 @@ struct DirectionHandle {
 };
 struct ScalarHandle {
     int element = -1;
-};
-
-enum class Verb : std::uint8_t {
-    given_place,
-    given_guide,
-    given_unit_guide,
-    given_normal,
-    given_tangent,
-    given_driver_direction,
-    given_unit_driver_direction,
-    given_direction,
-    given_by_pose,
-    given_scalar,
-    pole,
-    vector_between,
-    perpendicular,
-    direction_of_line,
-    point_at_infinity,
-    through,
-    join,
-    meet,
-    meet_at_infinity,
-    carry,
-    add,
-    subtract,
-    negate,
-    scale,
-    turn,
-    ratio,
-    product,
-    sum,
-    difference,
-    quotient,
-    moment,
-    arm,
-};
-
-/// One stroke: element = verb(inputs). `index` is the point, joint or number of a given.
-struct Stroke {
-    Verb verb = Verb::given_scalar;
-    Plane plane = Plane::drawing;
-    int inputs[2] = {-1, -1};
-    int index = -1;
-    int statement = -1;  ///< the sentence it belongs to; −1 before the first
-};
-
-/// A predicate's verdict, kept because the construction went on with it.
-struct Guard {
-    enum class Question : std::uint8_t { coincide, parallel, zero_vector, zero_scalar, on_line } question = Question::coincide;
-    int inputs[2] = {-1, -1};
-    bool verdict = false;
-    bool by_finer_pose = false;  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
 };
 
 /// The polygon of one body within a joined force polygon: its corners in order.
@@ -151,6 +96,7 @@ struct Image {
     int polygon = 0;
     int point = -1;  ///< element
     BodyIndex body = -1;
+    int statement = -1;
     int trial = 0;  ///< as DrawnVector::trial
 };
 /// A construction line of a polygon or of the drawing worth showing, with its direction in words and the places it was drawn
@@ -168,9 +114,8 @@ struct DrawnLine {
 struct Statement {
     Message message;
     std::optional<Equation> equation;
-    std::string section;                    ///< "centres", "velocity", "acceleration", "relative motion"
-    std::string source;                     ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
-    int first_stroke = 0, last_stroke = 0;  ///< [first, last)
+    std::string section;  ///< "centres", "velocity", "acceleration", "relative motion"
+    std::string source;   ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
 };
 
 /// What was drawn from trial values on the way, apart from the solution: thin broken lines of the same polygons.
@@ -183,9 +128,8 @@ struct Trials {
 /// The finished board.
 struct Protocol {
     std::vector<Statement> statements;
-    std::vector<Stroke> strokes;
-    std::vector<Value> values;  ///< by element = stroke index
-    std::vector<Guard> guards;
+    Program program;
+    std::vector<Value> values;  ///< by element, in the drawn pose
     std::vector<Polygon> polygons;
     std::vector<DrawnVector> vectors;
     std::vector<Image> images;
@@ -202,33 +146,46 @@ struct Protocol {
     Vector value_of(const DrawnVector& drawn) const { return point(drawn.tip).place() - point(drawn.tail).place(); }
 };
 
+/// The elements that are drawn: vectors, images, lines, corners of faces, those of trials too.
+void for_each_drawn(Protocol& protocol, const std::function<void(int& element)>& see);
+
 class Board {
 public:
-    /// `finer` gives the same mechanism's pose at twice the bits, asked for only when a predicate needs a second look.
-    Board(const Pose& pose, std::function<const Pose&()> finer);
+    /// `finer` gives the same mechanism's pose at twice the bits, asked for only when a predicate needs a second look. All three
+    /// must outlive the board.
+    Board(const Mechanism& mechanism, const Pose& pose, std::function<const Pose&()> finer);
     Board(const Board&) = delete;
     Board& operator=(const Board&) = delete;
-    ~Board();
 
     /// Opens a sentence: the strokes that follow belong to it, until the next one. Returns its index.
     int state(Statement statement);
     Statement& statement(int index);
 
-    // What is given. Asked for twice, the same element is returned.
-    PointOn<Plane::drawing> place(PointIndex point);
-    DirectionHandle guide(JointIndex joint);
-    DirectionHandle guide_unit(JointIndex joint);  ///< as a unit vector (within the pose's bits)
-    DirectionHandle normal(JointIndex joint);      ///< common normal of a pin-slot, contact, rolling or gear
-    DirectionHandle tangent(JointIndex joint);     ///< common tangent of the profiles or pitch curves that touch there
-    DirectionHandle driver_direction(int driver);  ///< `along` of a point driver
-    DirectionHandle driver_unit(int driver);       ///< the same as a unit vector
-    DirectionHandle given_direction(const Vector& direction);
-    ScalarHandle given(const Exact& value);
-    /// A given vector that hangs on the pose (a load along a guide, say), so that a finer pose gives it finer.
-    template <Plane plane>
-    VectorOn<plane> given(std::function<Vector(const Pose&)> vector) {
-        return {given_by_pose(plane, std::move(vector))};
-    }
+    // What is given, and below what is constructed: asked for twice, the same element is returned.
+    PointOn<Plane::drawing> place(PointIndex point) { return {given(Given::Kind::place, point)}; }
+    DirectionHandle guide(JointIndex joint) { return {given(Given::Kind::guide, joint)}; }
+    DirectionHandle guide_unit(JointIndex joint) { return {given(Given::Kind::guide_unit, joint)}; }
+    DirectionHandle normal(JointIndex joint) { return {given(Given::Kind::normal, joint)}; }
+    DirectionHandle other_normal(JointIndex joint) { return {given(Given::Kind::other_normal, joint)}; }
+    DirectionHandle tangent(JointIndex joint) { return {given(Given::Kind::tangent, joint)}; }
+    DirectionHandle push(JointIndex joint) { return {given(Given::Kind::push, joint)}; }
+    DirectionHandle driver_direction(int driver) { return {given(Given::Kind::driver_direction, driver)}; }
+    DirectionHandle driver_unit(int driver) { return {given(Given::Kind::driver_unit, driver)}; }
+    ScalarHandle driver_velocity(int driver) { return {given(Given::Kind::driver_velocity, driver)}; }
+    ScalarHandle driver_acceleration(int driver) { return {given(Given::Kind::driver_acceleration, driver)}; }
+    VectorOn<Plane::velocity> act_velocity(int index) { return {given(Given::Kind::act_velocity, index)}; }
+    VectorOn<Plane::acceleration> act_acceleration(int index) { return {given(Given::Kind::act_acceleration, index)}; }
+    VectorOn<Plane::force> load_force(int load) { return {given(Given::Kind::load_force, load)}; }
+    ScalarHandle load_magnitude(int load) { return {given(Given::Kind::load_magnitude, load)}; }
+    DirectionHandle load_unit(int load) { return {given(Given::Kind::load_unit, load)}; }
+    DirectionHandle load_unit_back(int load) { return {given(Given::Kind::load_unit_back, load)}; }
+    DirectionHandle effort_unit(int effort) { return {given(Given::Kind::effort_unit, effort)}; }
+    VectorOn<Plane::acceleration> gravity() { return {given(Given::Kind::gravity, 0)}; }
+    ScalarHandle mass(int mass) { return {given(Given::Kind::mass, mass)}; }
+    ScalarHandle inertia(int mass) { return {given(Given::Kind::inertia, mass)}; }
+    /// A number, a direction of the construction's own.
+    ScalarHandle number(const Exact& value);
+    DirectionHandle own_direction(const Vector& direction);
 
     // Constructions in any plane.
     template <Plane plane>
@@ -300,14 +257,21 @@ public:
     ScalarHandle ratio(VectorOn<p> v, VectorOn<q> w) {
         return {binary(Verb::ratio, p, v.element, w.element)};
     }
-    ScalarHandle product(ScalarHandle a, ScalarHandle b) { return {binary(Verb::product, Plane::drawing, a.element, b.element)}; }
+    ScalarHandle product(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::product, a.element, b.element)}; }
     /// a / b, b ≠ 0 (ask first).
-    ScalarHandle quotient(ScalarHandle a, ScalarHandle b) {
-        return {binary(Verb::quotient, Plane::drawing, a.element, b.element)};
-    }
+    ScalarHandle quotient(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::quotient, a.element, b.element)}; }
+    ScalarHandle opposite(ScalarHandle a) { return {of_scalars(Verb::opposite, a.element, -1)}; }
     /// r ∧ F: the moment of a force about the tail of r (N m, counter-clockwise positive).
     ScalarHandle moment(VectorOn<Plane::drawing> r, VectorOn<Plane::force> force) {
-        return {binary(Verb::moment, Plane::drawing, r.element, force.element)};
+        return {binary(Verb::moment, Plane::force, r.element, force.element)};
+    }
+    /// The same of a direction and a force: how large the force is across the direction, times the direction's length.
+    ScalarHandle moment(DirectionHandle d, VectorOn<Plane::force> force) {
+        return {binary(Verb::moment, Plane::force, d.element, force.element)};
+    }
+    /// F·v: the power of a force at a place with this velocity (W).
+    ScalarHandle power(VectorOn<Plane::force> force, VectorOn<Plane::velocity> velocity) {
+        return {binary(Verb::projection, Plane::force, force.element, velocity.element)};
     }
     /// r ∧ d for a direction in the drawing: the lever of a force along d, times the length of d.
     ScalarHandle moment(VectorOn<Plane::drawing> r, DirectionHandle d) {
@@ -317,51 +281,71 @@ public:
     VectorOn<Plane::drawing> arm(ScalarHandle couple, VectorOn<Plane::force> force) {
         return {binary(Verb::arm, Plane::drawing, couple.element, force.element)};
     }
-    ScalarHandle sum(ScalarHandle a, ScalarHandle b) { return {binary(Verb::sum, Plane::drawing, a.element, b.element)}; }
-    ScalarHandle difference(ScalarHandle a, ScalarHandle b) {
-        return {binary(Verb::difference, Plane::drawing, a.element, b.element)};
-    }
+    ScalarHandle sum(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::sum, a.element, b.element)}; }
+    ScalarHandle difference(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::difference, a.element, b.element)}; }
 
-    // Predicates: answered exactly, or on a pose with a leftover by the finer pose; entered as guards.
+    // Predicates: answered exactly, or on a pose with a leftover by the finer pose; entered as guards. Asked twice, the answer is
+    // the one already entered.
     template <Plane plane>
     bool coincide(PointOn<plane> p, PointOn<plane> q) {
-        return ask(Guard::Question::coincide, p.element, q.element);
+        return ask(Guard::Question::coincide, p.element, q.element) != 0;
     }
-    bool parallel(DirectionHandle d, DirectionHandle e) { return ask(Guard::Question::parallel, d.element, e.element); }
+    bool parallel(DirectionHandle d, DirectionHandle e) { return ask(Guard::Question::parallel, d.element, e.element) != 0; }
     template <Plane plane>
     bool parallel(LineOn<plane> l, LineOn<plane> m) {
-        return ask(Guard::Question::parallel, l.element, m.element);
+        return ask(Guard::Question::parallel, l.element, m.element) != 0;
     }
     template <Plane plane>
     bool is_zero(VectorOn<plane> v) {
-        return ask(Guard::Question::zero_vector, v.element, -1);
+        return ask(Guard::Question::zero_vector, v.element, -1) != 0;
     }
-    bool is_zero(ScalarHandle s) { return ask(Guard::Question::zero_scalar, s.element, -1); }
+    bool is_zero(ScalarHandle s) { return ask(Guard::Question::zero_scalar, s.element, -1) != 0; }
     template <Plane plane>
     bool on_line(PointOn<plane> p, LineOn<plane> l) {
-        return ask(Guard::Question::on_line, p.element, l.element);
+        return ask(Guard::Question::on_line, p.element, l.element) != 0;
     }
     template <Plane plane>
-    bool is_at_infinity(PointOn<plane> p) const {
-        return protocol_.point(p.element).at_infinity();
+    bool is_at_infinity(PointOn<plane> p) {
+        return ask(Guard::Question::at_infinity, p.element, -1) != 0;
     }
     template <Plane plane>
-    bool is_at_infinity(LineOn<plane> l) const {
-        return protocol_.line(l.element).at_infinity();
+    bool is_at_infinity(LineOn<plane> l) {
+        return ask(Guard::Question::at_infinity, l.element, -1) != 0;
+    }
+    /// −1, 0, 1.
+    int sign(ScalarHandle s) { return ask(Guard::Question::sign, s.element, -1); }
+    /// Whether w lies along v (1), against it (−1) or across it (0).
+    template <Plane p>
+    int along_sign(DirectionHandle v, VectorOn<p> w) {
+        return ask(Guard::Question::along_sign, v.element, w.element);
     }
 
-    // Values, for results and drawing; recipes and planner do not compute with them.
-    const Protocol& protocol() const { return protocol_; }
-    const Pose& pose() const { return pose_; }
+    // The same where every answer is right and the handier way is taken (the order of a polygon's sides, a trial's size).
+    /// To which side of v is w turned: counter-clockwise 1, clockwise −1; 0 along the same line.
     template <Plane plane>
-    const ProjectivePoint& value(PointOn<plane> p) const {
-        return protocol_.point(p.element);
+    int choose_turn(VectorOn<plane> v, VectorOn<plane> w) {
+        return ask(Guard::Question::turn_sign, v.element, w.element, Guard::How::by_choice);
     }
     template <Plane plane>
-    const Vector& value(VectorOn<plane> v) const {
-        return protocol_.vector(v.element);
+    int choose_along(VectorOn<plane> v, VectorOn<plane> w) {
+        return ask(Guard::Question::along_sign, v.element, w.element, Guard::How::by_choice);
     }
-    const Exact& value(ScalarHandle s) const { return protocol_.scalar(s.element); }
+    template <Plane plane>
+    bool choose_longer(VectorOn<plane> v, VectorOn<plane> w) {
+        return ask(Guard::Question::longer, v.element, w.element, Guard::How::by_choice) != 0;
+    }
+
+    /// How far the board is; `rewind` wipes off what came after, where an attempt led nowhere: search is not solution. Handles
+    /// made since are void.
+    struct Mark {
+        std::size_t strokes = 0, guards = 0, givens = 0, statements = 0;
+        int statement = -1;
+        Largest<Exact> largest;
+    };
+    Mark mark() const;
+    void rewind(const Mark& mark);
+    /// How many strokes there are: what was found by now is settled.
+    int strokes() const { return static_cast<int>(protocol_.program.strokes.size()); }
 
     // What is shown.
     int add_polygon(Polygon polygon);
@@ -370,30 +354,49 @@ public:
     void add_face(int polygon, Face face);
     void draw(DrawnLine line);
 
+    /// The record as it stands, with all that was tried and led nowhere still in it: to be cut by who knows what was wanted.
     Protocol finish() &&;
 
 private:
-    struct Replay;
+    using Key = std::pair<Given::Kind, int>;
+    int given(Given::Kind kind, int index);
+    int enter_given(Given given);
     int pole(Plane plane);
-    int given_by_pose(Plane plane, std::function<Vector(const Pose&)> vector);
     int unary(Verb verb, Plane plane, int a);
     int binary(Verb verb, Plane plane, int a, int b);
+    int make(Verb verb, Plane plane, int a, int b);
+    int of_scalars(Verb verb, int a, int b);
     int join(Plane plane, int p, int q);
     int meet(Plane plane, int l, int m);
-    int given_once(std::vector<int>& known, Verb verb, int index);
-    int enter(const Stroke& stroke);
-    Value evaluate(const Stroke& stroke, const std::vector<Value>& values, const Pose& pose) const;
-    bool ask(Guard::Question question, int a, int b);
-    bool decide(Guard& guard);
+    int enter(const Stroke& stroke, Value value);
+    int ask(Guard::Question question, int a, int b, Guard::How how = Guard::How::exactly);
+    void decide(Guard& guard);
+    void follow_on_finer_pose();
 
+    /// Elements in a row: what carry_out() works on.
+    struct Memory {
+        using Number = Exact;
+        std::vector<Value> values;
+
+        const Value& value(int i) const;
+        const ProjectivePoint& point(int i) const { return std::get<ProjectivePoint>(value(i)); }
+        const ProjectiveLine& line(int i) const { return std::get<ProjectiveLine>(value(i)); }
+        const Vector& vector(int i) const { return std::get<Vector>(value(i)); }
+        const Exact& scalar(int i) const { return std::get<Exact>(value(i)); }
+        bool is_line(int i) const { return std::holds_alternative<ProjectiveLine>(value(i)); }
+        void put(int, Value made) { values.push_back(std::move(made)); }
+    };
+
+    const Mechanism& mechanism_;
     const Pose& pose_;
     std::function<const Pose&()> finer_;
     Protocol protocol_;
-    std::unique_ptr<Replay> replay_;
-    std::vector<Value> constants_;
-    std::vector<std::function<Vector(const Pose&)>> by_pose_;
-    std::vector<int> places_, guides_, guide_units_, normals_, tangents_, driver_directions_, driver_units_;
-    int poles_[4] = {-1, -1, -1, -1};
+    Memory memory_, finer_memory_;  ///< the finer one is continued only when a predicate asks
+    Largest<Exact> largest_, finer_largest_;
+    std::map<Key, int> givens_;
+    std::vector<std::pair<Exact, int>> numbers_;
+    std::map<std::tuple<Guard::Question, int, int>, std::size_t> asked_;
+    std::map<std::tuple<Verb, Plane, int, int>, int> made_;  ///< no line is drawn twice
     int current_statement_ = -1;
 };
 

@@ -85,22 +85,26 @@ const Exact& pi();
 /// tan of an angle in [0°, 45°], given as a fraction of the half turn, within 2^-bits; 0 and 1 exactly at the ends.
 Exact tangent_in_first_octant(const Exact& half_turns, int bits);
 
-/// A free vector or the coordinates of a finite place; the unit is the context's.
-struct Vector {
-    Exact x;
-    Exact y;
-    friend bool operator==(const Vector&, const Vector&) = default;
-    bool is_zero() const { return x.is_zero() && y.is_zero(); }
+/// A free vector or the coordinates of a finite place; the unit is the context's, the number Exact or, in replays, double.
+template <class Number>
+struct VectorOf {
+    Number x{};
+    Number y{};
+
+    bool is_zero() const { return x == Number(0) && y == Number(0); }
+    friend bool operator==(const VectorOf&, const VectorOf&) = default;
+    friend VectorOf operator+(const VectorOf& a, const VectorOf& b) { return {a.x + b.x, a.y + b.y}; }
+    friend VectorOf operator-(const VectorOf& a, const VectorOf& b) { return {a.x - b.x, a.y - b.y}; }
+    friend VectorOf operator-(const VectorOf& a) { return {-a.x, -a.y}; }
+    friend VectorOf operator*(const Number& s, const VectorOf& a) { return {s * a.x, s * a.y}; }
+    friend Number dot(const VectorOf& a, const VectorOf& b) { return a.x * b.x + a.y * b.y; }
+    friend Number cross(const VectorOf& a, const VectorOf& b) { return a.x * b.y - a.y * b.x; }
+    friend Number squared_length(const VectorOf& a) { return dot(a, a); }
+    /// A quarter turn counter-clockwise: z × a.
+    friend VectorOf quarter_turn(const VectorOf& a) { return {-a.y, a.x}; }
 };
-inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y}; }
-inline Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y}; }
-inline Vector operator-(const Vector& a) { return {-a.x, -a.y}; }
-inline Vector operator*(const Exact& s, const Vector& a) { return {s * a.x, s * a.y}; }
-inline Exact dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
-inline Exact cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
-inline Exact squared_length(const Vector& a) { return dot(a, a); }
-/// A quarter turn counter-clockwise: z × a.
-inline Vector quarter_turn(const Vector& a) { return {-a.y, a.x}; }
+using Vector = VectorOf<Exact>;
+
 /// Length as a double, for printing and drawing only.
 double length(const Vector& a);
 

@@ -17,16 +17,12 @@ ProjectiveLine projective(const Kernel::Line_2& l) { return {Exact(l.a()), Exact
 
 }  // namespace
 
-ProjectiveLine line_through(const ProjectivePoint& point, const Vector& direction) {
+ProjectiveLine finite_line_through(const ProjectivePoint& point, const Vector& direction) {
     KG_ASSERT(!direction.is_zero(), "a line needs a direction");
-    if (point.at_infinity()) return {0, 0, 1};
     return projective(Kernel::Line_2(finite(point), Kernel::Vector_2(direction.x.rational(), direction.y.rational())));
 }
 
-ProjectiveLine line_joining(const ProjectivePoint& p, const ProjectivePoint& q) {
-    if (p.at_infinity() && q.at_infinity()) return {0, 0, 1};
-    if (p.at_infinity()) return line_through(q, p.place());
-    if (q.at_infinity()) return line_through(p, q.place());
+ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q) {
     KG_ASSERT(p.place() != q.place(), "two places that coincide have no join");
     return projective(Kernel::Line_2(finite(p), finite(q)));
 }
@@ -37,11 +33,6 @@ ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m) {
     const auto* point = boost::get<Kernel::Point_2>(&*met);
     KG_ASSERT(point != nullptr, "lines that do not coincide meet in one point");
     return {Exact(point->x()), Exact(point->y()), 1};
-}
-
-ProjectivePoint point_at_infinity_of(const ProjectiveLine& l) {
-    KG_ASSERT(!l.at_infinity(), "the line at infinity has every direction");
-    return {-l.b, l.a, 0};
 }
 
 bool incident(const ProjectivePoint& p, const ProjectiveLine& l) {

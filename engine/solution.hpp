@@ -14,6 +14,7 @@
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
+#include "engine/recorded.hpp"
 #include "engine/statement.hpp"
 
 namespace kinegraph {
@@ -23,15 +24,15 @@ struct PointMotion {
     PointIndex point = -1;
     std::vector<BodyIndex> bodies;
     std::string label;  ///< "A", "A*" where other bodies carry the same place without a pin
-    std::optional<Vector> velocity, acceleration;
+    Recorded<Vector> velocity, acceleration;
 };
 struct BodyMotion {
-    std::optional<Exact> omega, alpha;
+    Recorded<Exact> omega, alpha;
 };
 /// i seen from j at a sliding joint or a contact.
 struct Sliding {
     JointIndex joint = -1;
-    std::optional<Vector> velocity, acceleration, coriolis;
+    Recorded<Vector> velocity, acceleration, coriolis;
 };
 /// What stands for a contact of round or straight profiles up to accelerations: a link between the centres of curvature, or the
 /// one centre as a pin in a straight slot parallel to the other's line (a tip is its own centre).
@@ -45,9 +46,9 @@ struct EquivalentLinkage {
 struct InstantCentre {
     BodyIndex first = 0, second = 0;  ///< frame first, then in the file's order
     enum class How { unknown, primary, kennedy, velocities } how = How::unknown;
-    std::optional<ProjectivePoint> at;  ///< finite or at infinity
-    bool everywhere = false;            ///< the bodies do not move against each other
-    bool depends_on_drivers = false;    ///< more than one freedom: holds for this ratio of the drivers
+    Recorded<ProjectivePoint> at;     ///< finite or at infinity
+    bool everywhere = false;          ///< the bodies do not move against each other
+    bool depends_on_drivers = false;  ///< more than one freedom: holds for this ratio of the drivers
     std::vector<std::pair<int, int>>
         through;  ///< the lines used: pairs of indices into Solution::centres (P_ik, P_kj); empty for primary ones
     std::vector<PointIndex> normals;  ///< … or normals at these points
@@ -57,13 +58,13 @@ struct InstantCentre {
 /// The motion of a point seen by an observer.
 struct RelativeMotion {
     RelativeMotionQuery query;
-    std::optional<Vector> velocity, transport_velocity, relative_velocity;
-    std::optional<Vector> acceleration, transport_acceleration, relative_acceleration, coriolis;
+    Recorded<Vector> velocity, transport_velocity, relative_velocity;
+    Recorded<Vector> acceleration, transport_acceleration, relative_acceleration, coriolis;
 };
 /// An angular velocity found a second time, by instant centres.
 struct SecondWay {
     BodyIndex body = -1;
-    Exact omega;
+    Recorded<Exact> omega;
     bool agrees = false;  ///< with the polygon, by exact predicate
 };
 /// The action of one body on another at a joint, reduced to the joint's point. At a hinge of three bodies or more the pin acts on
@@ -71,23 +72,26 @@ struct SecondWay {
 struct JointForce {
     JointIndex joint = -1;
     BodyIndex on = -1, from = -1;
-    std::optional<Vector> force;  ///< N
-    std::optional<Exact> couple;  ///< N m about the joint's point, counter-clockwise positive
+    Recorded<Vector> force;  ///< N
+    Recorded<Exact> couple;  ///< N m about the joint's point, counter-clockwise positive
 };
 /// The unknown that balances: a couple (N m) or a force (N) along its line.
 struct EffortValue {
     std::string name;
-    std::optional<Exact> value;
+    Recorded<Exact> value;
 };
 /// One force or couple on a free body.
 struct AppliedForce {
     Symbol symbol;
     enum class Kind { load, weight, inertia, spring, reaction, effort } kind = Kind::load;
-    JointIndex joint = -1;              ///< reactions
-    BodyIndex from = -1;                ///< which body acts, −1: none or a pin
-    Vector force;                       ///< N; zero for a pure couple
-    Exact couple;                       ///< N m about `at`
-    Vector at;                          ///< a place on the line of action (m); for a couple the place it is drawn at
+    JointIndex joint = -1;  ///< reactions
+    BodyIndex from = -1;    ///< which body acts, −1: none or a pin
+    Vector force;           ///< N; zero for a pure couple
+    Exact couple;           ///< N m about `at`
+    Vector at;              ///< a place on the line of action (m); for a couple the place it is drawn at
+    struct Elements {
+        int force = -1, couple = -1, at = -1;
+    } elements;                         ///< of the record, −1 where it vanishes
     bool line_by_construction = false;  ///< its line of action was deduced, not given
 };
 /// A body cut free, with all that acts on it; the forces close its polygon.
@@ -96,6 +100,7 @@ struct FreeBody {
     PointIndex pin = -1;
     std::vector<AppliedForce> forces;                   ///< in the order of the polygon: what was known first
     std::vector<std::pair<std::string, Vector>> meets;  ///< points of concurrency used: name and place
+    std::vector<int> meet_elements;                     ///< by `meets`
     int polygon = -1;                                   ///< index in Protocol::polygons; −1 where all forces vanish
 };
 /// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
@@ -110,9 +115,13 @@ struct VirtualWork {
         Exact couple;     ///< N m
         Exact omega;      ///< of the body, rad/s
         Exact power;      ///< W
+        struct Elements {
+            int at = -1, velocity = -1, force = -1, couple = -1, omega = -1, power = -1;
+        } elements;  ///< of the record, −1 where it vanishes
     };
     std::vector<Entry> entries;
     Exact total;  ///< exactly zero on an exact pose
+    int total_element = -1;
 };
 /// What a figure of one body's act of motion shows besides its velocities and centre.
 struct ActFigure {
@@ -130,11 +139,13 @@ struct ActFigure {
     /// Where two velocities project differently on the join of their points (first → second): the projections, m/s.
     struct Projections {
         PointIndex first = -1, second = -1;
-        Vector of_first, of_second;
+        Recorded<Vector> of_first, of_second;
+        Recorded<Vector> join;
+        int statement = -1;  ///< that says by how much
     };
     std::optional<Projections> differing;
-    std::optional<Vector> acceleration_centre;  ///< the place of the body whose acceleration vanishes, m
-    std::string acceleration_centre_name;       ///< "K", or the first of K2, K3 … that no point of the file has
+    Recorded<Vector> acceleration_centre;  ///< the place of the body whose acceleration vanishes, m
+    std::string acceleration_centre_name;  ///< "K", or the first of K2, K3 … that no point of the file has
 };
 /// One scalar held against the check.
 struct CheckRow {
@@ -170,6 +181,58 @@ struct Solution {
     std::vector<Unsolved> unsolved;  ///< not empty: exit 3
     std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
 };
+
+/// Every element that the results name, with its value (Vector, Exact or ProjectivePoint): `see(int& element, auto& value)`.
+template <class See>
+void for_each_found(Solution& solution, See see) {
+    const auto held = [&](int& element, auto& value) {
+        if (element >= 0) see(element, value);
+    };
+    for (PointMotion& point : solution.points)
+        for (auto* found : {&point.velocity, &point.acceleration}) found->visit(see);
+    for (BodyMotion& body : solution.bodies)
+        for (auto* found : {&body.omega, &body.alpha}) found->visit(see);
+    for (Sliding& sliding : solution.sliding)
+        for (auto* found : {&sliding.velocity, &sliding.acceleration, &sliding.coriolis}) found->visit(see);
+    for (InstantCentre& centre : solution.centres) centre.at.visit(see);
+    for (RelativeMotion& m : solution.relative_motion)
+        for (auto* found : {&m.velocity, &m.transport_velocity, &m.relative_velocity, &m.acceleration, &m.transport_acceleration,
+                            &m.relative_acceleration, &m.coriolis})
+            found->visit(see);
+    for (SecondWay& way : solution.second_way) way.omega.visit(see);
+    for (JointForce& force : solution.forces) {
+        force.force.visit(see);
+        force.couple.visit(see);
+    }
+    for (EffortValue& effort : solution.efforts) effort.value.visit(see);
+    for (FreeBody& body : solution.free_bodies) {
+        for (AppliedForce& applied : body.forces) {
+            held(applied.elements.force, applied.force);
+            held(applied.elements.couple, applied.couple);
+            held(applied.elements.at, applied.at);
+        }
+        for (std::size_t i = 0; i < body.meets.size(); ++i) held(body.meet_elements[i], body.meets[i].second);
+    }
+    if (solution.virtual_work) {
+        for (VirtualWork::Entry& entry : solution.virtual_work->entries) {
+            held(entry.elements.at, entry.at);
+            held(entry.elements.velocity, entry.velocity);
+            held(entry.elements.force, entry.force);
+            held(entry.elements.couple, entry.couple);
+            held(entry.elements.omega, entry.omega);
+            held(entry.elements.power, entry.power);
+        }
+        held(solution.virtual_work->total_element, solution.virtual_work->total);
+    }
+    if (solution.act_of_motion) {
+        solution.act_of_motion->acceleration_centre.visit(see);
+        if (auto& differing = solution.act_of_motion->differing) {
+            for (auto* found : {&differing->of_first, &differing->of_second, &differing->join}) found->visit(see);
+        }
+    }
+}
+/// Reads the value of every element that the results name from the elements of a record: the drawn pose's, or a replay's.
+void read_values(Solution& solution, const std::vector<Value>& values);
 
 /// Says a message in English.
 using Teller = std::function<std::string(const Message&)>;

@@ -415,8 +415,8 @@ private:
             label.clearance = 1.6;
             sketch.labels.push_back(std::move(label));
         };
-        draw(differing.first, differing.of_first);
-        draw(differing.second, differing.of_second);
+        draw(differing.first, *differing.of_first);
+        draw(differing.second, *differing.of_second);
         sketch.construction.emplace_back(line(first + (from - overshoot) * along, first + (to + overshoot) * along, thin()));
     }
 

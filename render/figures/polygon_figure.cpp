@@ -257,7 +257,7 @@ private:
             trial.at = spot(figure, image.point);
             trial.text = typeset(image.symbol, context_.language);
             if (!trial.text.empty()) trial.text.back().sup += image.trial == 1 ? "I" : "II";
-            trial.statement = protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
+            trial.statement = image.statement;
             parts.images.push_back(std::move(trial));
         }
     }
@@ -313,7 +313,7 @@ private:
             const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
         }
-        return protocol_.strokes[static_cast<std::size_t>(image.point)].statement;
+        return image.statement;
     }
 
     /// The bar stands in a corner that nothing crosses, else under the figure.

@@ -1,0 +1,51 @@
+// Recorded: a value of the solution with the element of the record that holds it. Used like std::optional.
+#pragma once
+
+#include <optional>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph {
+
+/// Recipes name the element; the value is read from the record once it is finished. What was shown to vanish has no element.
+template <class T>
+class Recorded {
+public:
+    Recorded() = default;
+    static Recorded at(int element) {
+        Recorded found;
+        found.known_ = true;
+        found.element_ = element;
+        return found;
+    }
+    static Recorded zero() { return at(-1); }
+
+    bool has_value() const { return known_; }
+    explicit operator bool() const { return known_; }
+    const T& value() const {
+        KG_ASSERT(known_, "the value of what was not found");
+        return value_;
+    }
+    const T& operator*() const { return value(); }
+    const T* operator->() const { return &value(); }
+    /// −1 where it vanishes, or is not known.
+    int element() const { return element_; }
+
+    /// What `see(element, value)` makes of both: renumbers the one, reads the other.
+    template <class See>
+    void visit(See& see) {
+        if (known_ && element_ >= 0) see(element_, value_);
+    }
+
+    operator std::optional<T>() const { return known_ ? std::optional<T>(value_) : std::nullopt; }  // NOLINT: it is one
+    friend bool operator==(const Recorded& a, const Recorded& b) {
+        return a.known_ == b.known_ && (!a.known_ || a.value_ == b.value_);
+    }
+
+private:
+    bool known_ = false;
+    int element_ = -1;
+    T value_{};
+};
+
+}  // namespace kinegraph

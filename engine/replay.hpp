@@ -1,0 +1,65 @@
+// Replay: a program evaluated in doubles, again and again with other givens. Made once from a program cut to what is wanted;
+// running it allocates nothing. For sweeps, plots and pages that move.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/program.hpp"
+
+namespace kinegraph {
+
+class Replay {
+public:
+    /// `size` of the drawing, m: what coincidences in the drawing are compared with. Starts with these givens.
+    Replay(const Program& program, const std::vector<Value>& givens, double size);
+
+    /// Another value for a given (index in Program::givens), of the same kind.
+    void give(int given, const ValueOf<double>& value);
+    /// Evaluates every stroke; returns the index of the first guard that flipped (in Program::guards), after which nothing was
+    /// evaluated. Givens that are not finite, or a division by what a guard should have excluded, show as values that are not.
+    std::optional<int> run();
+
+    PointOf<double> point(int element) const { return memory_.point(slot(element)); }
+    VectorOf<double> vector(int element) const { return memory_.vector(slot(element)); }
+    double scalar(int element) const { return memory_.scalar(slot(element)); }
+    std::size_t strokes() const { return strokes_.size(); }  ///< those carried out by a run; givens and poles are not
+
+private:
+    /// Elements in a row, three numbers each.
+    struct Memory {
+        using Number = double;
+        struct Cell {
+            double x = 0, y = 0, w = 0;
+        };
+        std::vector<Cell> cells;
+        std::vector<char> lines;  ///< whether an element is a line
+
+        const Cell& cell(int i) const { return cells[static_cast<std::size_t>(i)]; }
+        PointOf<double> point(int i) const { return {cell(i).x, cell(i).y, cell(i).w}; }
+        LineOf<double> line(int i) const { return {cell(i).x, cell(i).y, cell(i).w}; }
+        VectorOf<double> vector(int i) const { return {cell(i).x, cell(i).y}; }
+        double scalar(int i) const { return cell(i).x; }
+        bool is_line(int i) const { return lines[static_cast<std::size_t>(i)] != 0; }
+        void put(int i, const PointOf<double>& p) { cells[static_cast<std::size_t>(i)] = {p.x, p.y, p.w}; }
+        void put(int i, const LineOf<double>& l) { cells[static_cast<std::size_t>(i)] = {l.a, l.b, l.c}; }
+        void put(int i, const VectorOf<double>& v) { cells[static_cast<std::size_t>(i)] = {v.x, v.y, 0}; }
+        void put(int i, double s) { cells[static_cast<std::size_t>(i)] = {s, 0, 0}; }
+    };
+    int slot(int element) const { return slots_[static_cast<std::size_t>(element)]; }
+    void note(int cell);
+    void carry_out_until(std::size_t end);
+    bool holds(const Guard& guard) const;
+
+    std::vector<Stroke> strokes_;      ///< inputs are cells
+    std::vector<Stroke> planes_;       ///< by cell: for predicates, which plane it lies in
+    std::vector<int> outputs_;         ///< by stroke of strokes_: its cell
+    std::vector<Guard> guards_;        ///< inputs are cells, `before` counts strokes_
+    std::vector<int> slots_;           ///< by element: its cell
+    std::vector<int> cells_of_given_;  ///< by given
+    Memory memory_;
+    Largest<double> at_start_, largest_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace kinegraph

@@ -1,0 +1,20 @@
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+namespace {
+
+void read(const Value& from, Exact& value) { value = std::get<Exact>(from); }
+void read(const Value& from, ProjectivePoint& value) { value = std::get<ProjectivePoint>(from); }
+/// A vector from the pole may stand in the record as its tip.
+void read(const Value& from, Vector& value) {
+    const auto* point = std::get_if<ProjectivePoint>(&from);
+    value = point == nullptr ? std::get<Vector>(from) : point->place();
+}
+
+}  // namespace
+
+void read_values(Solution& solution, const std::vector<Value>& values) {
+    for_each_found(solution, [&](int& element, auto& value) { read(values[static_cast<std::size_t>(element)], value); });
+}
+
+}  // namespace kinegraph
