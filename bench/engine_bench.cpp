@@ -95,7 +95,7 @@ void solve_text(benchmark::State& state, const std::string& text) {
     const auto solution = solve(mechanism);
     state.counters["bodies"] = static_cast<double>(mechanism.bodies.size());
     state.counters["centres"] = static_cast<double>(solution->centres.size());
-    state.counters["strokes"] = static_cast<double>(solution->protocol.strokes.size());
+    state.counters["strokes"] = static_cast<double>(solution->protocol.program.strokes.size());
     state.counters["bits"] = static_cast<double>(most_bits(*solution));
 }
 

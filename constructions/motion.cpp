@@ -26,6 +26,7 @@ public:
 
     Motion run(bool with_accelerations) {
         draw(motion_.velocity, "velocity");
+        motion_.velocities_settled = board_.strokes();
         if (with_accelerations) draw(motion_.acceleration, "acceleration");
         return std::move(motion_);
     }

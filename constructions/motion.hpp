@@ -46,6 +46,7 @@ struct Contradiction {
 struct Motion {
     Track<Plane::velocity> velocity;
     Track<Plane::acceleration> acceleration;
+    int velocities_settled = 0;  ///< strokes of the board once the velocities were drawn
     std::vector<Contradiction> contradictions;
     std::vector<EquivalentLinkage> equivalents;  ///< of contacts, in the order they were used
 };

@@ -80,7 +80,10 @@ public:
             draw_mechanism();
         }
         collect_points();
+        solution_.settled.accelerations = board_.strokes();
+        if (mechanism_.motion) solution_.settled.velocities = board_.strokes();
         if (wanted_.forces) collect_forces();
+        solution_.settled.forces = board_.strokes();
         finish_record();
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
@@ -121,6 +124,9 @@ private:
         const auto renumber = [&](int& element) { element = record.element[at(element)]; };
         for_each_drawn(protocol, renumber);
         for_each_found(solution_, [&](int& element, auto&) { renumber(element); });
+        for (int* settled : {&solution_.settled.velocities, &solution_.settled.accelerations, &solution_.settled.forces})
+            *settled = static_cast<int>(
+                std::count_if(record.element.begin(), record.element.begin() + *settled, [](int kept) { return kept >= 0; }));
         std::vector<Value> values(record.program.strokes.size());
         for (std::size_t i = 0; i < record.element.size(); ++i)
             if (record.element[i] >= 0) values[at(record.element[i])] = std::move(protocol.values[i]);
@@ -203,6 +209,7 @@ private:
         plan_ = plan_motion(structure_, scratch_, use, tries ? solution_.mobility.determined : std::vector<bool>());
         motion_ = draw_motion(structure_, board_, plan_, wanted_.accelerations);
         solution_.equivalent_linkages = motion_.equivalents;
+        solution_.settled.velocities = motion_.velocities_settled;
         for (const int idle : solution_.mobility.idle_drivers) hold_against_motion(idle);
     }
 

@@ -354,6 +354,8 @@ public:
     void add_face(int polygon, Face face);
     void draw(DrawnLine line);
 
+    /// The strokes so far, to be replayed; recipes and planner look at none.
+    const Program& program() const { return protocol_.program; }
     /// The record as it stands, with all that was tried and led nowhere still in it: to be cut by who knows what was wanted.
     Protocol finish() &&;
 

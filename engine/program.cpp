@@ -194,6 +194,20 @@ ValueOf<double> to_double(const Value& value) {
     return near(std::get<Exact>(value));
 }
 
+bool identical(const Value& a, const Value& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* p = std::get_if<ProjectivePoint>(&a)) {
+        const auto& q = std::get<ProjectivePoint>(b);
+        return p->x == q.x && p->y == q.y && p->w == q.w;
+    }
+    if (const auto* l = std::get_if<ProjectiveLine>(&a)) {
+        const auto& m = std::get<ProjectiveLine>(b);
+        return l->a == m.a && l->b == m.b && l->c == m.c;
+    }
+    if (const auto* v = std::get_if<Vector>(&a)) return *v == std::get<Vector>(b);
+    return std::get<Exact>(a) == std::get<Exact>(b);
+}
+
 namespace {
 
 /// Marks what the marked strokes are made of, from the last to the first.

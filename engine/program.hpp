@@ -141,6 +141,8 @@ Value given_value(const Given& given, const Mechanism& mechanism, const Pose& po
 /// Where the file says it: a JSON pointer.
 std::string name_of_given(Given::Kind kind, int index, const Mechanism& mechanism);
 ValueOf<double> to_double(const Value& value);
+/// Number by number.
+bool identical(const Value& a, const Value& b);
 
 /// The indices of the givens that an element hangs on, ascending.
 std::vector<int> hangs_on(const Program& program, int element);

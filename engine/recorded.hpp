@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "engine/assert.hpp"
 
@@ -12,13 +13,16 @@ template <class T>
 class Recorded {
 public:
     Recorded() = default;
+    /// A value that stands in no record.
+    Recorded(T value) : known_(true), value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
+    Recorded(std::nullopt_t) {}                                    // NOLINT(google-explicit-constructor)
     static Recorded at(int element) {
         Recorded found;
         found.known_ = true;
         found.element_ = element;
         return found;
     }
-    static Recorded zero() { return at(-1); }
+    static Recorded zero() { return T{}; }
 
     bool has_value() const { return known_; }
     explicit operator bool() const { return known_; }
@@ -26,6 +30,7 @@ public:
         KG_ASSERT(known_, "the value of what was not found");
         return value_;
     }
+    T value_or(T otherwise) const { return known_ ? value_ : std::move(otherwise); }
     const T& operator*() const { return value(); }
     const T* operator->() const { return &value(); }
     /// −1 where it vanishes, or is not known.
@@ -37,7 +42,6 @@ public:
         if (known_ && element_ >= 0) see(element_, value_);
     }
 
-    operator std::optional<T>() const { return known_ ? std::optional<T>(value_) : std::nullopt; }  // NOLINT: it is one
     friend bool operator==(const Recorded& a, const Recorded& b) {
         return a.known_ == b.known_ && (!a.known_ || a.value_ == b.value_);
     }

@@ -117,12 +117,12 @@ public:
     Entry(const Pose& pose, bool exact) : pose_(pose), exact_(exact) {}
 
     void add(const std::string& key, std::string json) { members_.emplace_back(key, std::move(json)); }
-    void add(const std::string& key, const std::optional<Exact>& value) {
+    void add(const std::string& key, const Recorded<Exact>& value) {
         if (!value) return;
         add(key, number(*value));
         if (certain(*value)) fractions_.emplace_back(key, fraction(*value));
     }
-    void add(const std::string& key, const std::optional<Vector>& value) {
+    void add(const std::string& key, const Recorded<Vector>& value) {
         if (!value) return;
         add(key, pair(*value));
         if (certain(value->x) && certain(value->y)) fractions_.emplace_back(key, fractions(*value));
@@ -317,7 +317,7 @@ private:
             Entry where = entry();
             if (centre.everywhere) where.add("everywhere", std::string("true"));
             if (centre.at && !centre.at->at_infinity())
-                where.add("at", std::optional(centre.at->place()));
+                where.add("at", centre.at->place());
             else if (centre.at)
                 where.add_towards(centre.at->place());
             if (where.empty()) continue;
@@ -380,7 +380,7 @@ private:
                 here.add("through", std::string("null"));
             } else {
                 // The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
-                here.add("through", std::optional(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
+                here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
             }
             const std::string from = action.from < 0 ? "pin" : name_of_body(action.from);
             by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), here.json());

@@ -163,6 +163,10 @@ struct Solution {
     Mobility mobility;
     std::optional<InstantMotion> instant_motion;  ///< where constraints repeat each other or a driver drives nothing
     Protocol protocol;
+    /// How many strokes there were when these were found: what a program cut to them must keep the verdicts of.
+    struct Settled {
+        int velocities = 0, accelerations = 0, forces = 0;
+    } settled;
     std::vector<PointMotion> points;  ///< in the file's order of points
     std::vector<BodyMotion> bodies;   ///< by BodyIndex
     std::vector<Sliding> sliding;

@@ -58,8 +58,8 @@ Solution solved(const Mechanism& mechanism) {
 Solution solved(const Data& data) { return solved(mechanism_of(data)); }
 
 const InstantCentre& centre_of(const Solution& solution) { return solution.centres.at(0); }
-std::optional<Vector> velocity(const Solution& solution, std::size_t point) { return solution.points.at(point).velocity; }
-std::optional<Vector> acceleration(const Solution& solution, std::size_t point) { return solution.points.at(point).acceleration; }
+Recorded<Vector> velocity(const Solution& solution, std::size_t point) { return solution.points.at(point).velocity; }
+Recorded<Vector> acceleration(const Solution& solution, std::size_t point) { return solution.points.at(point).acceleration; }
 bool says(const Solution& solution, const std::string& what) {
     return std::any_of(solution.unsolved.begin(), solution.unsolved.end(), [&](const Unsolved& unsolved) {
         return english(unsolved.what) == what && english(unsolved.why).size() > 10;
@@ -308,7 +308,8 @@ TEST(ActOfMotion, WhatNoRigidBodyHasIsRefusedWithBothProjections) {
         EXPECT_FALSE(solution.bodies[1].omega);
         EXPECT_FALSE(centre_of(solution).at);
         ASSERT_TRUE(solution.act_of_motion->differing);
-        const auto& [first, second, of_first, of_second] = *solution.act_of_motion->differing;
+        const Vector of_first = *solution.act_of_motion->differing->of_first;
+        const Vector of_second = *solution.act_of_motion->differing->of_second;
         EXPECT_EQ(dot(of_second - of_first, b - a), wrong);
         EXPECT_EQ(cross(of_first, b - a), Exact(0)) << "along the join";
         EXPECT_EQ(dot(motion.velocity(a) - of_first, b - a), Exact(0)) << "and at right angles below the tip";

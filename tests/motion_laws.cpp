@@ -119,7 +119,7 @@ private:
 
     void second_ways_agree() {
         for (const SecondWay& way : solution_.second_way)
-            EXPECT_TRUE(way.agrees) << "omega of body " << body_name(way.body) << " by centres: " << way.omega.to_double();
+            EXPECT_TRUE(way.agrees) << "omega of body " << body_name(way.body) << " by centres: " << way.omega->to_double();
     }
 
     // --- laws of a rigid body ----------------------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ Solution sample() {
     solution.points = {{0, {0, 1}, "O", Vector{}, Vector{}},
                        {1, {1}, "A", Vector{decimal("0.55"), 0}, std::nullopt},
                        {1, {2}, "A*", Vector{0, Exact::ratio(1, 3)}, Vector{1, 2}}};
-    solution.bodies = {{0, 0}, {Exact::ratio(-1, 2), std::nullopt}, {}};
+    solution.bodies = {{Exact(0), Exact(0)}, {Exact::ratio(-1, 2), std::nullopt}, {}};
     solution.sliding = {{0, Vector{1, 2}, std::nullopt, Vector{3, 4}}};
     return solution;
 }

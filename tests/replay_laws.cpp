@@ -1,0 +1,176 @@
+#include "tests/replay_laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "constructions/solve.hpp"
+#include "engine/replay.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::vector<int> results_of(Solution solution) {
+    std::vector<int> elements;
+    for_each_found(solution, [&](int& element, auto&) { elements.push_back(element); });
+    return elements;
+}
+
+/// A value as numbers: three for a point, two for a vector, one for a scalar.
+std::vector<double> numbers(const ValueOf<double>& value) {
+    if (const auto* p = std::get_if<PointOf<double>>(&value)) return {p->x, p->y, p->w};
+    if (const auto* v = std::get_if<VectorOf<double>>(&value)) return {v->x, v->y};
+    if (const auto* s = std::get_if<double>(&value)) return {*s};
+    const auto& l = std::get<LineOf<double>>(value);
+    return {l.a, l.b, l.c};
+}
+std::vector<double> replayed(const Replay& replay, int element, const Value& like) {
+    if (std::holds_alternative<ProjectivePoint>(like)) return numbers(replay.point(element));
+    if (std::holds_alternative<Vector>(like)) return numbers(replay.vector(element));
+    return numbers(replay.scalar(element));
+}
+
+/// By plane and by whether it is a scalar: the largest number among all elements.
+class LargestOfKind {
+public:
+    explicit LargestOfKind(const Protocol& protocol) : protocol_(protocol) {
+        for (std::size_t i = 0; i < protocol.values.size(); ++i) {
+            if (std::holds_alternative<ProjectiveLine>(protocol.values[i])) continue;
+            double& largest = largest_[kind_of(i)];
+            for (const double number : numbers(to_double(protocol.values[i]))) largest = std::max(largest, std::abs(number));
+        }
+    }
+    double of(int element) const { return largest_.at(kind_of(at(element))); }
+
+private:
+    std::pair<Plane, bool> kind_of(std::size_t i) const {
+        return {protocol_.program.strokes[i].plane, std::holds_alternative<Exact>(protocol_.values[i])};
+    }
+    const Protocol& protocol_;
+    std::map<std::pair<Plane, bool>, double> largest_;
+};
+
+std::string told(const Guard& guard) {
+    static constexpr std::array names{"coincide",    "parallel", "zero vector", "zero scalar", "on line",
+                                      "at infinity", "sign",     "turn",        "along",       "longer"};
+    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0]) + " " +
+           std::to_string(guard.inputs[1]) + ": " + std::to_string(guard.verdict);
+}
+
+}  // namespace
+
+int idle_strokes(const Solution& solution) {
+    const Program& program = solution.protocol.program;
+    std::vector<bool> needed(program.strokes.size(), false);
+    Protocol drawn = solution.protocol;
+    for_each_drawn(drawn, [&](int& element) { needed[at(element)] = true; });
+    for (const int element : results_of(solution)) needed[at(element)] = true;
+    for (const Guard& guard : program.guards)
+        for (const int input : guard.inputs)
+            if (input >= 0) needed[at(input)] = true;
+    for (std::size_t i = needed.size(); i-- > 0;)
+        for (const int input : program.strokes[i].inputs)
+            if (input >= 0 && needed[i]) needed[at(input)] = true;
+    return static_cast<int>(std::count(needed.begin(), needed.end(), false));
+}
+
+void expect_replays(const Solution& solution) {
+    const Protocol& protocol = solution.protocol;
+    const Program& program = protocol.program;
+    EXPECT_EQ(idle_strokes(solution), 0);
+    const std::vector<Value> givens = givens_of(program, solution.mechanism, solution.pose);
+    const Evaluation again = evaluate(program, givens, solution.pose);
+    ASSERT_FALSE(again.flipped) << "in Exact: " << told(program.guards[at(*again.flipped)]);
+    ASSERT_EQ(again.values.size(), protocol.values.size());
+    for (std::size_t i = 0; i < again.values.size(); ++i)
+        ASSERT_TRUE(identical(again.values[i], protocol.values[i])) << "element " << i;
+
+    Replay replay(program, givens, solution.pose.size.to_double());
+    const auto flipped = replay.run();
+    ASSERT_FALSE(flipped) << "in doubles: " << told(program.guards[at(*flipped)]);
+    const LargestOfKind largest(protocol);
+    constexpr double of_its_kind = 1e-9;
+    for (const int element : results_of(solution)) {
+        const std::vector<double> exact = numbers(to_double(protocol.values[at(element)]));
+        const std::vector<double> found = replayed(replay, element, protocol.values[at(element)]);
+        for (std::size_t c = 0; c < exact.size(); ++c)
+            EXPECT_NEAR(found[c], exact[c], of_its_kind * largest.of(element)) << "element " << element;
+    }
+}
+
+Mechanism with_other_givens(Mechanism mechanism) {
+    int n = 0;
+    // Another factor for each, none of which makes two of them cancel.
+    const auto changed = [&](const Exact& value) { return value * Exact::ratio(7 + 4 * (++n), 5); };
+    for (Driver& driver : mechanism.drivers) {
+        std::visit(
+            [&](auto& given) {
+                if constexpr (requires { given.omega; }) {
+                    given.omega = changed(given.omega);
+                    given.alpha = changed(given.alpha) + Exact::ratio(3, 7) * given.omega * given.omega;
+                } else {
+                    given.speed = changed(given.speed);
+                    given.acceleration = changed(given.acceleration);
+                }
+            },
+            driver);
+    }
+    for (Load& load : mechanism.loads) {
+        if (auto* force = std::get_if<ForceLoad>(&load)) {
+            if (force->value) force->value = changed(1) * *force->value;
+            if (force->magnitude) force->magnitude->first = changed(force->magnitude->first);
+        } else if (auto* couple = std::get_if<CoupleLoad>(&load)) {
+            couple->value = changed(couple->value);
+        } else {
+            auto& spring = std::get<SpringLoad>(load);
+            spring.magnitude = changed(spring.magnitude);
+        }
+    }
+    for (Mass& mass : mechanism.masses) {
+        mass.mass = changed(mass.mass);
+        mass.inertia = changed(mass.inertia);
+    }
+    return mechanism;
+}
+
+bool expect_fresh_solution(const Solution& solution) {
+    const Mechanism other = with_other_givens(solution.mechanism);
+    const Program& program = solution.protocol.program;
+    const Evaluation replayed = evaluate(program, givens_of(program, other, solution.pose), solution.pose);
+    if (replayed.flipped) {
+        EXPECT_LT(at(*replayed.flipped), program.guards.size());
+        return false;
+    }
+    const auto fresh = solve(other);
+    EXPECT_TRUE(fresh);
+    if (!fresh) return true;
+    Solution as_replayed = solution, as_solved = *fresh;
+    read_values(as_replayed, replayed.values);
+    std::vector<ValueOf<double>> one, two;
+
+    std::vector<Value> exact_one, exact_two;
+    for_each_found(as_replayed, [&](int&, auto& value) { exact_one.emplace_back(value); });
+    for_each_found(as_solved, [&](int&, auto& value) { exact_two.emplace_back(value); });
+    EXPECT_EQ(exact_one.size(), exact_two.size());
+    if (exact_one.size() != exact_two.size()) return true;
+    for (std::size_t i = 0; i < exact_one.size(); ++i) {
+        if (solution.pose.exact) {
+            EXPECT_TRUE(identical(exact_one[i], exact_two[i])) << "result " << i;
+            continue;
+        }
+        // Two orders of the same strokes carry the compass' leftovers on differently, far below what a double shows.
+        const auto near = numbers(to_double(exact_one[i])), far = numbers(to_double(exact_two[i]));
+        for (std::size_t c = 0; c < near.size(); ++c)
+            EXPECT_NEAR(near[c], far[c], 1e-12 * (1 + std::abs(far[c]))) << "result " << i;
+    }
+    return true;
+}
+
+}  // namespace kinegraph::tests

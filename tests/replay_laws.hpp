@@ -1,0 +1,20 @@
+// What must hold of every record: it holds no stroke that nothing needs, and whoever replays it gets what it was made with.
+#pragma once
+
+#include "engine/solution.hpp"
+
+namespace kinegraph::tests {
+
+/// Strokes that neither a drawing, nor a result, nor a verdict needs.
+int idle_strokes(const Solution& solution);
+
+/// Replayed in Exact every element is identical; in doubles every result is the same to 1e-9 of the largest of its kind. No guard
+/// flips.
+void expect_replays(const Solution& solution);
+
+/// The mechanism with other speeds, accelerations, loads and masses.
+Mechanism with_other_givens(Mechanism mechanism);
+/// With those the record gives what a fresh solution gives; true if it does, false where a guard flips, which is then named.
+bool expect_fresh_solution(const Solution& solution);
+
+}  // namespace kinegraph::tests
