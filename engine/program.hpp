@@ -254,6 +254,7 @@ struct Magnitude<Exact> {
 
     static Magnitude of(const Exact& value);
     friend Magnitude operator*(const Magnitude& a, const Magnitude& b) { return {a.order + b.order}; }
+    friend Magnitude operator/(const Magnitude& a, const Magnitude& b) { return {a.order - b.order}; }
     friend bool operator<(const Magnitude& a, const Magnitude& b) { return a.order < b.order; }
     /// At most 2^-bits of the unit.
     bool is_below(const Magnitude& unit, int bits) const { return order - unit.order <= -bits; }
@@ -264,6 +265,7 @@ struct Magnitude<double> {
 
     static Magnitude of(double value) { return {std::abs(value)}; }
     friend Magnitude operator*(const Magnitude& a, const Magnitude& b) { return {a.size * b.size}; }
+    friend Magnitude operator/(const Magnitude& a, const Magnitude& b) { return {a.size / b.size}; }
     friend bool operator<(const Magnitude& a, const Magnitude& b) { return a.size < b.size; }
     bool is_below(const Magnitude& unit, int bits) const { return size * static_cast<double>(1ULL << bits) <= unit.size; }
 };
@@ -280,6 +282,15 @@ Magnitude<Number> magnitude_of(const VectorOf<Number>& vector) {
 template <class Number>
 struct Largest {
     std::array<Magnitude<Number>, plane_count> vector, scalar;
+
+    /// What a scalar is small beside: the largest so far, or what the vectors of its plane make with the drawing's size (a couple
+    /// F·l, an angular velocity v/l).
+    Magnitude<Number> beside_scalar(Plane plane) const {
+        const auto at = static_cast<std::size_t>(plane);
+        if (plane == Plane::drawing) return scalar[at];
+        const Magnitude<Number>& size = vector[static_cast<std::size_t>(Plane::drawing)];
+        return std::max(scalar[at], plane == Plane::force ? vector[at] * size : vector[at] / size);
+    }
 
     void note(Plane plane, const VectorOf<Number>& drawn) {
         auto& largest = vector[static_cast<std::size_t>(plane)];
@@ -317,7 +328,8 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
     using Number = typename Memory::Number;
     using Question = Guard::Question;
     const int a = guard.inputs[0], b = guard.inputs[1];
-    const auto plane = static_cast<std::size_t>(strokes[static_cast<std::size_t>(a)].plane);
+    const Plane lies_in = strokes[static_cast<std::size_t>(a)].plane;
+    const auto plane = static_cast<std::size_t>(lies_in);
     const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}}; };
     const auto zero = [](const auto& excess, Magnitude<Number> unit) {
         const Magnitude<Number> size = magnitude_of(excess);
@@ -351,7 +363,7 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
         case Question::zero_vector:
             return zero(memory.vector(a), largest.vector[plane]);
         case Question::zero_scalar:
-            return zero(memory.scalar(a), largest.scalar[plane]);
+            return zero(memory.scalar(a), largest.beside_scalar(lies_in));
         case Question::on_line: {
             const auto& p = memory.point(a);
             const auto& l = memory.line(b);
@@ -362,7 +374,7 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
         case Question::at_infinity:
             return plain(memory.is_line(a) ? memory.line(a).at_infinity() : memory.point(a).at_infinity());
         case Question::sign:
-            return sign(memory.scalar(a), largest.scalar[plane]);
+            return sign(memory.scalar(a), largest.beside_scalar(lies_in));
         case Question::turn_sign:
             return sign(Number(cross(memory.vector(a), memory.vector(b))),
                         magnitude_of(memory.vector(a)) * magnitude_of(memory.vector(b)));

@@ -23,9 +23,12 @@ std::vector<int> results_of(Solution solution) {
     return elements;
 }
 
-/// A value as numbers: three for a point, two for a vector, one for a scalar.
+/// A value as numbers: three for a point, two for a vector, one for a scalar. A point at infinity has a direction and no length.
 std::vector<double> numbers(const ValueOf<double>& value) {
-    if (const auto* p = std::get_if<PointOf<double>>(&value)) return {p->x, p->y, p->w};
+    if (const auto* p = std::get_if<PointOf<double>>(&value)) {
+        const double length = p->at_infinity() ? std::hypot(p->x, p->y) : 1;
+        return {p->x / length, p->y / length, p->w};
+    }
     if (const auto* v = std::get_if<VectorOf<double>>(&value)) return {v->x, v->y};
     if (const auto* s = std::get_if<double>(&value)) return {*s};
     const auto& l = std::get<LineOf<double>>(value);
@@ -114,7 +117,7 @@ Mechanism with_other_givens(Mechanism mechanism) {
             [&](auto& given) {
                 if constexpr (requires { given.omega; }) {
                     given.omega = changed(given.omega);
-                    given.alpha = changed(given.alpha) + Exact::ratio(3, 7) * given.omega * given.omega;
+                    given.alpha = changed(given.alpha);
                 } else {
                     given.speed = changed(given.speed);
                     given.acceleration = changed(given.acceleration);
