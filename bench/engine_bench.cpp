@@ -13,6 +13,7 @@
 #include "engine/check.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
+#include "engine/replay.hpp"
 
 namespace {
 
@@ -98,6 +99,45 @@ void solve_text(benchmark::State& state, const std::string& text) {
     state.counters["strokes"] = static_cast<double>(solution->protocol.program.strokes.size());
     state.counters["bits"] = static_cast<double>(most_bits(*solution));
 }
+
+/// The record of a mechanism cut to some of its results and replayed in doubles, givens and guards and all.
+void replay(benchmark::State& state, const std::string& text, bool with_forces) {
+    Solution solution = *solve(read(text));
+    std::vector<int> wanted;
+    const auto want = [&](const auto& found) {
+        if (found.element() >= 0) wanted.push_back(found.element());
+    };
+    for (const PointMotion& point : solution.points) {
+        want(point.velocity);
+        want(point.acceleration);
+    }
+    for (const BodyMotion& body : solution.bodies) {
+        want(body.omega);
+        want(body.alpha);
+    }
+    if (with_forces) {
+        for (const JointForce& force : solution.forces) {
+            want(force.force);
+            want(force.couple);
+        }
+        for (const EffortValue& effort : solution.efforts) want(effort.value);
+    }
+    const Cut record =
+        cut(solution.protocol.program, wanted, with_forces ? solution.settled.forces : solution.settled.accelerations);
+    Replay replay(record.program, givens_of(record.program, solution.mechanism, solution.pose), solution.pose.size.to_double());
+    for (auto _ : state) {
+        if (replay.run()) return state.SkipWithError("a guard flipped");
+        benchmark::ClobberMemory();
+    }
+    state.counters["strokes"] = static_cast<double>(replay.strokes());
+    state.counters["guards"] = static_cast<double>(record.program.guards.size());
+}
+void BM_ReplayFourBar(benchmark::State& state) { replay(state, example("four_bar"), false); }
+BENCHMARK(BM_ReplayFourBar);
+void BM_ReplayWattSixBar(benchmark::State& state) { replay(state, example("watt_six_bar"), false); }
+BENCHMARK(BM_ReplayWattSixBar);
+void BM_ReplayExamWithForces(benchmark::State& state) { replay(state, example("exam_2001"), true); }
+BENCHMARK(BM_ReplayExamWithForces);
 
 /// Pose, mobility, all centres, both polygons, the second way and the check.
 void BM_FourBar(benchmark::State& state) { solve_text(state, example("four_bar")); }

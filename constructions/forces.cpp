@@ -6,6 +6,7 @@
 
 #include "constructions/force_model.hpp"
 #include "constructions/free_bodies.hpp"
+#include "constructions/trial_size.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -699,8 +700,9 @@ private:
         Run first = run, second = run;
         // Primes, others at each depth: trial values that cancelled each other would look like a body without forces.
         static constexpr int sizes[][2] = {{2, 3}, {5, 7}, {11, 13}, {17, 19}, {23, 29}, {31, 37}, {41, 43}, {47, 53}, {59, 61}};
-        give(first, b, sizes[depth][0]);
-        give(second, b, sizes[depth][1]);
+        const std::optional<Force> largest = largest_of(loads);
+        give(first, b, sizes[depth][0], largest);
+        give(second, b, sizes[depth][1], largest);
         ++trials_;
         for (Run* trial : {&first, &second}) {
             advance(loads, *trial);
@@ -722,16 +724,34 @@ private:
         return false;
     }
 
-    /// Declares a bond known, of a trial size along its line or as a couple.
-    void give(Run& run, int b, int size) {
+    /// A couple as long as a force of so many newtons, to be compared with forces.
+    Force as_force(ScalarHandle couple) { return board_.scale<Plane::force>(couple, board_.own_direction({1, 0})); }
+
+    std::optional<Force> largest_of(const std::vector<Load>& loads) {
+        std::optional<Force> largest;
+        for (const Load& load : loads) {
+            const Force size = load.force ? *load.force : as_force(*load.couple);
+            if (!largest || board_.choose_longer(size, *largest)) largest = size;
+        }
+        return largest;
+    }
+
+    /// Declares a bond known, of a trial size along its line or as a couple; of the order of the largest load.
+    void give(Run& run, int b, int size, const std::optional<Force>& largest) {
         Reaction& reaction = run.reactions[at(b)];
         const Bond& bond = model_.bonds()[at(b)];
         reaction.known = true;
-        if (shape(b, run) == Shape::couple) {
-            reaction.couple = board_.number(size);
+        const bool is_couple = shape(b, run) == Shape::couple;
+        const auto times = [&](const Exact& power) {
+            const ScalarHandle number = board_.number(size * power);
+            return is_couple ? as_force(number) : board_.scale<Plane::force>(number, reaction.action->direction);
+        };
+        const Exact power = largest ? power_of_ten_reaching(board_, *largest, times) : Exact(1);
+        if (is_couple) {
+            reaction.couple = board_.number(size * power);
             return;
         }
-        reaction.force = board_.scale<Plane::force>(board_.number(size), reaction.action->direction);
+        reaction.force = times(power);
         if (bond.kind != Bond::Kind::guide) return;
         const ScalarHandle turning = board_.moment(board_.vector(bond.place, reaction.action->place), *reaction.force);
         if (!board_.is_zero(turning)) reaction.couple = turning;

@@ -6,6 +6,7 @@
 
 #include "constructions/chains.hpp"
 #include "constructions/polygon_pen.hpp"
+#include "constructions/trial_size.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -587,7 +588,6 @@ private:
     template <Plane plane>
     VectorOn<plane> reach(const Track<plane>& track, DirectionHandle direction) {
         const auto times = [&](const Exact& power) { return board_.scale<plane>(board_.number(power), direction); };
-        if (hand_ == Hand::silent) return times(1);
         std::optional<VectorOn<plane>> longest;
         for (const auto& tip : track.tips) {
             if (!tip) continue;
@@ -595,10 +595,7 @@ private:
             if (!longest || board_.choose_longer(vector, *longest)) longest = vector;
         }
         if (!longest || board_.is_zero(*longest)) return times(1);
-        Exact power = 1;
-        while (!board_.choose_longer(times(10 * power), *longest)) power = 10 * power;
-        while (board_.choose_longer(times(power), *longest)) power = power / 10;
-        return times(power);
+        return times(power_of_ten_reaching(board_, *longest, times));
     }
 
     template <Plane plane>

@@ -76,6 +76,7 @@ void Board::rewind(const Mark& mark) {
     std::erase_if(made_, [&](const auto& each) { return is_gone(each.second); });
     std::erase_if(givens_, [&](const auto& each) { return is_gone(each.second); });
     std::erase_if(numbers_, [&](const auto& each) { return is_gone(each.second); });
+    std::erase_if(directions_, [&](const auto& each) { return is_gone(each.second); });
     std::erase_if(asked_, [&](const auto& each) { return each.second >= mark.guards; });
 }
 
@@ -112,7 +113,10 @@ ScalarHandle Board::number(const Exact& value) {
 }
 
 DirectionHandle Board::own_direction(const Vector& direction) {
-    return {enter_given({Given::Kind::direction, -1, direction, {}})};
+    for (const auto& [known, element] : directions_)
+        if (known == direction) return {element};
+    directions_.emplace_back(direction, enter_given({Given::Kind::direction, -1, direction, {}}));
+    return {directions_.back().second};
 }
 
 int Board::pole(Plane plane) { return binary(Verb::pole, plane, -1, -1); }

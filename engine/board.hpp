@@ -397,6 +397,7 @@ private:
     Largest<Exact> largest_, finer_largest_;
     std::map<Key, int> givens_;
     std::vector<std::pair<Exact, int>> numbers_;
+    std::vector<std::pair<Vector, int>> directions_;
     std::map<std::tuple<Guard::Question, int, int>, std::size_t> asked_;
     std::map<std::tuple<Verb, Plane, int, int>, int> made_;  ///< no line is drawn twice
     int current_statement_ = -1;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -310,14 +311,36 @@ struct Answer {
     int verdict = 0;
     bool is_exact = true;  ///< no number was measured, or it is exactly zero
     Magnitude<Number> excess, unit;
+    Magnitude<Number> slack;  ///< beside which rounding alone may make the excess what it is; the unit, or more
 
     bool is_small(int bits) const { return is_exact || excess.is_below(unit, bits); }
+    bool may_be_zero(int bits) const { return is_exact || excess.is_below(slack, bits); }
 };
 
 /// A direction of a vector or a line.
 template <class Memory>
 VectorOf<typename Memory::Number> direction_in(const Memory& memory, int element) {
     return memory.is_line(element) ? memory.line(element).direction() : VectorOf<typename Memory::Number>(memory.vector(element));
+}
+
+/// How large the vectors are of which a direction is the difference: what its rounding is a part of.
+template <class Memory>
+Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory, int element,
+                                            const Largest<typename Memory::Number>& largest) {
+    const Stroke& stroke = strokes[static_cast<std::size_t>(element)];
+    switch (stroke.verb) {
+        case Verb::given_vector:
+            return magnitude_of(memory.vector(element));
+        case Verb::through:
+            return scale_of(strokes, memory, stroke.inputs[1], largest);
+        case Verb::perpendicular:
+        case Verb::turn:
+        case Verb::negate:
+        case Verb::direction_of_line:
+            return scale_of(strokes, memory, stroke.inputs[0], largest);
+        default:
+            return std::max(largest.vector[static_cast<std::size_t>(stroke.plane)], magnitude_of(direction_in(memory, element)));
+    }
 }
 
 /// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the verdict 1
@@ -330,18 +353,18 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
     const int a = guard.inputs[0], b = guard.inputs[1];
     const Plane lies_in = strokes[static_cast<std::size_t>(a)].plane;
     const auto plane = static_cast<std::size_t>(lies_in);
-    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}}; };
+    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}, {}}; };
     const auto zero = [](const auto& excess, Magnitude<Number> unit) {
         const Magnitude<Number> size = magnitude_of(excess);
         if constexpr (requires { excess.is_zero(); }) {
-            return Answer<Number>{excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit};
+            return Answer<Number>{excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit, unit};
         } else {
-            return Answer<Number>{excess == Number(0) ? 1 : 0, excess == Number(0), size, unit};
+            return Answer<Number>{excess == Number(0) ? 1 : 0, excess == Number(0), size, unit, unit};
         }
     };
     const auto sign = [](const Number& value, Magnitude<Number> unit) {
         const int verdict = value == Number(0) ? 0 : value < Number(0) ? -1 : 1;
-        return Answer<Number>{verdict, verdict == 0, magnitude_of(value), unit};
+        return Answer<Number>{verdict, verdict == 0, magnitude_of(value), unit, unit};
     };
     const auto angle = [&](const VectorOf<Number>& d, const VectorOf<Number>& e) {
         return zero(Number(cross(d, e)), magnitude_of(d) * magnitude_of(e));
@@ -358,7 +381,12 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             const bool first = memory.is_line(a) && memory.line(a).at_infinity();
             const bool second = memory.is_line(b) && memory.line(b).at_infinity();
             if (first || second) return plain(first && second);
-            return angle(direction_in(memory, a), direction_in(memory, b));
+            const auto d = direction_in(memory, a), e = direction_in(memory, b);
+            Answer<Number> found = angle(d, e);
+            if constexpr (std::is_same_v<Number, double>)
+                found.slack = std::max(scale_of(strokes, memory, a, largest) * magnitude_of(e),
+                                       magnitude_of(d) * scale_of(strokes, memory, b, largest));
+            return found;
         }
         case Question::zero_vector:
             return zero(memory.vector(a), largest.vector[plane]);

@@ -5,9 +5,11 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// What is this much smaller than what it is small beside is zero in doubles: 2^-30, a millionth of a millimetre in a drawing of
-/// a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten dyads).
+/// What is this much smaller than what it is small beside may be zero in doubles: 2^-30, a millionth of a millimetre in a drawing
+/// of a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten dyads).
 constexpr int zero_bits = 30;
+/// And this much smaller it is nothing: within a thousand roundings of a double.
+constexpr int vanishing_bits = 42;
 
 enum class Kind { point, line, vector, scalar };
 
@@ -106,11 +108,12 @@ void Replay::carry_out_until(std::size_t end) {
     }
 }
 
+/// What was zero may show the rounding of what it is the difference of; what was not must not vanish.
 bool Replay::holds(const Guard& guard) const {
     const auto now = answer(guard, planes_, memory_, largest_);
-    const bool small = !now.is_exact && now.is_small(zero_bits);
-    if (!small) return now.verdict == guard.verdict;
-    return guard.verdict == (asks_for_zero(guard.question) ? 1 : 0);
+    const int zero = asks_for_zero(guard.question) ? 1 : 0;
+    if (guard.verdict == zero) return now.verdict == zero || (!now.is_exact && now.may_be_zero(zero_bits));
+    return now.verdict == guard.verdict && (now.is_exact || !now.is_small(vanishing_bits));
 }
 
 }  // namespace kinegraph

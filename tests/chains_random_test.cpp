@@ -21,6 +21,7 @@
 #include "tests/motion_laws.hpp"
 #include "tests/random_loads.hpp"
 #include "tests/random_mechanism.hpp"
+#include "tests/replay_laws.hpp"
 #include "tests/told.hpp"
 
 namespace kinegraph {
@@ -76,6 +77,7 @@ struct Tally {
     int held = 0;          ///< motion and forces solved, in agreement with the check, obeying all laws
     int motion_only = 0;   ///< the effort acts where it can balance nothing: motion held, and no force that is not determined
     int undetermined = 0;  ///< a dead point or a change point: the check does not solve it either
+    int fresh = 0, flipped = 0;  ///< with other speeds and loads the record gave a fresh solution, or said which verdict changed
 };
 
 bool is_of_forces(const Unsolved& unsolved) { return unsolved.what.sentence == Sentence::all_forces; }
@@ -141,9 +143,10 @@ void hold_text(const std::string& bare_text, std::uint64_t seed, Tally& tally) {
         std::cerr << text;
         return;
     }
-    const NumericMotion motion = check_motion(solution->mechanism, solution->pose);
-    const NumericForces forces = check_forces(solution->mechanism, solution->pose, motion);
     hold_solution(*solution, tally);
+    tests::expect_replays(*solution);
+    constexpr std::uint64_t one_in = 4;  // a fresh solution costs as much as the first
+    if (seed / 4 % one_in == 0) ++(tests::expect_fresh_solution(*solution) ? tally.fresh : tally.flipped);
     if (testing::Test::HasFailure()) std::cerr << text;
 }
 
@@ -164,8 +167,10 @@ void hold_quarter(int quarter) {
     const int counted = tally.held + tally.motion_only;
     EXPECT_LE(tally.undetermined, counted / 5 + 1) << "too few draws that the drivers determine";
     EXPECT_LE(tally.motion_only, counted / 20 + 1);
+    EXPECT_LE(tally.flipped, tally.fresh / 4 + 1) << "few verdicts hang on speeds and loads";
     std::cout << tally.held << " held, " << tally.motion_only << " in their motion only, " << tally.undetermined
-              << " undetermined\n";
+              << " undetermined; with other givens " << tally.fresh << " as fresh solutions, " << tally.flipped
+              << " with a verdict that changed\n";
 }
 
 TEST(RandomChains1, ObeyTheLaws) { hold_quarter(0); }

@@ -12,6 +12,7 @@
 #include "constructions/solve.hpp"
 #include "tests/motion_laws.hpp"
 #include "tests/random_mechanism.hpp"
+#include "tests/replay_laws.hpp"
 #include "tests/told.hpp"
 
 namespace kinegraph {
@@ -30,6 +31,7 @@ void hold(std::uint64_t seed) {
     EXPECT_EQ(solution->mobility.effective, random.freedoms);
     EXPECT_TRUE(random.by_compass || solution->pose.exact);
     expect_whole_motion(*solution);
+    tests::expect_replays(*solution);
     if (testing::Test::HasFailure()) std::cerr << random.text;
 }
 

@@ -67,6 +67,23 @@ std::string told(const Guard& guard) {
            std::to_string(guard.inputs[1]) + ": " + std::to_string(guard.verdict);
 }
 
+/// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of concurrency, is a
+/// choice of the planner's.
+void put_in_order(Solution& solution) {
+    const auto by_name = [](const auto& a, const auto& b) { return name_of(a.symbol) < name_of(b.symbol); };
+    for (FreeBody& body : solution.free_bodies) {
+        std::sort(body.forces.begin(), body.forces.end(), by_name);
+        body.meets.clear();
+        body.meet_elements.clear();
+    }
+    std::sort(solution.free_bodies.begin(), solution.free_bodies.end(),
+              [](const FreeBody& a, const FreeBody& b) { return std::pair(a.body, a.pin) < std::pair(b.body, b.pin); });
+    if (!solution.virtual_work) return;
+    auto& entries = solution.virtual_work->entries;
+    std::sort(entries.begin(), entries.end(), by_name);
+    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.body < b.body; });
+}
+
 }  // namespace
 
 int idle_strokes(const Solution& solution) {
@@ -156,7 +173,8 @@ bool expect_fresh_solution(const Solution& solution) {
     if (!fresh) return true;
     Solution as_replayed = solution, as_solved = *fresh;
     read_values(as_replayed, replayed.values);
-    std::vector<ValueOf<double>> one, two;
+    put_in_order(as_replayed);
+    put_in_order(as_solved);
 
     std::vector<Value> exact_one, exact_two;
     for_each_found(as_replayed, [&](int&, auto& value) { exact_one.emplace_back(value); });
