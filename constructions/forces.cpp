@@ -710,18 +710,33 @@ private:
         }
         --trials_;
         if (!first.complete || !second.complete) return false;
-        for (int member = 1; member < model_.members(); ++member) {
-            const auto gap_1 = gaps(member, loads, first), gap_2 = gaps(member, loads, second);
-            for (std::size_t c = 0; c < gap_1.size(); ++c) {
-                const ScalarHandle change = board_.difference(gap_1[c], gap_2[c]);
-                if (board_.is_zero(change)) continue;
-                const ScalarHandle share = board_.quotient(gap_1[c], change);
-                run = combine(first, board_.difference(board_.number(1), share), second, share);
-                run.complete = true;
-                return true;
+        const auto [gap, change] = clearest_gap(loads, first, second);
+        if (!change) return false;
+        const ScalarHandle share = board_.quotient(gap, *change);
+        run = combine(first, board_.difference(board_.number(1), share), second, share);
+        run.complete = true;
+        return true;
+    }
+
+    /// Of what does not close in the first trial that which changes most to the second: components before moments.
+    std::pair<ScalarHandle, std::optional<ScalarHandle>> clearest_gap(const std::vector<Load>& loads, const Run& first,
+                                                                      const Run& second) {
+        ScalarHandle gap;
+        std::optional<ScalarHandle> largest;
+        for (const auto& components : {std::vector<std::size_t>{0, 1}, std::vector<std::size_t>{2}}) {
+            for (int member = 1; member < model_.members(); ++member) {
+                const auto gap_1 = gaps(member, loads, first), gap_2 = gaps(member, loads, second);
+                for (const std::size_t c : components) {
+                    const ScalarHandle change = board_.difference(gap_1[c], gap_2[c]);
+                    if (board_.is_zero(change)) continue;
+                    if (largest && !board_.choose_longer(as_force(change), as_force(*largest))) continue;
+                    gap = gap_1[c];
+                    largest = change;
+                }
             }
+            if (largest) break;
         }
-        return false;
+        return {gap, largest};
     }
 
     /// A couple as long as a force of so many newtons, to be compared with forces.

@@ -8,9 +8,12 @@ namespace kinegraph::tests {
 /// Strokes that neither a drawing, nor a result, nor a verdict needs.
 int idle_strokes(const Solution& solution);
 
-/// Replayed in Exact every element is identical; in doubles every result is the same to 1e-9 of the largest of its kind. No guard
-/// flips.
-void expect_replays(const Solution& solution);
+/// Replayed in Exact, every element is identical and no guard flips.
+void expect_identical_replay(const Solution& solution);
+/// Replayed in doubles: by how much the worst result differs, as a part of the largest of its kind; infinite where a guard flips.
+double difference_in_doubles(const Solution& solution);
+/// What doubles may lose.
+constexpr double loss_in_doubles = 1e-9;
 
 /// The mechanism with other speeds, accelerations, loads and masses.
 Mechanism with_other_givens(Mechanism mechanism);
