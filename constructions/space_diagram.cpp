@@ -42,7 +42,7 @@ DirectionHandle SpaceDiagram::direction(const Locus& locus) {
             return board_.guide(locus.joint);
         case Locus::Kind::slot: {
             const Joint& joint = structure_.mechanism().joints[at(locus.joint)];
-            if (joint.kind == JointKind::contact) return tangent();
+            if (joint.pair().touches()) return tangent();
             return joint.arc >= 0 ? board_.perpendicular(board_.normal(locus.joint)) : board_.guide(locus.joint);
         }
         case Locus::Kind::tangent:
