@@ -72,12 +72,13 @@ void InstantCentres::primary(JointIndex j) {
 void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j) {
     const Joint& joint = structure_.mechanism().joints[at(index_of_joint)];
     Pair& entry = pair(i, j);
-    const PlanePair::Centre lies = joint.pair().centre();
+    const PlanePair& known = joint.pair();
+    const PlanePair::Centre lies = known.centre();
     if (lies == PlanePair::Centre::on_normal) {
         entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
         return;
     }
-    if (entry.centre.everywhere) return;
+    if (entry.centre.everywhere || !known.primary) return;
     const auto names = [&] {
         return std::vector<Argument>{symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}};
     };
@@ -85,7 +86,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         entry.centre.everywhere = true;
         entry.centre.how = InstantCentre::How::primary;
         entry.centre.order = order_++;
-        entry.centre.statement = say(*joint.pair().primary, names());
+        entry.centre.statement = say(*known.primary, names());
         return;
     }
     const auto place = [&] {
@@ -97,7 +98,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         if (!board_.coincide(*entry.point, place())) entry.centre.everywhere = true;
         return;
     }
-    entry.centre.statement = say(*joint.pair().primary, {});
+    entry.centre.statement = say(*known.primary, {});
     settle(entry, place(), InstantCentre::How::primary);
     board_.statement(entry.centre.statement).message.arguments = names();
 }
