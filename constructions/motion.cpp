@@ -169,7 +169,8 @@ private:
             begin<plane>(either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
                          {spin_of<plane>(step.body), body(step.body), place_of(joint)}, "");
         else
-            begin<plane>(either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve),
+            begin<plane>(joint.pair().is_sleeve() ? either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve)
+                                                  : either<plane>(Sentence::omega_by_joint, Sentence::alpha_by_joint),
                          {spin_of<plane>(step.body), spin_of<plane>(step.other), place_of(joint)}, "");
         track.spins[at(step.body)] = track.spin(step.other);
     }

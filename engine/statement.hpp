@@ -34,6 +34,8 @@ enum class Sentence {
     alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body
     omega_by_sleeve,  ///< {0} omega of body, {1} omega of the other, {2} joint's point: a sleeve lets no relative rotation
     alpha_by_sleeve,
+    omega_by_joint,  ///< the same for another joint that holds the rotation
+    alpha_by_joint,
     omega_by_fixed_guide,  ///< {0} omega, {1} body, {2} joint's point: the sleeve's guide is at rest, so it does not turn
     alpha_by_fixed_guide,
     omega_by_driver,  ///< {0} omega, {1} omega of the reference body

@@ -5,12 +5,15 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string>
 
 #include "engine/constraint_rows.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pair_catalogue.hpp"
 #include "render/tables/pair_tables.hpp"
 #include "tests/sketch.hpp"
+#include "tests/solved.hpp"
+#include "tests/told.hpp"
 
 namespace kinegraph {
 namespace {
@@ -71,6 +74,16 @@ TEST(Catalogue, PutsTheCentreWhereTheRowsLeaveIt) {
         const bool told = pair.primary.has_value();
         EXPECT_EQ(told, centre != Centre::on_normal) << pair.key << ": what the pair alone tells is said";
     }
+}
+
+TEST(Pairs, OnlyASleeveIsCalledASleeve) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "points": {"O": [0, 0], "A": [3, 4], "B": [7, 1]},
+        "bodies": {"1": ["O", "A"], "2": ["A", "B"]}, "drivers": [{"body": 1, "omega": 2}],
+        "joints": [{"revolute": "O", "bodies": [0, 1]}, {"weld": "A", "bodies": [1, 2]}]})");
+    std::string said;
+    for (const Statement& statement : solution.protocol.statements) said += english(statement.message) + "\n";
+    EXPECT_NE(said.find("The joint at A allows no relative turning"), std::string::npos) << said;
+    EXPECT_EQ(said.find("sleeve"), std::string::npos) << said;
 }
 
 TEST(Catalogue, InSpaceMotionsAndReactionsAreSix) {

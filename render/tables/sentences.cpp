@@ -27,6 +27,8 @@ const Symbol* turning_found(const Message& message) {
         case Sentence::alpha_from_pair:
         case Sentence::omega_by_sleeve:
         case Sentence::alpha_by_sleeve:
+        case Sentence::omega_by_joint:
+        case Sentence::alpha_by_joint:
         case Sentence::omega_by_fixed_guide:
         case Sentence::alpha_by_fixed_guide:
         case Sentence::omega_by_driver:
