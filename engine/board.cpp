@@ -136,7 +136,8 @@ int Board::make(Verb verb, Plane plane, int a, int b) {
     stroke.inputs[0] = a;
     stroke.inputs[1] = b;
     // What elsewhere would divide by zero is guarded here once and for all.
-    if (verb == Verb::through || verb == Verb::ratio || verb == Verb::arm) ask(Guard::Question::zero_vector, b, -1);
+    if (verb == Verb::through || verb == Verb::ratio || verb == Verb::arm)
+        ask(Guard::Question::zero_vector, before_turning(protocol_.program, b), -1);
     if (verb == Verb::quotient) ask(Guard::Question::zero_scalar, b, -1);
     struct Once {
         using Number = Exact;
@@ -167,16 +168,14 @@ int Board::join(Plane plane, int p, int q) {
 }
 
 int Board::meet(Plane plane, int l, int m) {
-    if (!ask(Guard::Question::parallel, l, m)) {
-        const bool first = ask(Guard::Question::at_infinity, l, -1) != 0, second = ask(Guard::Question::at_infinity, m, -1) != 0;
-        return binary(first || second ? Verb::meet_at_infinity : Verb::meet, plane, l, m);
-    }
-    if (ask(Guard::Question::at_infinity, l, -1)) return -1;
+    const auto at_infinity = [&](int element) { return kinegraph::is_at_infinity(protocol_.program, element); };
+    if (!ask(Guard::Question::parallel, l, m))
+        return binary(at_infinity(l) || at_infinity(m) ? Verb::meet_at_infinity : Verb::meet, plane, l, m);
+    if (at_infinity(l)) return -1;
     // Parallel: the same line where a point of one lies on the other.
     const Stroke& first = protocol_.program.strokes[position(l)];
-    int on_first = first.inputs[0];
-    if (first.verb == Verb::join && ask(Guard::Question::at_infinity, on_first, -1)) on_first = first.inputs[1];
-    if (ask(Guard::Question::on_line, on_first, m)) return -1;
+    const bool far = first.verb == Verb::join && at_infinity(first.inputs[0]);
+    if (ask(Guard::Question::on_line, first.inputs[far ? 1 : 0], m)) return -1;
     return binary(Verb::meet_at_infinity, plane, l, m);
 }
 

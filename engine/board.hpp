@@ -297,7 +297,7 @@ public:
     }
     template <Plane plane>
     bool is_zero(VectorOn<plane> v) {
-        return ask(Guard::Question::zero_vector, v.element, -1) != 0;
+        return ask(Guard::Question::zero_vector, before_turning(protocol_.program, v.element), -1) != 0;
     }
     bool is_zero(ScalarHandle s) { return ask(Guard::Question::zero_scalar, s.element, -1) != 0; }
     template <Plane plane>
@@ -305,12 +305,12 @@ public:
         return ask(Guard::Question::on_line, p.element, l.element) != 0;
     }
     template <Plane plane>
-    bool is_at_infinity(PointOn<plane> p) {
-        return ask(Guard::Question::at_infinity, p.element, -1) != 0;
+    bool is_at_infinity(PointOn<plane> p) const {
+        return kinegraph::is_at_infinity(protocol_.program, p.element);
     }
     template <Plane plane>
-    bool is_at_infinity(LineOn<plane> l) {
-        return ask(Guard::Question::at_infinity, l.element, -1) != 0;
+    bool is_at_infinity(LineOn<plane> l) const {
+        return kinegraph::is_at_infinity(protocol_.program, l.element);
     }
     /// −1, 0, 1.
     int sign(ScalarHandle s) { return ask(Guard::Question::sign, s.element, -1); }

@@ -194,6 +194,27 @@ ValueOf<double> to_double(const Value& value) {
     return near(std::get<Exact>(value));
 }
 
+bool is_at_infinity(const Program& program, int element) {
+    const Stroke& stroke = program.strokes[at(element)];
+    switch (stroke.verb) {
+        case Verb::point_at_infinity:
+        case Verb::meet_at_infinity:
+            return true;
+        case Verb::through:
+            return is_at_infinity(program, stroke.inputs[0]);
+        case Verb::join:
+            return is_at_infinity(program, stroke.inputs[0]) && is_at_infinity(program, stroke.inputs[1]);
+        default:
+            return false;
+    }
+}
+
+int before_turning(const Program& program, int element) {
+    const Stroke& stroke = program.strokes[at(element)];
+    const bool turns = stroke.verb == Verb::perpendicular || stroke.verb == Verb::turn || stroke.verb == Verb::negate;
+    return turns ? before_turning(program, stroke.inputs[0]) : element;
+}
+
 bool identical(const Value& a, const Value& b) {
     if (a.index() != b.index()) return false;
     if (const auto* p = std::get_if<ProjectivePoint>(&a)) {

@@ -113,12 +113,11 @@ struct Guard {
         parallel,     ///< two directions or lines
         zero_vector,  ///< …
         zero_scalar,
-        on_line,      ///< a point and a line
-        at_infinity,  ///< a point or a line
-        sign,         ///< of a scalar: −1, 0, 1
-        turn_sign,    ///< of two vectors: 1 where the second is turned counter-clockwise from the first by less than 180°
-        along_sign,   ///< of two vectors: 1 where the second has a part along the first, −1 where against it
-        longer        ///< of two vectors: the first is
+        on_line,     ///< a point and a line
+        sign,        ///< of a scalar: −1, 0, 1
+        turn_sign,   ///< of two vectors: 1 where the second is turned counter-clockwise from the first by less than 180°
+        along_sign,  ///< of two vectors: 1 where the second has a part along the first, −1 where against it
+        longer       ///< of two vectors: the first is
     } question = Question::coincide;
     enum class How : std::uint8_t {
         exactly,
@@ -135,6 +134,11 @@ struct Program {
     std::vector<Stroke> strokes;
     std::vector<Guard> guards;  ///< in the order asked
 };
+
+/// Whether a point or a line lies at infinity: its verb tells, for the verb was chosen by what the guards say.
+bool is_at_infinity(const Program& program, int element);
+/// The vector that was turned or reversed to make a direction: they vanish together.
+int before_turning(const Program& program, int element);
 
 /// The values of a program's givens in the mechanism's pose (or another of its poses). Lengths in m, all SI.
 std::vector<Value> givens_of(const Program& program, const Mechanism& mechanism, const Pose& pose);
@@ -311,10 +315,8 @@ struct Answer {
     int verdict = 0;
     bool is_exact = true;  ///< no number was measured, or it is exactly zero
     Magnitude<Number> excess, unit;
-    Magnitude<Number> slack;  ///< beside which rounding alone may make the excess what it is; the unit, or more
 
     bool is_small(int bits) const { return is_exact || excess.is_below(unit, bits); }
-    bool may_be_zero(int bits) const { return is_exact || excess.is_below(slack, bits); }
 };
 
 /// A direction of a vector or a line.
@@ -343,6 +345,15 @@ Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, 
     }
 }
 
+/// Beside what rounding alone may make the excess of two directions that are parallel.
+template <class Memory>
+Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const std::vector<Stroke>& strokes,
+                                                      const Memory& memory, const Largest<typename Memory::Number>& largest) {
+    const int a = guard.inputs[0], b = guard.inputs[1];
+    return std::max(scale_of(strokes, memory, a, largest) * magnitude_of(direction_in(memory, b)),
+                    magnitude_of(direction_in(memory, a)) * scale_of(strokes, memory, b, largest));
+}
+
 /// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the verdict 1
 /// says that the excess is exactly zero.
 template <class Memory>
@@ -353,18 +364,18 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
     const int a = guard.inputs[0], b = guard.inputs[1];
     const Plane lies_in = strokes[static_cast<std::size_t>(a)].plane;
     const auto plane = static_cast<std::size_t>(lies_in);
-    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}, {}}; };
+    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}}; };
     const auto zero = [](const auto& excess, Magnitude<Number> unit) {
         const Magnitude<Number> size = magnitude_of(excess);
         if constexpr (requires { excess.is_zero(); }) {
-            return Answer<Number>{excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit, unit};
+            return Answer<Number>{excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit};
         } else {
-            return Answer<Number>{excess == Number(0) ? 1 : 0, excess == Number(0), size, unit, unit};
+            return Answer<Number>{excess == Number(0) ? 1 : 0, excess == Number(0), size, unit};
         }
     };
     const auto sign = [](const Number& value, Magnitude<Number> unit) {
         const int verdict = value == Number(0) ? 0 : value < Number(0) ? -1 : 1;
-        return Answer<Number>{verdict, verdict == 0, magnitude_of(value), unit, unit};
+        return Answer<Number>{verdict, verdict == 0, magnitude_of(value), unit};
     };
     const auto angle = [&](const VectorOf<Number>& d, const VectorOf<Number>& e) {
         return zero(Number(cross(d, e)), magnitude_of(d) * magnitude_of(e));
@@ -381,12 +392,7 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             const bool first = memory.is_line(a) && memory.line(a).at_infinity();
             const bool second = memory.is_line(b) && memory.line(b).at_infinity();
             if (first || second) return plain(first && second);
-            const auto d = direction_in(memory, a), e = direction_in(memory, b);
-            Answer<Number> found = angle(d, e);
-            if constexpr (std::is_same_v<Number, double>)
-                found.slack = std::max(scale_of(strokes, memory, a, largest) * magnitude_of(e),
-                                       magnitude_of(d) * scale_of(strokes, memory, b, largest));
-            return found;
+            return angle(direction_in(memory, a), direction_in(memory, b));
         }
         case Question::zero_vector:
             return zero(memory.vector(a), largest.vector[plane]);
@@ -399,8 +405,6 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             if (p.at_infinity()) return angle(p.place(), l.direction());
             return zero(Number(l.a * p.x + l.b * p.y + l.c), magnitude_of(l.direction()) * largest.vector[plane]);
         }
-        case Question::at_infinity:
-            return plain(memory.is_line(a) ? memory.line(a).at_infinity() : memory.point(a).at_infinity());
         case Question::sign:
             return sign(memory.scalar(a), largest.beside_scalar(lies_in));
         case Question::turn_sign:

@@ -42,27 +42,29 @@ Kind kind_of(Verb verb) {
 
 }  // namespace
 
-Replay::Replay(const Program& program, const std::vector<Value>& givens, double size) {
-    const std::size_t count = program.strokes.size();
+Replay::Replay(const Program& program, const std::vector<Value>& givens, double size) : strokes_(program.strokes) {
+    const std::size_t count = strokes_.size();
     memory_.cells.resize(count);
     memory_.lines.resize(count);
-    cells_of_given_.resize(program.givens.size(), -1);
+    element_of_given_.resize(program.givens.size(), -1);
     std::vector<int> made(count + 1, 0);  // by stroke: how many are carried out before it
     for (std::size_t i = 0; i < count; ++i) {
-        const Stroke& stroke = program.strokes[i];
-        const auto cell = static_cast<int>(i);
-        slots_.push_back(cell);
-        planes_.push_back(stroke);
-        memory_.lines[i] = kind_of(stroke.verb) == Kind::line ? 1 : 0;
+        const Stroke& stroke = strokes_[i];
+        const auto element = static_cast<int>(i);
+        const Kind kind = kind_of(stroke.verb);
+        const bool is_small_beside_size = stroke.plane == Plane::drawing && kind != Kind::scalar;
+        memory_.lines[i] = kind == Kind::line ? 1 : 0;
+        noted_.push_back(kind == Kind::line || is_small_beside_size ? Noted::nothing
+                         : kind == Kind::scalar                     ? Noted::scalar
+                                                                    : Noted::vector);
         if (stroke.given >= 0) {
-            cells_of_given_[at(stroke.given)] = cell;
+            element_of_given_[at(stroke.given)] = element;
         } else if (stroke.verb == Verb::pole) {
-            carry_out(stroke, cell, memory_);
+            carry_out(stroke, element, memory_);
         } else {
-            strokes_.push_back(stroke);
-            outputs_.push_back(cell);
+            carried_out_.push_back(element);
         }
-        made[i + 1] = static_cast<int>(strokes_.size());
+        made[i + 1] = static_cast<int>(carried_out_.size());
     }
     for (Guard guard : program.guards) {
         guard.before = made[at(guard.before)];
@@ -73,47 +75,45 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
 }
 
 void Replay::give(int given, const ValueOf<double>& value) {
-    const int cell = cells_of_given_[at(given)];
-    std::visit([&](const auto& number) { memory_.put(cell, number); }, value);
+    const int element = element_of_given_[at(given)];
+    std::visit([&](const auto& number) { memory_.put(element, number); }, value);
 }
 
 std::optional<int> Replay::run() {
     largest_ = at_start_;
-    for (const int cell : cells_of_given_) note(cell);
+    for (const int element : element_of_given_) note(element);
     next_ = 0;
-    for (std::size_t i = 0; i < guards_.size(); ++i) {
+    const std::size_t count = guards_.size();
+    for (std::size_t i = 0; i < count; ++i) {
         carry_out_until(at(guards_[i].before));
         if (!holds(guards_[i])) return static_cast<int>(i);
     }
-    carry_out_until(strokes_.size());
+    carry_out_until(carried_out_.size());
     return std::nullopt;
 }
 
-void Replay::note(int cell) {
-    const Stroke& stroke = planes_[at(cell)];
-    switch (kind_of(stroke.verb)) {
-        case Kind::scalar:
-            return largest_.note(stroke.plane, memory_.scalar(cell));
-        case Kind::line:
-            return;
-        default:
-            return largest_.note(stroke.plane, memory_.vector(cell));
-    }
+inline void Replay::note(int element) {
+    const Noted noted = noted_[at(element)];
+    if (noted == Noted::vector) largest_.note(strokes_[at(element)].plane, memory_.vector(element));
+    if (noted == Noted::scalar) largest_.note(strokes_[at(element)].plane, memory_.scalar(element));
 }
 
-void Replay::carry_out_until(std::size_t end) {
+inline void Replay::carry_out_until(std::size_t end) {
     for (; next_ < end; ++next_) {
-        carry_out(strokes_[next_], outputs_[next_], memory_);
-        note(outputs_[next_]);
+        const int element = carried_out_[next_];
+        carry_out(strokes_[at(element)], element, memory_);
+        note(element);
     }
 }
 
 /// What was zero may show the rounding of what it is the difference of; what was not must not vanish.
-bool Replay::holds(const Guard& guard) const {
-    const auto now = answer(guard, planes_, memory_, largest_);
+inline bool Replay::holds(const Guard& guard) const {
+    const auto now = answer(guard, strokes_, memory_, largest_);
     const int zero = asks_for_zero(guard.question) ? 1 : 0;
-    if (guard.verdict == zero) return now.verdict == zero || (!now.is_exact && now.may_be_zero(zero_bits));
-    return now.verdict == guard.verdict && (now.is_exact || !now.is_small(vanishing_bits));
+    if (guard.verdict != zero) return now.verdict == guard.verdict && (now.is_exact || !now.is_small(vanishing_bits));
+    if (now.verdict == zero || (!now.is_exact && now.is_small(zero_bits))) return true;
+    return guard.question == Guard::Question::parallel && !now.is_exact &&
+           now.excess.is_below(slack_of_parallels(guard, strokes_, memory_, largest_), zero_bits);
 }
 
 }  // namespace kinegraph

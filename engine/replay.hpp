@@ -2,6 +2,7 @@
 // running it allocates nothing. For sweeps, plots and pages that move.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,10 +21,10 @@ public:
     /// evaluated. Givens that are not finite, or a division by what a guard should have excluded, show as values that are not.
     std::optional<int> run();
 
-    PointOf<double> point(int element) const { return memory_.point(slot(element)); }
-    VectorOf<double> vector(int element) const { return memory_.vector(slot(element)); }
-    double scalar(int element) const { return memory_.scalar(slot(element)); }
-    std::size_t strokes() const { return strokes_.size(); }  ///< those carried out by a run; givens and poles are not
+    PointOf<double> point(int element) const { return memory_.point(element); }
+    VectorOf<double> vector(int element) const { return memory_.vector(element); }
+    double scalar(int element) const { return memory_.scalar(element); }
+    std::size_t strokes() const { return carried_out_.size(); }  ///< those carried out by a run; givens and poles are not
 
 private:
     /// Elements in a row, three numbers each.
@@ -46,20 +47,21 @@ private:
         void put(int i, const VectorOf<double>& v) { cells[static_cast<std::size_t>(i)] = {v.x, v.y, 0}; }
         void put(int i, double s) { cells[static_cast<std::size_t>(i)] = {s, 0, 0}; }
     };
-    int slot(int element) const { return slots_[static_cast<std::size_t>(element)]; }
-    void note(int cell);
+    void note(int element);
     void carry_out_until(std::size_t end);
     bool holds(const Guard& guard) const;
 
-    std::vector<Stroke> strokes_;      ///< inputs are cells
-    std::vector<Stroke> planes_;       ///< by cell: for predicates, which plane it lies in
-    std::vector<int> outputs_;         ///< by stroke of strokes_: its cell
-    std::vector<Guard> guards_;        ///< inputs are cells, `before` counts strokes_
-    std::vector<int> slots_;           ///< by element: its cell
-    std::vector<int> cells_of_given_;  ///< by given
+    /// What is noted of an element for what others are small beside.
+    enum class Noted : std::uint8_t { nothing, vector, scalar };
+
+    std::vector<Stroke> strokes_;   ///< all, by element
+    std::vector<Noted> noted_;      ///< by element
+    std::vector<int> carried_out_;  ///< the elements that a run makes: all but givens and poles
+    std::vector<Guard> guards_;     ///< `before` counts carried_out_
+    std::vector<int> element_of_given_;
     Memory memory_;
     Largest<double> at_start_, largest_;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0;  ///< how far the run is in carried_out_
 };
 
 }  // namespace kinegraph

@@ -62,8 +62,8 @@ private:
 };
 
 std::string told(const Guard& guard) {
-    static constexpr std::array names{"coincide",    "parallel", "zero vector", "zero scalar", "on line",
-                                      "at infinity", "sign",     "turn",        "along",       "longer"};
+    static constexpr std::array names{"coincide", "parallel", "zero vector", "zero scalar", "on line",
+                                      "sign",     "turn",     "along",       "longer"};
     return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0]) + " " +
            std::to_string(guard.inputs[1]) + ": " + std::to_string(guard.verdict);
 }
