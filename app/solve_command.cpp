@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/painter.hpp"
 #include "constructions/solve.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/figure_alone.hpp"
@@ -44,6 +45,8 @@ struct Target {
     }
 };
 
+bool is_painted(const Target& target) { return target.format == Format::png || target.format == Format::pdf; }
+
 /// What is to be written, or why the command line cannot be meant so.
 tl::expected<std::vector<Target>, std::string> targets_of(const SolveRequest& request) {
     std::vector<std::string> paths = request.outputs;
@@ -80,7 +83,7 @@ std::string in_english(const Message& message) { return render::tell(message, re
 /// All bytes of a run, under the names they get. Remarks are added to `remarks`.
 std::vector<Output> outputs_of(const Solution& solution, const std::vector<Target>& targets, const SolveRequest& request,
                                const std::vector<render::Page>& pages, const std::optional<render::Fonts>& fonts,
-                               std::vector<std::string>& remarks) {
+                               const std::optional<Painter>& painter, std::vector<std::string>& remarks) {
     std::vector<Output> outputs;
     for (const Target& target : targets) {
         if (target.format == Format::json) {
@@ -88,7 +91,7 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
             continue;
         }
         if (target.format == Format::pdf) {
-            outputs.push_back({target.path, render::to_pdf(pages, *fonts)});
+            outputs.push_back({target.path, painter->to_pdf(pages, *fonts)});
             continue;
         }
         const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
@@ -99,7 +102,7 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
                 outputs.push_back({target.path_of_page(page), std::move(texts[page])});
         } else {
             for (std::size_t page = 0; page < count; ++page)
-                outputs.push_back({target.path_of_page(page), render::to_png(pages[page], *fonts, request.dpi)});
+                outputs.push_back({target.path_of_page(page), painter->to_png(pages[page], *fonts, request.dpi)});
         }
         if (count < pages.size())
             remarks.push_back("the sheet has " + std::to_string(pages.size()) +
@@ -178,6 +181,7 @@ Status solve_command(const SolveRequest& request) {
         outputs.push_back({"-", render::results_table(*solution, request.language)});
     } else {
         std::optional<render::Fonts> fonts;
+        std::optional<Painter> painter;
         std::vector<render::Page> pages;
         if (draws) {
             auto opened = render::Fonts::open();
@@ -186,6 +190,14 @@ Status solve_command(const SolveRequest& request) {
                 return Status::output;
             }
             fonts.emplace(*std::move(opened));
+            if (std::any_of(targets->begin(), targets->end(), is_painted)) {
+                auto loaded = Painter::open();
+                if (!loaded) {
+                    say("kinegraph", loaded.error());
+                    return Status::output;
+                }
+                painter.emplace(*std::move(loaded));
+            }
             render::SheetOptions options;
             options.paper = request.paper;
             options.language = request.language;
@@ -209,7 +221,7 @@ Status solve_command(const SolveRequest& request) {
                 return Status::bad_input;
             }
         }
-        outputs = outputs_of(*solution, *targets, request, pages, fonts, remarks);
+        outputs = outputs_of(*solution, *targets, request, pages, fonts, painter, remarks);
     }
     if (wants_lever) {
         if (const char* why = why_no_lever(*solution); *why)

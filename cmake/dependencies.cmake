@@ -6,7 +6,6 @@ include(${CMAKE_CURRENT_LIST_DIR}/link_dependencies.cmake)
 # Headers alone, met only in our sources.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json 3.11 REQUIRED)
-find_package(valijson REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 # CGAL is used as headers over GMP; its own find_package looks for much that we do not use and sets flags for all.
 find_path(CGAL_INCLUDE_DIR CGAL/Simple_cartesian.h REQUIRED)
@@ -14,4 +13,4 @@ mark_as_advanced(CGAL_INCLUDE_DIR)
 
 add_library(kinegraph_headers INTERFACE)
 target_include_directories(kinegraph_headers SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
-target_link_libraries(kinegraph_headers INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json valijson CLI11::CLI11)
+target_link_libraries(kinegraph_headers INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)

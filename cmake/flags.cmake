@@ -18,7 +18,8 @@ target_compile_options(kinegraph_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -ffp-contract=off                                 # the same program gives the same bits
     -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=        # no path of this machine in any output
-    -ffunction-sections -fdata-sections)
+    -ffunction-sections -fdata-sections
+    -fno-semantic-interposition)                      # nobody puts a function of his own in the place of one of ours
 
 if(KINEGRAPH_SANITIZE)
     # Everything that is linked together must agree, so these are for the whole tree.

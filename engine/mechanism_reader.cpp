@@ -20,7 +20,6 @@
 #include "engine/mechanism.hpp"
 #include "engine/point_cycles.hpp"
 #include "engine/scale_text.hpp"
-#include "engine/schema_gate.hpp"
 #include "engine/spelling.hpp"
 #include "engine/units.hpp"
 
@@ -907,13 +906,7 @@ std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { re
 Result<Mechanism> read_mechanism(std::string_view text, std::string source) {
     const Result<JsonSource> json = JsonSource::read(text);
     if (!json) return tl::make_unexpected(json.error());
-    Result<Mechanism> mechanism = Reader(*json, std::move(source)).read();
-    if (!mechanism) return mechanism;
-    // A gap in our checks is one of form and shows in small files; large ones need not wait for it.
-    constexpr std::size_t largest_gated = std::size_t{1} << 20U;
-    if (text.size() > largest_gated) return mechanism;
-    if (Errors refused = refused_by_schema(text); !refused.empty()) return tl::make_unexpected(std::move(refused));
-    return mechanism;
+    return Reader(*json, std::move(source)).read();
 }
 
 }  // namespace kinegraph

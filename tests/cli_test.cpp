@@ -278,6 +278,22 @@ TEST_F(CommandLine, OutputsAreWrittenAllOrNone) {
     EXPECT_EQ(changed_since(before), "");
 }
 
+TEST_F(CommandLine, CairoIsLoadedForPngAndPdfAlone) {
+    fs::create_directory(folder_ / "alone");
+    fs::copy(KINEGRAPH_PROGRAM, folder_ / "alone/kinegraph");
+    program_ = "alone/kinegraph";
+    EXPECT_EQ(run("solve four_bar.json -o a.svg -o a.json").status, 0);
+    const auto before = snapshot();
+    for (const char* painted : {"solve four_bar.json -o b.svg -o b.png", "solve four_bar.json -o b.pdf"}) {
+        const Outcome outcome = run(painted);
+        EXPECT_EQ(outcome.status, 4) << painted;
+        EXPECT_TRUE(lines_are(
+            outcome.err,
+            "kinegraph: PNG and PDF are drawn by a module of the program, which cannot be loaded: kinegraph_cairo.so: .*"));
+        EXPECT_EQ(changed_since(before), "") << painted;
+    }
+}
+
 TEST_F(CommandLine, AnOutputKeepsItsModeAndItsLink) {
     write("target.svg", "old");
     fs::permissions(folder_ / "target.svg", static_cast<fs::perms>(0640));

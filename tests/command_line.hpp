@@ -60,8 +60,8 @@ protected:
         const std::string err = (streams_ / "err").string();
         const std::string redirected = arguments.find('>') == std::string::npos ? " >'" + out + "'" : "";
         fs::remove(out);
-        const std::string command = "cd '" + folder_.string() + "' && { " + before + " '" + std::string(KINEGRAPH_PROGRAM) +
-                                    "' " + arguments + redirected + "; } 2>'" + err + "'";
+        const std::string command = "cd '" + folder_.string() + "' && { " + before + " '" + program_ + "' " + arguments +
+                                    redirected + "; } 2>'" + err + "'";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out), contents(err)};
     }
@@ -87,6 +87,7 @@ protected:
 
     fs::path folder_, streams_;
     std::string four_bar_;
+    std::string program_ = KINEGRAPH_PROGRAM;
 };
 
 /// All lines match `pattern`, and there is one at least.

@@ -13,7 +13,6 @@
 
 #include "engine/json_source.hpp"
 #include "engine/mechanism.hpp"
-#include "engine/schema_gate.hpp"
 
 namespace {
 
@@ -348,22 +347,6 @@ TEST(Reader, TenMegabytesAreReadInReasonableTime) {
         EXPECT_FALSE(read_mechanism(text, "large.json"));
         // Generous: what must not happen is a quadratic loop, which would take hours.
         EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-    }
-}
-
-TEST(Gate, LetsPassWhatTheReaderReads) { EXPECT_TRUE(refused_by_schema(with("")).empty()); }
-
-TEST(Gate, RefusesWithAPointer) {
-    const Errors errors = refused_by_schema(with(R"("gravity": [0, -9.81, 3])"));
-    ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].where, "/gravity");
-}
-
-TEST(Gate, KnowsTheFormsOfTheFormat) {
-    for (const char* more :
-         {R"("spede": 1)", R"("drivers": {})", R"("frame": 1.5)", R"("scales": {"plot": "1:2"})", R"("find": ["beauty"])",
-          R"("motion": {"body": 1, "velocities": {}})", R"("loads": [{"couple": "C", "body": 2}])"}) {
-        EXPECT_FALSE(refused_by_schema(with(more)).empty()) << more;
     }
 }
 

@@ -16,9 +16,9 @@ std::string to_svg(const Page& page, const Fonts& fonts);
 std::vector<std::string> to_svg(const std::vector<Page>& pages, const Fonts& fonts);
 
 /// PNG (RGB, or grey where the page has no colour) at `dpi` dots per inch.
-std::string to_png(const Page& page, const Fonts& fonts, double dpi);
+std::string to_png(const Page& page, const Glyphs& glyphs, double dpi);
 
 /// PDF with all pages in order; the glyphs used are embedded as parts of their font, no creation date of the day.
-std::string to_pdf(const std::vector<Page>& pages, const Fonts& fonts);
+std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs);
 
 }  // namespace kinegraph::render

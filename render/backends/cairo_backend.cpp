@@ -189,9 +189,9 @@ struct OpenFace {
 const cairo_user_data_key_t open_face{};
 
 /// A face as a font of cairo's that it can put into a file; unhinted, as the sheet was laid out.
-Owned<cairo_font_face_t> embedded_face(const Fonts& fonts, std::uint8_t face) {
+Owned<cairo_font_face_t> embedded_face(const Glyphs& glyphs, std::uint8_t face) {
     auto own = std::make_unique<OpenFace>();
-    const std::string_view file = fonts.file(face);
+    const std::string_view file = glyphs.file(face);
     KG_ASSERT(FT_Init_FreeType(&own->library) == 0, "FreeType starts");
     KG_ASSERT(FT_New_Memory_Face(own->library, reinterpret_cast<const FT_Byte*>(file.data()), static_cast<FT_Long>(file.size()),
                                  0, &own->face) == 0,
@@ -230,7 +230,7 @@ private:
 
 }  // namespace
 
-std::string to_png(const Page& page, const Fonts& fonts, double dpi) {
+std::string to_png(const Page& page, const Glyphs& glyphs, double dpi) {
     KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
     const double scale = dpi / 25.4;
     const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
@@ -246,7 +246,7 @@ std::string to_png(const Page& page, const Fonts& fonts, double dpi) {
         cairo_set_tolerance(cr.get(), type_tolerance);
         cairo_new_path(cr.get());
         for (const Glyph& g : text.glyphs) {
-            add_outline(cr.get(), fonts.outline(g.face, g.index), g.size, g.origin);
+            add_outline(cr.get(), glyphs.outline(g.face, g.index), g.size, g.origin);
             cairo_fill(cr.get());  // one by one is quicker than a whole line
         }
         cairo_set_tolerance(cr.get(), drawn_tolerance);
@@ -255,14 +255,15 @@ std::string to_png(const Page& page, const Fonts& fonts, double dpi) {
     return encode(surface.get(), grey(page), dpi);
 }
 
-std::string to_pdf(const std::vector<Page>& pages, const Fonts& fonts) {
+std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs) {
     KG_ASSERT(!pages.empty(), "a document has a page");
     std::string out;
     Owned<cairo_surface_t> surface{cairo_pdf_surface_create_for_stream(append, &out, pages.front().width * points_of_mm,
                                                                        pages.front().height * points_of_mm)};
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, well_formed(pages.front().title).c_str());
-    const std::array faces = {embedded_face(fonts, 0), embedded_face(fonts, 1), embedded_face(fonts, 2), embedded_face(fonts, 3)};
+    const std::array faces = {embedded_face(glyphs, 0), embedded_face(glyphs, 1), embedded_face(glyphs, 2),
+                              embedded_face(glyphs, 3)};
     Owned<cairo_t> cr{cairo_create(surface.get())};
     const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
     cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);

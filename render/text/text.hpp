@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "render/page/page.hpp"
+#include "render/text/glyphs.hpp"
 
 namespace kinegraph::render {
 
@@ -52,29 +53,22 @@ struct ShapedLine {
     std::vector<Part> parts;
 };
 
-/// One command of a glyph's outline, in units of the em (y upwards).
-struct Outline {
-    std::vector<Segment> segments;
-};
-
 /// The font's four faces, opened once; shaping is const and deterministic.
-class Fonts {
+class Fonts final : public Glyphs {
 public:
     /// Opens the faces. Error: names the missing file and the Debian package (`fonts-stix`).
     static tl::expected<Fonts, std::string> open();
     Fonts(Fonts&&) noexcept;
     Fonts& operator=(Fonts&&) noexcept;
-    ~Fonts();
+    ~Fonts() override;
 
     /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through
     /// `missing()`.
     ShapedLine shape(const RichText& text, double size_points) const;
     /// Breaks at spaces so that no line is wider than `measure` mm (a word longer than that stands alone).
     std::vector<ShapedLine> wrap(const RichText& text, double size_points, double measure) const;
-    /// The outline of a glyph, em units, y upwards; cached.
-    const Outline& outline(std::uint8_t face, std::uint32_t index) const;
-    /// The bytes of a face's file; they live as long as the Fonts.
-    std::string_view file(std::uint8_t face) const;
+    const Outline& outline(std::uint8_t face, std::uint32_t index) const override;
+    std::string_view file(std::uint8_t face) const override;
     /// Characters met so far that the font has not, in order ("U+4E2D").
     std::vector<std::string> missing() const;
 

@@ -1,5 +1,5 @@
-// The gate: the published schema's word on a text that our own checks have let pass. What it refuses is a gap in those checks, so
-// its messages are plain. The only place that sees valijson.
+// The gate: the published schema's word on a text, by valijson, which only this sees. What it refuses and the reader reads is a
+// gap in the reader's own checks.
 #pragma once
 
 #include <string_view>

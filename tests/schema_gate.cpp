@@ -1,4 +1,4 @@
-#include "engine/schema_gate.hpp"
+#include "tests/schema_gate.hpp"
 
 #include <memory>
 #include <nlohmann/json.hpp>
