@@ -7,7 +7,6 @@
 #include "engine/assert.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -2,25 +2,15 @@
 // paper by moving them, never by scaling: the scale is chosen when the figure is made.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/solution.hpp"
 #include "render/page/page.hpp"
-#include "render/page/theme.hpp"
-#include "render/text/text.hpp"
-#include "render/text/words.hpp"
+#include "render/page/scale.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render {
-
-struct Box {
-    Spot min, max;
-    double width() const { return max.x - min.x; }
-    double height() const { return max.y - min.y; }
-    bool operator==(const Box&) const = default;
-};
 
 /// A label that wants a place near its object.
 struct LabelRequest {
@@ -55,27 +45,6 @@ struct Figure {
     static Figure empty_at(double scale);
 };
 
-/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place, all, none.
-enum class Dimensions { automatic, on, off };
-
-struct DrawingContext {
-    const Solution& solution;
-    const Theme& theme;
-    const Fonts& fonts;
-    Language language = Language::en;
-    Dimensions dimensions = Dimensions::automatic;
-};
-
-/// The largest scale of 1-2-2.5-5 × 10ⁿ units per mm at which `extent` units fit into `room` mm; the file's own where it asks
-/// one.
-double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked);
-/// The next coarser one of these after any scale.
-inline double next_scale(double scale) { return choose_scale(1.001 * scale, 0, 1, 1, std::nullopt); }
-
-/// Of the figures that take a `coarsest` scale (units per mm): one that would have to be drawn coarser, or leave its room, comes
-/// empty and at any_scale; whoever sets such a limit has no use for it.
-constexpr double any_scale = std::numeric_limits<double>::infinity();
-
 /// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
 std::string legal_id(std::string_view name);
 
@@ -96,12 +65,6 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room =
 
 /// What the names that a figure asks for will take with the air about them, mm²: places or none.
 double room_of_names(const Figure& figure, const Fonts& fonts);
-
-/// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
-/// Appended to `marks`; a vector shorter than its head gets a smaller head.
-/// `dashes` (mm) are those of its shaft.
-void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
-                const std::vector<double>& dashes = {});
 
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,

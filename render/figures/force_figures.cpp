@@ -7,9 +7,8 @@
 #include "render/figures/clutter.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/force_statements.hpp"
+#include "render/scene/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 

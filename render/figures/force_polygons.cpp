@@ -9,9 +9,8 @@
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/force_statements.hpp"
+#include "render/scene/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/ink_map.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render::drawing {
 

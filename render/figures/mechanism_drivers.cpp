@@ -3,8 +3,7 @@
 
 #include "render/figures/clutter.hpp"
 #include "render/figures/mechanism_sketch.hpp"
-#include "render/tables/sentences.hpp"
-#include "render/tables/tables.hpp"
+#include "render/scene/sentences.hpp"
 
 namespace kinegraph::render::drawing {
 

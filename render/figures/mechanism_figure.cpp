@@ -1,7 +1,6 @@
 // The mechanism to scale, and the velocities on it: which layers, at which scale, within which room. Takes every place from the
 // Solution and computes no mechanics.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -13,16 +12,6 @@
 namespace kinegraph::render {
 
 namespace drawing {
-
-namespace {
-
-std::string shortest(double value) {
-    char buffer[40];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    return {buffer, end};
-}
-
-}  // namespace
 
 Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_name) {
     Figure figure;

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "render/figures/mechanism_sketch.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render::drawing {
 

@@ -10,7 +10,6 @@
 #include "engine/assert.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {

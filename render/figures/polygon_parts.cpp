@@ -11,7 +11,6 @@
 #include "render/figures/caption.hpp"
 #include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {

@@ -11,6 +11,7 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/beside.hpp"
 #include "render/sheet/page_split.hpp"
 
 namespace kinegraph::render {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "render/page/shapes.hpp"
-#include "render/tables/force_statements.hpp"
+#include "render/scene/force_statements.hpp"
+#include "render/scene/sentences.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
-#include "render/tables/sentences.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {

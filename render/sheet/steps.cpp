@@ -11,12 +11,12 @@
 #include "render/figures/caption.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/force_statements.hpp"
+#include "render/scene/sentences.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
-#include "render/tables/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
-#include "render/tables/sentences.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {

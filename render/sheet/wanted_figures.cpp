@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/beside.hpp"
 
 namespace kinegraph::render {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -60,28 +59,6 @@ double negligible_turn(const Solution& solution, const std::string& group) {
             largest = std::max(largest, length(*vector));
     return 1e-9 * largest / solution.pose.size.to_double();
 }
-
-}  // namespace
-
-std::string shortest(double value) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);
-    return {buffer, end.ptr};
-}
-
-std::string shortest(double value, Language language) {
-    for (int digits = 1; digits < 17; ++digits) {
-        const std::string text = number(value, digits, Language::en);
-        char buffer[64];
-        const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
-        double back = 0;
-        std::from_chars(buffer, end.ptr, back);
-        if (back == value) return number(value, digits, language);
-    }
-    return number(value, 17, language);
-}
-
-namespace {
 
 /// An equation in the making: its terms as columns, what stands before each, and how it is set.
 class EquationTable {

@@ -5,16 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "render/figures/figure.hpp"
-#include "render/tables/tables.hpp"
+#include "render/page/block.hpp"
+#include "render/page/free_room.hpp"
 
 namespace kinegraph::render {
 
 enum class Paper { a4, a3, letter };
 enum class Orientation { landscape, portrait };
 
-constexpr double gap = 7;      ///< between cells and between columns
-constexpr double clear = 3.5;  ///< round everything that text is set beside
+constexpr double gap = 7;  ///< between cells and between columns
 constexpr double section_gap = 5.5;
 
 /// A paper with what is fixed on it: the frame, what may be filled, the title block in the frame's corner, the text columns.
@@ -63,9 +62,5 @@ struct Sheet {
     std::vector<Run> runs;
     std::optional<double> scale_of_mechanism;  ///< m per mm, of the first drawing of it here
 };
-
-inline Box rectangle(double left, double top, double right, double bottom) { return {{left, top}, {right, bottom}}; }
-/// A block with its top left at a place.
-void set(std::vector<Mark>& marks, const Block& block, Spot at);
 
 }  // namespace kinegraph::render

@@ -1,0 +1,310 @@
+// Shapes: lines, discs, arrows, text, the scale bar, and what they cover.
+#include "render/page/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/assert.hpp"
+#include "render/page/scale.hpp"
+
+namespace kinegraph::render {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+double snapped(double value) {
+    const double result = std::round(value * 1e8) / 1e8;
+    return result == 0 ? 0 : result;  // no −0 in the output
+}
+
+struct Shift {
+    double dx, dy;
+    void operator()(Spot& spot) const { spot = {snapped(spot.x + dx), snapped(spot.y + dy)}; }
+    void operator()(Path& path) const {
+        for (Segment& segment : path.segments)
+            std::visit(Overloaded{[&](MoveTo& s) { (*this)(s.to); }, [&](LineTo& s) { (*this)(s.to); },
+                                  [&](CurveTo& s) {
+                                      (*this)(s.control_1);
+                                      (*this)(s.control_2);
+                                      (*this)(s.to);
+                                  },
+                                  [&](ArcTo& s) { (*this)(s.centre); }, [](Close&) {}},
+                       segment);
+    }
+    void operator()(Mark& mark) const {
+        std::visit(Overloaded{[&](Path& path) { (*this)(path); },
+                              [&](Axis& axis) {
+                                  (*this)(axis.tail);
+                                  (*this)(axis.tip);
+                              },
+                              [&](TextMark& text) {
+                                  for (Glyph& glyph : text.glyphs) (*this)(glyph.origin);
+                                  (*this)(text.pivot);
+                                  for (Path& extra : text.extras) (*this)(extra);
+                              },
+                              [](GroupBegin&) {}, [](GroupEnd&) {}},
+                   mark);
+    }
+};
+
+struct Bounds {
+    Box box{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
+            {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
+    void add(Spot spot, double margin = 0) {
+        box.min = {std::min(box.min.x, spot.x - margin), std::min(box.min.y, spot.y - margin)};
+        box.max = {std::max(box.max.x, spot.x + margin), std::max(box.max.y, spot.y + margin)};
+    }
+    void add(const Path& path) {
+        const double margin = path.stroked ? path.pen.width / 2 : 0;
+        for (const Segment& segment : path.segments)
+            std::visit(Overloaded{[&](const MoveTo& s) { add(s.to, margin); }, [&](const LineTo& s) { add(s.to, margin); },
+                                  [&](const CurveTo& s) {
+                                      add(s.control_1, margin);
+                                      add(s.control_2, margin);
+                                      add(s.to, margin);
+                                  },
+                                  [&](const ArcTo& s) {
+                                      const double sweep = s.to - s.from;
+                                      const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.1)));
+                                      for (int i = 0; i <= steps; ++i) {
+                                          const double angle = s.from + sweep * i / steps;
+                                          add(s.centre + s.radius * Spot{std::cos(angle), std::sin(angle)}, margin);
+                                      }
+                                  },
+                                  [](const Close&) {}},
+                       segment);
+    }
+    void add(const TextMark& text) {
+        const double c = std::cos(text.angle), s = std::sin(text.angle);
+        for (const Glyph& glyph : text.glyphs)
+            // The letter's em box is near enough for a figure's edge; labels are placed by their true ink.
+            for (const Spot corner : {Spot{0, -0.72}, Spot{0.62, -0.72}, Spot{0, 0.22}, Spot{0.62, 0.22}}) {
+                const Spot at = glyph.origin + glyph.size * corner - text.pivot;
+                add(text.pivot + Spot{at.x * c - at.y * s, at.x * s + at.y * c});
+            }
+    }
+};
+
+struct Head {
+    double length, width;
+};
+Head head_for(double width) {
+    if (width >= 0.6) return {4.6, 1.7};
+    if (width >= 0.3) return {3.6, 1.2};
+    return {3.0, 1.0};
+}
+
+constexpr double notch = 0.18;  // of the head's length
+
+void draw_head(std::vector<Mark>& marks, Spot tip, Spot along, Head head, Colour colour) {
+    const Spot across = (head.width / 2) * turned(along), back = tip - head.length * along;
+    marks.emplace_back(filled({tip, back + across, tip - (head.length * (1 - notch)) * along, back - across}, colour));
+}
+
+}  // namespace
+
+const std::vector<double>& dash_dot() {
+    static const std::vector<double> pattern{5, 0.9, 0.6, 0.9};
+    return pattern;
+}
+const std::vector<double>& dashes() {
+    static const std::vector<double> pattern{2, 1};
+    return pattern;
+}
+
+std::vector<double> going_round(std::vector<double> dashes, double length) {
+    double period = 0;
+    for (const double dash : dashes) period += dash;
+    if (!(period > 0) || !(length > 0)) return dashes;
+    const double stretch = length / (std::max(1.0, std::round(length / period)) * period);
+    for (double& dash : dashes) dash *= stretch;
+    return dashes;
+}
+
+Path line(Spot from, Spot to, Pen pen) {
+    Path path;
+    path.segments = {MoveTo{from}, LineTo{to}};
+    path.stroked = true;
+    path.pen = std::move(pen);
+    return path;
+}
+
+Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed) {
+    Path path;
+    for (std::size_t i = 0; i < spots.size(); ++i)
+        path.segments.push_back(i == 0 ? Segment{MoveTo{spots[i]}} : Segment{LineTo{spots[i]}});
+    if (closed) path.segments.emplace_back(Close{});
+    path.stroked = true;
+    path.pen = std::move(pen);
+    return path;
+}
+
+Path filled(const std::vector<Spot>& spots, Colour fill) {
+    Path path = polyline(spots, {}, true);
+    path.stroked = false;
+    path.filled = true;
+    path.fill = fill;
+    return path;
+}
+
+Path circle(Spot centre, double radius, Pen pen) {
+    Path path;
+    path.segments = {MoveTo{{centre.x + radius, centre.y}}, ArcTo{centre, radius, 0, 2 * std::numbers::pi}, Close{}};
+    path.stroked = true;
+    path.pen = std::move(pen);
+    return path;
+}
+
+Path disc(Spot centre, double radius, Colour fill) {
+    Path path = circle(centre, radius, {});
+    path.stroked = false;
+    path.filled = true;
+    path.fill = fill;
+    return path;
+}
+
+Path tinted(Path path) {
+    path.tinted = true;
+    return path;
+}
+
+Path ring(Spot centre, double radius, Colour tint, Pen pen) {
+    Path path = circle(centre, radius, std::move(pen));
+    path.filled = path.tinted = true;
+    path.fill = tint;
+    return path;
+}
+
+void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme) {
+    if (body.dashes.empty()) return;
+    std::vector<Path> heavy;
+    for (std::size_t i = first; i < marks.size(); ++i)
+        if (const auto* path = std::get_if<Path>(&marks[i]);
+            path && path->stroked && path->pen.width >= least && path->pen.colour == body.line)
+            heavy.push_back(*path);
+    for (const bool ground : {true, false}) {
+        for (Path path : heavy) {
+            path.filled = false;
+            path.pen.width -= 2 * std::min(theme.outline, 0.25 * path.pen.width);
+            path.pen.round_ends = ground;
+            path.pen.colour = ground ? body.tint : body.line;
+            if (!ground) path.pen.dashes = body.dashes;
+            marks.emplace_back(std::move(path));
+        }
+    }
+}
+
+void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour) {
+    const Head head{3.2, 1.15};
+    const double turn = to > from ? 1 : -1;
+    // The head is a straight chord: it leaves the arc where its back lies on it, so the tip stays on the arc too.
+    const double chord = 2 * std::asin(std::min(1.0, head.length / (2 * radius)));
+    const auto on_arc = [&](double angle) { return centre + radius * Spot{std::cos(angle), std::sin(angle)}; };
+    const double back = to - turn * std::min(chord, std::abs(to - from));
+    Path shaft;
+    const double shaft_end = back + turn * chord * (notch + 0.07);
+    shaft.segments = {MoveTo{on_arc(from)}, ArcTo{centre, radius, from, shaft_end}};
+    shaft.stroked = true;
+    shaft.pen = {width, colour, {}, false};
+    marks.emplace_back(std::move(shaft));
+    draw_head(marks, on_arc(to), unit(on_arc(to) - on_arc(back)), head, colour);
+}
+
+void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls) {
+    bool first = true;
+    for (const ShapedLine::Part& part : shaped.parts) {
+        TextMark text;
+        text.glyphs = part.glyphs;
+        text.extras = part.extras;
+        text.colour = part.coloured ? part.colour : colour;
+        if (first) text.words = shaped.words;
+        text.cls = cls;
+        text.pivot = origin;
+        const Shift shift{origin.x, origin.y};
+        for (Glyph& glyph : text.glyphs) shift(glyph.origin);
+        for (Path& extra : text.extras) shift(extra);
+        marks.emplace_back(std::move(text));
+        first = false;
+    }
+}
+
+void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& theme, Spot origin, double target, double scale,
+                    double unit_in_si, const std::string& unit_symbol, Language language) {
+    KG_ASSERT(scale > 0 && unit_in_si > 0, "a scale bar needs a scale");
+    constexpr double height = 1.1;
+    // The longest 1-2-5 length of the printed unit that fits; halved without ugly numbers, so 2.5 is left out.
+    const double most = target * scale / unit_in_si;
+    int exponent = static_cast<int>(std::floor(std::log10(most)));
+    double value = decimal(1, exponent);
+    for (const double step : {2.0, 5.0, 10.0})
+        if (decimal(step, exponent) <= most * (1 + 1e-12)) value = decimal(step, exponent);
+    const double width = value * unit_in_si / scale;
+    const auto rectangle = [&](double from, double to) {
+        return std::vector<Spot>{{origin.x + from, origin.y},
+                                 {origin.x + to, origin.y},
+                                 {origin.x + to, origin.y + height},
+                                 {origin.x + from, origin.y + height}};
+    };
+    marks.emplace_back(filled(rectangle(0, width / 2), theme.text));
+    marks.emplace_back(polyline(rectangle(0, width), {theme.thin, theme.text, {}, false}, true));
+    const ShapedLine zero = fonts.shape(one_piece("0"), theme.body_text);
+    const std::string number_text = number(value, 1, language);
+    const ShapedLine digits = fonts.shape(with_powers(number_text), theme.body_text);
+    const ShapedLine end = fonts.shape(with_powers(number_text + " " + unit_symbol), theme.body_text);
+    const double baseline = origin.y - 1.3;
+    set_text(marks, zero, {origin.x - zero.width / 2, baseline}, theme.text, "text");
+    set_text(marks, end, {origin.x + width - digits.width / 2, baseline}, theme.text, "text");
+}
+
+Box box_of(const std::vector<Mark>& marks) {
+    Bounds bounds;
+    for (const Mark& mark : marks)
+        std::visit(Overloaded{[&](const Path& path) { bounds.add(path); },
+                              [&](const Axis& axis) {
+                                  bounds.add(axis.tail);
+                                  bounds.add(axis.tip);
+                              },
+                              [&](const TextMark& text) { bounds.add(text); }, [](const GroupBegin&) {}, [](const GroupEnd&) {}},
+                   mark);
+    if (bounds.box.min.x > bounds.box.max.x) return {};
+    return bounds.box;
+}
+
+void belong(std::vector<Mark>& marks, std::size_t first, int statement) {
+    const auto take = [&](int& own) {
+        if (own < 0) own = statement;
+    };
+    for (std::size_t i = first; i < marks.size(); ++i)
+        std::visit(Overloaded{[&](Path& path) { take(path.statement); }, [&](TextMark& text) { take(text.statement); },
+                              [&](GroupBegin& group) { take(group.statement); }, [](Axis&) {}, [](GroupEnd&) {}},
+                   marks[i]);
+}
+
+void move(Spot& spot, double dx, double dy) { Shift{dx, dy}(spot); }
+
+void move(std::vector<Mark>& marks, double dx, double dy) {
+    for (Mark& mark : marks) Shift{dx, dy}(mark);
+}
+
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, const std::vector<double>& dashes) {
+    const double whole = length(tip - tail);
+    if (!(whole > 0)) return;
+    Head head = head_for(width);
+    // A short vector keeps at least two fifths of shaft; the shaft grows thin with the head, or it would show beside the tip.
+    const double shrink = std::min(1.0, 0.6 * whole / head.length);
+    head = {head.length * shrink, head.width * std::max(shrink, 0.35)};
+    const double shaft = std::min(width, 0.5 * head.width);
+    const Spot along = unit(tip - tail);
+    marks.emplace_back(line(tail, tip - (head.length * (1 - notch - 0.1)) * along, {shaft, colour, dashes, false}));
+    draw_head(marks, tip, along, head, colour);
+}
+
+}  // namespace kinegraph::render
