@@ -7,6 +7,7 @@
 #include "engine/assert.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/drawn_by.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -113,10 +114,7 @@ private:
     // --- the statements that find what is drawn ------------------------------------------------------------------------------
     /// −1: the velocity is given, or none finds it.
     int statement_of(const Shown& shown) const {
-        if (shown.given) return -1;
-        for (const DrawnVector& vector : solution_.protocol.vectors)
-            if (vector.symbol == Symbol{Symbol::Letter::v, shown.name, ""}) return vector.statement;
-        return -1;
+        return shown.given ? -1 : statement_of_velocity(solution_.protocol, shown.name);
     }
     int statement_of_centre() const {
         const std::vector<Statement>& statements = solution_.protocol.statements;

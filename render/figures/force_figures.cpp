@@ -364,6 +364,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             sketch.pins.emplace_back(ring(sketch.spot(body.pin), 1.8, theme.paper, {theme.outline, theme.text, {}, false}));
         }
         sketch.draw_points(true);
+        const ForceStatements statements(solution);
         Clutter clutter;
         clutter.add(sketch.bodies);
         const Spot middle = body.body >= 0 ? sketch.shape(body.body).middle : sketch.spot(body.pin);
@@ -381,8 +382,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
         for (const AppliedForce& applied : body.forces) {
             const Spot at = sketch.spot(applied.at);
+            const int statement = statements.force(body, applied);
             if (!applied.couple.is_zero())
-                draw_couple(sketch, context, clutter, couple_words(context, applied), at, applied.couple.sign() > 0, colour);
+                draw_couple(sketch, context, clutter, couple_words(context, applied), at, applied.couple.sign() > 0, colour,
+                            statement);
             if (applied.force.is_zero()) continue;
             const Spot along = paper_direction(applied.force);
             const double value = kinegraph::length(Vector{applied.force.x / unit.si, applied.force.y / unit.si});
@@ -430,7 +433,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             sketch.arrows.emplace_back(GroupBegin{to_scale ? "vector" : "sense",
                                                   sketch.id("", unique),
                                                   unique + " = " + shortest(value) + " " + unit.symbol,
-                                                  {{"data-name", unique}, {"data-value", shortest(value)}}});
+                                                  {{"data-name", unique}, {"data-value", shortest(value)}},
+                                                  statement});
             if (to_scale) sketch.arrows.emplace_back(Axis{best.tail, best.tip});
             draw_arrow(sketch.arrows, best.tail, best.tip, to_scale ? theme.vector : theme.outline, colour.line, colour.dashes);
             sketch.arrows.emplace_back(GroupEnd{});
@@ -445,9 +449,10 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
             label.anchor = 0.5 * (best.tail + best.tip);
             label.toward = best.tip;
             label.clearance = 1.5;
+            label.statement = statement;
             sketch.labels.push_back(std::move(label));
 
-            ActionLine action = line_of(sketch, applied, meets, view);
+            ActionLine action = line_of(sketch, applied, meets, view, statements.line(body, applied));
             if (action.marks.size() > 1 || !action.far_meets.empty() || two_forces ||
                 (applied.joint >= 0 && applied.line_by_construction))
                 add_line(lines, std::move(action));
@@ -466,9 +471,9 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
         }
         for (const auto& [letter, place] : meets)
             if (const Spot meet = sketch.spot(place); contains(view, meet))
-                draw_meet(sketch, context, letter, meet);
+                draw_meet(sketch, context, letter, meet, statements.meet(letter));
             else
-                draw_far_meet(sketch, context, letter, place, lines, view);
+                draw_far_meet(sketch, context, letter, place, lines, view, statements.meet(letter));
         for (const ActionLine& action : lines) draw_action_line(sketch.over_bodies, theme, action, view);
 
         Figure figure = sketch.finish("body", id, unit.symbol);

@@ -9,7 +9,7 @@
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/force_statements.hpp"
+#include "render/scene/drawn_by.hpp"
 #include "render/tables/force_tables.hpp"
 
 namespace kinegraph::render {
@@ -27,7 +27,8 @@ public:
         : context_(context),
           protocol_(context.solution.protocol),
           polygon_(protocol_.polygons[at_index(polygon)]),
-          unit_(context.solution.mechanism.units.force) {
+          unit_(context.solution.mechanism.units.force),
+          statements_(context.solution) {
         Vector longest;
         Exact square;
         for (const int v : polygon_.vectors) {
@@ -111,6 +112,7 @@ public:
             side.colour = context_.theme.colour_of(vector.body);
             // An inner side met again (a two-force body lies between): one stroke, both names.
             side.internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
+            if (figure.kind == "closure") side.statement = statement_of_force(context_.solution, statements_, vector.symbol);
             parts.vectors.push_back(std::move(side));
         }
         return parts;
@@ -162,6 +164,7 @@ private:
     const Protocol& protocol_;
     const Polygon& polygon_;
     const Unit& unit_;
+    ForceStatements statements_;
     std::map<int, Spot> places_;  // of corners, in the unit of force, y downwards
     std::vector<double> values_;  // of the polygon's vectors
     Spot along_;                  // the longest
@@ -300,6 +303,7 @@ private:
                 std::vector<Mark> table = items_[i].table.marks;
                 const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);
                 render::move(table, left, y + head + tallest + 2.5);
+                belong(table, 0, statements.polygon(*items_[i].body));
                 append(all.marks, table);
                 if (!table.empty() && !named) {
                     // What the rows are stands before the first of them.
@@ -432,9 +436,9 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
         const Box extent = extent_of_forces(context.solution, -1);
         const double smaller = next_scale(scale);
         if (!least && extent.height() / smaller > 35)
-            if (auto better = with_tables.at(smaller, room_x, room_y, false)) return std::move(*better);
-        return std::move(*figure);
-    }
+            if (auto better = fitting(with_tables, smaller)) return better;
+        return figure;
+    });
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,

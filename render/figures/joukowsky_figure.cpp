@@ -11,6 +11,7 @@
 #include "engine/assert.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/drawn_by.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
 
@@ -45,6 +46,8 @@ struct Placed {
     const VirtualWork::Entry* entry;
     Spot turned_velocity, force;
     double value;
+    int statement;  // after which the force is known; −1: it is given
+    int motion;     // that draws the velocity of the point it acts at
 };
 
 class Lever {
@@ -54,10 +57,16 @@ public:
           velocity_(context.solution.mechanism.units.velocity),
           force_(context.solution.mechanism.units.force) {
         double most = 0;
+        const ForceStatements statements(context.solution);
         for (const VirtualWork::Entry& entry : work_of(context.solution).entries) {
             if (entry.force.is_zero()) continue;
             const Spot v = in(entry.velocity, velocity_), f = in(entry.force, force_);
-            placed_.push_back({&entry, {v.y, -v.x}, f, kinegraph::length(entry.force) / force_.si.to_double()});
+            placed_.push_back({&entry,
+                               {v.y, -v.x},
+                               f,
+                               kinegraph::length(entry.force) / force_.si.to_double(),
+                               statement_of_force(context.solution, statements, entry.symbol),
+                               statement_of_velocity(context.solution.protocol, point_of(entry))});
             most = std::max(most, placed_.back().value);
         }
         force_scale_ = choose_scale(most, 0, longest_force, 1, std::nullopt);
@@ -98,6 +107,14 @@ private:
     struct Arrow {
         Spot tail, tip;
     };
+
+    /// Name of the body's point that a force acts at; empty: it has none.
+    std::string point_of(const VirtualWork::Entry& entry) const {
+        const Mechanism& mechanism = context_.solution.mechanism;
+        for (const PointIndex p : mechanism.bodies[at_index(entry.body)].points)
+            if ((context_.solution.pose.at(p) - entry.at).is_zero()) return mechanism.points[at_index(p)].name;
+        return "";
+    }
 
     static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }
     static Spot tip_of(const Placed& each, double scale) { return (1 / scale) * each.turned_velocity; }
@@ -174,7 +191,7 @@ private:
             if (length(tip) < coincident) continue;
             if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; })) continue;
             done.push_back(tip);
-            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}});
+            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}, each.motion});
             figure.marks.emplace_back(Axis{{0, 0}, tip});
             figure.marks.emplace_back(line({0, 0}, tip, pen));
             figure.marks.emplace_back(GroupEnd{});
@@ -196,7 +213,8 @@ private:
                                                  {{"data-name", name},
                                                   {"data-value", shortest(placed_[i].value)},
                                                   {"data-scale", shortest(force_scale_)},
-                                                  {"data-unit", force_.symbol}}});
+                                                  {"data-unit", force_.symbol}},
+                                                 placed_[i].statement});
             figure.marks.emplace_back(Axis{arrows[i].tail, arrows[i].tip});
             draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line, colour.dashes);
             figure.marks.emplace_back(GroupEnd{});
@@ -207,6 +225,7 @@ private:
             label.anchor = 0.5 * (arrows[i].tail + arrows[i].tip);
             label.toward = arrows[i].tip;
             label.clearance = 1.5;
+            label.statement = placed_[i].statement;
             figure.labels.push_back(std::move(label));
         }
     }
@@ -218,15 +237,12 @@ private:
             RichText text;
             std::set<std::string> names;
         };
-        const Solution& solution = context_.solution;
         const Symbol pole{Symbol::Letter::pole, "v", ""};
         std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}}};
         for (const Placed& each : placed_) {
-            const auto& points = solution.mechanism.bodies[at_index(each.entry->body)].points;
-            const auto found = std::find_if(points.begin(), points.end(),
-                                            [&](PointIndex p) { return (solution.pose.at(p) - each.entry->at).is_zero(); });
-            if (found == points.end()) continue;
-            const Symbol image{Symbol::Letter::image, solution.mechanism.points[at_index(*found)].name, ""};
+            const std::string point = point_of(*each.entry);
+            if (point.empty()) continue;
+            const Symbol image{Symbol::Letter::image, point, ""};
             const Spot at = tip_of(each, figure.scale);
             const auto same =
                 std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
@@ -343,7 +359,7 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
         if (!last && !fits(0)) continue;
         figure.marks.emplace_back(GroupEnd{});
         return figure;
-    }
+    });
 }
 
 Block joukowsky_block(const DrawingContext& context, double most) {

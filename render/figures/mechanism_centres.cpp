@@ -372,12 +372,14 @@ void Sketch::draw_pole(const InstantCentre& centre) {
             return;
         }
     centres.emplace_back(disc(at, 0.8, theme_.text));
+    belong(centres, centres.size() - 1, centre.statement);
     LabelRequest request;
     request.text = name;
     request.size = theme_.label;
     request.colour = theme_.text;
     request.anchor = at;
     request.clearance = 1.7;
+    request.statement = centre.statement;
     labels.push_back(std::move(request));
 }
 

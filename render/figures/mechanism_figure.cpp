@@ -8,6 +8,7 @@
 #include "render/figures/figure.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/drawn_by.hpp"
 
 namespace kinegraph::render {
 
@@ -181,7 +182,11 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         const double velocity_scale = choose_scale(longest, 0, reach, reach, asked);
         Box view = grown(sketch.mechanism_box(), 0.25 * sketch.size());
         const Pen thin{theme.thin, theme.secondary, {}, false};
-        std::vector<std::pair<Spot, Spot>> rays;
+        struct Ray {
+            Spot from, to;
+            int statement;
+        };
+        std::vector<Ray> rays;
         for (const Shown& one : shown) {
             const Spot at = sketch.spot(one.motion->point);
             const Spot tip = at + Spot{one.motion->velocity->x.to_double() / velocity_scale,
@@ -195,7 +200,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
                 const double whole = length(pole - at);
                 if (!std::isfinite(whole) || whole < 0.1) continue;
                 const Interval seen = within(view, at, unit(pole - at));
-                rays.emplace_back(at, at + std::clamp(whole, 0.0, std::max(seen.to, 8.0)) * unit(pole - at));
+                rays.push_back({at, at + std::clamp(whole, 0.0, std::max(seen.to, 8.0)) * unit(pole - at), centre.statement});
                 if (whole <= seen.to) sketch.draw_pole(centre);
                 // The right angle between ray and velocity, once at each point.
                 constexpr double corner = 1.8;
@@ -209,8 +214,12 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
             const BodyColour colour = theme.colour_of(one.body);
             const std::string name = name_of(symbol);
             const RichText text = typeset(symbol, context.language);
-            sketch.arrows.emplace_back(GroupBegin{
-                "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(one.value)}}});
+            const int statement = statement_of_velocity(solution.protocol, name_of_point(*one.motion));
+            sketch.arrows.emplace_back(GroupBegin{"vector",
+                                                  sketch.id("", name),
+                                                  plain(text),
+                                                  {{"data-name", name}, {"data-value", shortest(one.value)}},
+                                                  statement});
             draw_arrow(sketch.arrows, at, tip, theme.vector, colour.line, colour.dashes);
             sketch.arrows.emplace_back(Axis{at, tip});
             sketch.arrows.emplace_back(GroupEnd{});
@@ -221,9 +230,13 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
             request.anchor = 0.5 * (at + tip);
             request.toward = tip;
             request.clearance = 1.6;
+            request.statement = statement;
             sketch.labels.push_back(std::move(request));
         }
-        for (const auto& [from, to] : rays) sketch.construction.emplace_back(line(from, to, thin));
+        for (const Ray& ray : rays) {
+            sketch.construction.emplace_back(line(ray.from, ray.to, thin));
+            belong(sketch.construction, sketch.construction.size() - 1, ray.statement);
+        }
         Figure figure = sketch.finish("body", "velocities", "m/s");
         figure.scale = velocity_scale;
         figure.caption = one_piece(word("velocities on the mechanism", context.language));

@@ -24,12 +24,14 @@ struct Axis {
     Spot tail, tip;
 };
 
-/// Shaped text in one colour, turned about nothing: glyphs stand where they say. `angle` turns them all (radians, clockwise on
+/// Shaped text in one colour, turned about nothing: glyphs stand where they say. A line in several colours is several marks, the
+/// first of which has the words and the rich text of all. `angle` turns them all (radians, clockwise on
 /// paper) about `pivot`.
 struct TextMark {
     std::vector<Glyph> glyphs;
     Colour colour;
     std::string words;  ///< what the text says, for `aria-label`
+    RichText text;      ///< with its faces and scripts, for a backend that sets type itself or speaks
     std::string cls;    ///< "label" for labels of a drawing; "text" for prose and tables
     double angle = 0;
     Spot pivot;

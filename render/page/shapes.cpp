@@ -225,7 +225,7 @@ void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, C
         text.glyphs = part.glyphs;
         text.extras = part.extras;
         text.colour = part.coloured ? part.colour : colour;
-        if (first) text.words = shaped.words;
+        if (first) text.words = shaped.words, text.text = shaped.text;
         text.cls = cls;
         text.pivot = origin;
         const Shift shift{origin.x, origin.y};

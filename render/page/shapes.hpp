@@ -42,7 +42,7 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
 /// An arc with an arrowhead at its end `to` (radians, clockwise on paper), head 3.2 × 1.15.
 void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour);
 
-/// Text on a baseline starting at `origin`; one TextMark for each colour, the words on the first.
+/// Text on a baseline starting at `origin`; one TextMark for each colour, the words and the rich text on the first.
 void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls);
 
 /// A two-tone scale bar of a round length, `target` mm or less, its top left at `origin`, with its end values: copies keep it

@@ -127,11 +127,13 @@ private:
                                                   : "steps",
                                               context_.language));
                 section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
+                belong(section.rows.back().marks, 0, static_cast<int>(i));
                 if (name == "forces") add_force_equations(section, i);
                 const auto placed = wanted_.equation_polygon.find(i);
                 if (statement.equation &&
                     (placed == wanted_.equation_polygon.end() || pages_.unplaced.contains(placed->second))) {
                     Block block = equation_block(context_, *statement.equation, format_.measure - 6);
+                    belong(block.marks, 0, static_cast<int>(i));
                     move(block.marks, 6, 0.5);
                     block.height += 2.5;
                     section.rows.push_back(std::move(block));
@@ -202,6 +204,7 @@ private:
         for (const FreeBody* body : closed) {
             Block block = force_equation_block(context_, *body, true);
             if (block.width == 0 || block.width > format_.measure - 6) continue;
+            belong(block.marks, 0, static_cast<int>(statement));
             move(block.marks, 6, 0.5);
             block.height += 2.5;
             section.spare_rows.push_back(section.rows.size());

@@ -318,6 +318,7 @@ void WantedFigures::collect_motion() {
             const auto found = polygon_of.find(static_cast<int>(i));
             if (!equation || found == polygon_of.end() || found->second != static_cast<int>(p)) continue;
             equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
+            belong(equations.back().marks, 0, static_cast<int>(i));
             equation_polygon[i] = list.size();
         }
         wanted.has_equations = !equations.empty();

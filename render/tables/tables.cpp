@@ -558,6 +558,7 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
         }
         set_right(block.marks, where, width, baseline, theme.text);
         baseline += 4.1;
+        belong(block.marks, 0, centre.statement);
         block.width = width;
         block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
         lines.push_back(std::move(block));

@@ -27,7 +27,8 @@ struct ShapedLine {
     double width = 0;    ///< advance
     double ascent = 0;   ///< ink above the baseline (positive upwards)
     double descent = 0;  ///< ink below the baseline (positive downwards)
-    std::string words;
+    std::string words;   ///< what the line says, whole
+    RichText text;       ///< as it stands there
     /// One part for each colour used; glyph origins relative to the line's origin.
     struct Part {
         std::vector<Glyph> glyphs;
