@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/assert.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
@@ -442,8 +443,10 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
     const std::optional<double> asked = asked_scale(mechanism, "mechanism");
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), asked);
-    return fitted_figure(first, asked.has_value(), room_x, room_y, any_scale, [&](double scale, bool last, bool strict) {
-        Sketch sketch(subject, context, scale, "");
+    const FitPolicy policy{
+        .room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true, .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, "");
         const double reach = std::clamp(0.55 * sketch.size(), 14.0, longest_velocity);
         const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);
         act.draw(sketch, velocity_scale);
@@ -451,7 +454,7 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
         figure.caption = one_piece(word("act of motion", context.language));
         if (act.longest() > 0)
             figure.further_scale = "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;
-        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, mechanism.units.length, strict);
+        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, mechanism.units.length, trial.strict);
         return figure;
     });
 }

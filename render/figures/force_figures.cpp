@@ -5,6 +5,7 @@
 #include <set>
 
 #include "render/figures/clutter.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/force_statements.hpp"
@@ -294,19 +295,6 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     return text;
 }
 
-/// Draws at ever smaller scales until everything, labels too, is within the room.
-template <class Draw>
-Figure fitted(double first, bool fixed, double room_x, double room_y, Draw draw) {
-    constexpr int most_tries = 12;
-    double scale = first;
-    for (int tries = 0;; ++tries) {
-        Figure figure = draw(scale, tries == most_tries);
-        const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
-        if (fixed || fits || tries == most_tries) return figure;
-        scale = next_scale(scale);
-    }
-}
-
 }  // namespace
 
 Box extent_of_free_body(const Solution& solution, std::size_t index) {
@@ -355,8 +343,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     // A lone block has no length of its own: the mechanism's scale would do, whatever it is.
     const double least = choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
     const double start = own > 0 ? first : least;
-    return fitted(start, false, room_x, room_y, [&](double scale, bool last) {
-        Sketch sketch(subject, context, scale, id + "-");
+    return fit({.room = Spot{room_x, room_y}, .first = start}, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, id + "-");
         const BodyColour colour = theme.colour_of(body.body);
         if (body.body >= 0) {
             sketch.draw_alone(body.body);
@@ -482,7 +470,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
         if (body.body >= 0)
             if (const std::string& label = in(mechanism.bodies[at_index(body.body)].label, context.language); !label.empty())
                 figure.caption.back().text += ": " + label;
-        sketch.close(figure, {room_x, room_y}, last, force_scale * si, unit);
+        sketch.close(figure, {room_x, room_y}, trial.last, force_scale * si, unit);
         return figure;
     });
 }
@@ -516,15 +504,16 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
-    return fitted(first, asked.has_value(), room_x, room_y, [&](double scale, bool last) {
-        Sketch sketch(subject, context, scale, "");
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, "");
         sketch.draw_in_colour();
         sketch.draw_points(true);
         Clutter clutter;
         clutter.add(sketch.bodies);
         clutter.add(sketch.ground);
 
-        const Box drawn{(1 / scale) * extent.min, (1 / scale) * extent.max};
+        const Box drawn{(1 / trial.scale) * extent.min, (1 / trial.scale) * extent.max};
         const Box view = grown(drawn, line_overshoot + 4);
         std::vector<ActionLine> lines;
         for (const FreeBody& body : solution.free_bodies) {
@@ -589,7 +578,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         }
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word("mechanism and lines of action", context.language));
-        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, mechanism.units.length);
+        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, mechanism.units.length);
         return figure;
     });
 }

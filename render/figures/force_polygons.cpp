@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -420,21 +421,22 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
                              bool tables) {
     const Rows with_tables(context, tables), plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
-    if (fixed && least) {
-        if (auto figure = with_tables.at(*least, room_x, room_y, false)) return std::move(*figure);
-        if (auto figure = plain_rows.at(*least, room_x, room_y, false)) return std::move(*figure);
-    }
-    double scale = std::max(plain_rows.least_scale(room_x, room_y), fixed ? 0.0 : least.value_or(0));
-    constexpr int most_tries = 14;
-    for (int tries = 0;; ++tries, scale = next_scale(scale)) {
+    const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room_x, room_y, false); };
+    FitPolicy policy{.room = std::nullopt, .first = plain_rows.least_scale(room_x, room_y), .most_trials = 14};
+    if (fixed) policy.asked = least;
+    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        if (trial.asked) {
+            auto figure = fitting(with_tables, trial.scale);
+            return figure ? std::move(figure) : fitting(plain_rows, trial.scale);
+        }
         // A table is worth one step of the scale.
-        auto figure = plain_rows.at(scale, room_x, room_y, tries == most_tries);
-        if (!figure) continue;
-        if (!with_tables.has_tables()) return std::move(*figure);
-        if (auto better = with_tables.at(scale, room_x, room_y, false)) return std::move(*better);
+        auto figure = plain_rows.at(trial.scale, room_x, room_y, trial.last);
+        if (!figure || !with_tables.has_tables()) return figure;
+        if (auto better = fitting(with_tables, trial.scale)) return better;
         // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
         const Box extent = extent_of_forces(context.solution, -1);
-        const double smaller = next_scale(scale);
+        const double smaller = next_scale(trial.scale);
         if (!least && extent.height() / smaller > 35)
             if (auto better = fitting(with_tables, smaller)) return better;
         return figure;
@@ -467,19 +469,16 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         close(figure);
         return figure;
     };
-    if (fixed && least) {
-        Figure figure = finish(*least);
-        if (fits(figure)) return figure;
-    }
-    double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
-    if (!fixed && least) scale = std::max(scale, *least);
-    constexpr int most_tries = 14;
-    for (int tries = 0;; ++tries, scale = next_scale(scale)) {
-        const double reach = 0.5 * label_reach;
-        if (tries < most_tries && (drawing.width() / scale + reach > room_x || drawing.height() / scale + 8 > room_y)) continue;
-        Figure figure = finish(scale);
-        if (tries == most_tries || fits(figure)) return figure;
-    }
+    FitPolicy policy{.room = Spot{room_x, room_y},
+                     .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
+                     .most_trials = 14};
+    if (fixed) policy.asked = least;
+    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        const double width = drawing.width() / trial.scale + 0.5 * label_reach, height = drawing.height() / trial.scale + 8;
+        if (!trial.last && !trial.asked && (width > room_x || height > room_y)) return std::nullopt;
+        return finish(trial.scale);
+    });
 }
 
 }  // namespace kinegraph::render

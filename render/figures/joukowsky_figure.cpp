@@ -9,6 +9,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
@@ -345,18 +346,16 @@ Box extent_of_lever(const Solution& solution) {
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y) {
     KG_ASSERT(no_lever(context.solution) == NoLever::none, "a lever needs a force that moves");
     const Lever lever(context);
-    double scale = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt);
-    for (;;) {
-        const double next = choose_scale(scale * 1.01, 0, 1, 1, std::nullopt);
-        const bool last = std::max(lever.width(), lever.height()) / next < least_shown;
-        Figure figure = lever.at(scale);
-        const auto fits = [&](double reach) {
-            return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
-        };
-        scale = next;
-        if (!last && !fits(label_reach)) continue;
-        if (!place_labels(figure, context.fonts, Spot{room_x, room_y}, last ? Labelling::free : Labelling::if_it_fits)) continue;
-        if (!last && !fits(0)) continue;
+    const Spot room{room_x, room_y};
+    const FitPolicy policy{.room = room,
+                           .first = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt),
+                           .extent = std::max(lever.width(), lever.height()),
+                           .least_shown = least_shown};
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        Figure figure = lever.at(trial.scale);
+        const bool has_room = figure.box.width() + 2 * label_reach <= room_x && figure.box.height() + 2 * label_reach <= room_y;
+        if (!trial.last && !has_room) return std::nullopt;
+        if (!place_labels(figure, context.fonts, room, trial.last ? Labelling::free : Labelling::if_it_fits)) return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         return figure;
     });

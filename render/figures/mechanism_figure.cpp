@@ -6,6 +6,7 @@
 
 #include "engine/assert.hpp"
 #include "render/figures/figure.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
@@ -97,9 +98,15 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
     }
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 10, 10.0), std::max(room_y - 18, 10.0), asked);
-    return fitted_figure(first, asked.has_value(), room_x, room_y, coarsest, [&](double scale, bool last, bool strict) -> Figure {
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = first,
+                           .asked = asked,
+                           .keeps_asked = true,
+                           .coarsest = coarsest,
+                           .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) -> Figure {
         const auto with_dimensions = [&](Dimensions dimensions, const std::set<std::string>& left_out) {
-            Sketch sketch(subject, context, scale, "");
+            Sketch sketch(subject, context, trial.scale, "");
             sketch.draw_drivers();
             sketch.draw_compass();
             sketch.draw_in_colour();
@@ -111,8 +118,8 @@ Figure figure_of_mechanism(const DrawingContext& context, double room_x, double 
             sketch.draw_points(true);
             Figure figure = sketch.finish("mechanism", "mechanism", "m");
             figure.caption = one_piece(word(with_centres ? "mechanism and instant centres" : "mechanism", context.language));
-            sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, context.solution.mechanism.units.length,
-                         strict);
+            sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale,
+                         context.solution.mechanism.units.length, trial.strict);
             return std::pair{std::move(figure), dimensioned};
         };
         if (context.dimensions != Dimensions::automatic) return with_dimensions(context.dimensions, {}).first;
@@ -175,8 +182,9 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
     const std::optional<double> asked = asked_scale(solution.mechanism, "body");
     const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
                                       std::max(room_y - 36, 10.0), std::nullopt);
-    return fitted_figure(first, false, room_x, room_y, any_scale, [&](double scale, bool last, bool strict) {
-        Sketch sketch(subject, context, scale, "velocities-");
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, "velocities-");
         sketch.draw_in_grey();
         const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
         const double velocity_scale = choose_scale(longest, 0, reach, reach, asked);
@@ -240,7 +248,7 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
         Figure figure = sketch.finish("body", "velocities", "m/s");
         figure.scale = velocity_scale;
         figure.caption = one_piece(word("velocities on the mechanism", context.language));
-        sketch.close(figure, {room_x, room_y}, last, velocity_scale, solution.mechanism.units.velocity, strict);
+        sketch.close(figure, {room_x, room_y}, trial.last, velocity_scale, solution.mechanism.units.velocity, trial.strict);
         return figure;
     });
 }

@@ -266,22 +266,4 @@ inline std::optional<double> asked_scale(const Mechanism& mechanism, std::string
 /// later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
 
-/// Draws at ever smaller scales until everything, labels too, is within the room. Names do not shrink: at half the scale at which
-/// the mechanism itself has room they must take what there is.
-template <class Draw>
-Figure fitted_figure(double first, bool fixed, double room_x, double room_y, double coarsest, Draw draw) {
-    constexpr int most_tries = 12;
-    double scale = first, half = 0;
-    for (int tries = 0;; ++tries) {
-        const bool strict = half > 0 && scale > 0.99 * half, last = tries == most_tries;
-        if (!fixed && (scale > coarsest || ((strict || last) && coarsest < any_scale))) return Figure::empty_at(any_scale);
-        Figure figure = draw(scale, last, strict);
-        const bool fits = figure.box.width() <= room_x && figure.box.height() <= room_y;
-        if (fixed || fits || strict || last) return figure;
-        const bool labelled = figure.labels.empty();
-        if (labelled && half == 0) half = 2 * scale;
-        scale = next_scale(scale);
-    }
-}
-
 }  // namespace kinegraph::render::drawing
