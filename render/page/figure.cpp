@@ -1,5 +1,5 @@
 // Figure: what every figure shares: moving and ids. Knows no mechanics and no sheet.
-#include "render/figures/figure.hpp"
+#include "render/page/figure.hpp"
 
 #include "render/page/shapes.hpp"
 
