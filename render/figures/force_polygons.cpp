@@ -300,6 +300,8 @@ private:
                 figure.move(x - figure.box.min.x + 0.5 * (sizes[i].x - figure.box.width()),
                             y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
                 append(all.marks, figure.marks);
+                all.measured.insert(all.measured.end(), figure.measured.begin(), figure.measured.end());
+                all.details.insert(all.details.end(), figure.details.begin(), figure.details.end());
                 belong(all.marks, first, statements.polygon(*items_[i].body));
                 std::vector<Mark> table = items_[i].table.marks;
                 const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);

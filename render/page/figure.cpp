@@ -18,9 +18,17 @@ void Figure::move(double dx, double dy) {
         shift(label.anchor);
         if (label.toward) shift(*label.toward);
     }
+    for (DetailOn& detail : details) shift(detail.circle);
     shift(box.min);
     shift(box.max);
     shift(origin);
+}
+
+std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {
+    std::optional<Measured> longest;
+    for (const Measured& each : figure.measured)
+        if (each.name == name && (!longest || each.millimetres > longest->millimetres)) longest = each;
+    return longest;
 }
 
 std::string legal_id(std::string_view name) {

@@ -27,6 +27,19 @@ struct LabelRequest {
     std::vector<double> dashes;      ///< line kind of the balloon, mm
 };
 
+/// A vector's length on paper.
+struct Measured {
+    std::string name;  ///< its data-name
+    double millimetres = 0;
+    std::string detail;  ///< letter of the detail that it is drawn in; empty: the figure itself
+};
+/// A place of a figure that is drawn again beside it, larger, with a circle round it.
+struct DetailOn {
+    std::string id, letter;
+    Spot circle;
+    double radius = 0;
+};
+
 struct Figure {
     std::string kind;                  ///< data-figure: mechanism, centres, velocity, acceleration, …
     std::string id;                    ///< SVG id: "velocity", "velocity-E-2"
@@ -40,9 +53,16 @@ struct Figure {
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
     bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
 
+    // What it shows, told by those who draw it.
+    std::vector<Measured> measured;  ///< all vectors drawn to its scale or to a detail's
+    std::vector<DetailOn> details;   ///< in the order drawn; those within others after them
+
     void move(double dx, double dy);
     static Figure empty_at(double scale);
 };
+
+/// The longest stroke of the vector with that data-name: its detail's, where it has one. Nothing where the figure has none.
+std::optional<Measured> measured_on(const Figure& figure, const std::string& name);
 
 /// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
 std::string legal_id(std::string_view name);

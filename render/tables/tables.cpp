@@ -8,7 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
-#include "render/figures/polygon_parts.hpp"
+#include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
 

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "render/figures/figure.hpp"
 #include "render/page/block.hpp"
+#include "render/page/figure.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render {
 
