@@ -192,13 +192,10 @@ private:
         const State i = state(u, row.i), j = state(u, row.j);
         const Vector p = place(row.point);
         const Exact centripetal = (square(j.omega) - square(i.omega)) * dot(row.along, p);
-        switch (joint.kind) {
-            case JointKind::revolute:
-            case JointKind::weld:
-            case JointKind::gear:
+        switch (joint.pair().meeting) {
+            case PlanePair::Meeting::common_point:
                 return centripetal;
-            case JointKind::prismatic:
-            case JointKind::pin_slot: {
+            case PlanePair::Meeting::guide: {
                 const Vector sliding = velocity(i, p) - velocity(j, p);
                 Exact q = centripetal - 2 * j.omega * dot(row.along, quarter_turn(sliding));
                 if (joint.arc >= 0) {
@@ -207,12 +204,8 @@ private:
                 }
                 return q;
             }
-            case JointKind::contact: {
-                const auto along = normal_difference(joint, u, row.along);
-                if (!along) return std::nullopt;
-                return centripetal - *along;
-            }
-            case JointKind::rolling: {
+            case PlanePair::Meeting::profiles: {
+                if (!joint.pair().asks_curvatures()) return centripetal;
                 const Vector& normal = pose_.normals[slot(row.joint)];
                 const auto along = normal_difference(joint, u, normal);
                 if (!along) return std::nullopt;

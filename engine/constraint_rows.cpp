@@ -3,40 +3,24 @@
 namespace kinegraph {
 namespace {
 
+/// Along which directions the bodies have one speed at the joint's point.
+std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std::size_t slot) {
+    switch (pair.held) {
+        case PlanePair::Held::along_normal:
+            return {pose.normals[slot]};
+        case PlanePair::Held::along_tangent:
+            return {pose.tangents[slot]};
+        case PlanePair::Held::wholly:
+            break;
+    }
+    return {{1, 0}, {0, 1}};
+}
+
 void write(const Joint& joint, JointIndex index, const Pose& pose, std::vector<ConstraintRow>& rows) {
-    const auto slot = static_cast<std::size_t>(index);
-    const auto equal_speeds = [&](BodyIndex j, const Vector& along) {
-        rows.push_back({index, joint.bodies[0], j, joint.point, along, false});
-    };
-    const auto equal_turns = [&](BodyIndex j) { rows.push_back({index, joint.bodies[0], j, joint.point, {}, true}); };
-    const auto pinned = [&](BodyIndex j) {
-        equal_speeds(j, {1, 0});
-        equal_speeds(j, {0, 1});
-    };
-    switch (joint.kind) {
-        case JointKind::revolute:
-            for (std::size_t k = 1; k < joint.bodies.size(); ++k) pinned(joint.bodies[k]);
-            return;
-        case JointKind::weld:
-            for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
-                pinned(joint.bodies[k]);
-                equal_turns(joint.bodies[k]);
-            }
-            return;
-        case JointKind::prismatic:
-            equal_speeds(joint.bodies[1], quarter_turn(pose.guides[slot]));
-            equal_turns(joint.bodies[1]);
-            return;
-        case JointKind::pin_slot:
-        case JointKind::contact:
-            equal_speeds(joint.bodies[1], pose.normals[slot]);
-            return;
-        case JointKind::rolling:
-            pinned(joint.bodies[1]);
-            return;
-        case JointKind::gear:
-            equal_speeds(joint.bodies[1], pose.tangents[slot]);
-            return;
+    const std::vector<Vector> held = held_directions(joint.pair(), pose, static_cast<std::size_t>(index));
+    for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
+        for (const Vector& along : held) rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, along, false});
+        if (joint.pair().holds_rotation) rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, {}, true});
     }
 }
 

@@ -18,8 +18,7 @@ struct ConstraintRow {
     bool turn = false;
 };
 
-/// The rows of all joints, in the file's order. Two for a revolute (n−1 times), a prismatic and a rolling pair, one for a
-/// pin-slot, a contact and a gear, three for a weld (n−1 times).
+/// The rows of all joints, in the file's order: those of the pair, for each body after the first.
 std::vector<ConstraintRow> constraint_rows(const Mechanism& mechanism, const Pose& pose);
 
 }  // namespace kinegraph

@@ -17,7 +17,7 @@ bool FormReader::expect(JsonValue value, Kind kind, std::string_view wanted) {
     return false;
 }
 
-Members FormReader::members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form) {
+Members FormReader::members(JsonValue object, std::span<const std::string_view> known, std::string_view form) {
     Members result;
     result.object_ = object;
     for (const JsonValue member : object) {
@@ -31,7 +31,7 @@ Members FormReader::members(JsonValue object, std::initializer_list<std::string_
             message += did_you_mean(meant);
             result.misspelt_.push_back(*meant);
         } else {
-            message += "; the keys of " + std::string(form) + " are " + listed({known.begin(), known.size()});
+            message += "; the keys of " + std::string(form) + " are " + listed(known);
         }
         fault(member, std::move(message));
     }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -52,7 +53,10 @@ protected:
     void fault(JsonValue at, std::string message);
     bool expect(JsonValue value, Kind kind, std::string_view wanted);
     /// Sorts an object's members; reports those that `form` ("a driver") does not know.
-    Members members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form);
+    Members members(JsonValue object, std::span<const std::string_view> known, std::string_view form);
+    Members members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form) {
+        return members(object, std::span(known.begin(), known.size()), form);
+    }
     /// The member, or a fault that says what it is needed for.
     JsonValue required(const Members& of, std::string_view key, std::string_view meaning);
     /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.

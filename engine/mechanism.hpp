@@ -12,6 +12,7 @@
 
 #include "engine/error.hpp"
 #include "engine/exact.hpp"
+#include "engine/pair.hpp"
 
 namespace kinegraph {
 
@@ -108,8 +109,6 @@ struct CircleProfile {
 struct TipProfile {};
 using Profile = std::variant<LineProfile, CircleProfile, TipProfile>;
 
-enum class JointKind { revolute, prismatic, pin_slot, rolling, contact, gear, weld };
-
 struct Joint {
     JointKind kind = JointKind::revolute;
     std::string name;    ///< given, or the point's name
@@ -124,6 +123,8 @@ struct Joint {
     BodyIndex arm = 0;             ///< gear: the carrier
     std::optional<Vector> pushes;  ///< contact: sense of the force on bodies[0]
     std::string where;
+
+    const PlanePair& pair() const { return plane_pair(kind); }
 };
 
 /// rad/s, rad/s², m/s, m/s².

@@ -363,8 +363,6 @@ private:
 
     // ----- joints
 
-    static bool is_sliding(const Joint& joint) { return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot; }
-
     void read_joints(const Members& file) {
         const JsonValue joints = file["joints"];
         if (file["motion"]) {
@@ -380,46 +378,26 @@ private:
     }
 
     void read_joint(JsonValue value) {
-        using enum JointKind;
-        constexpr std::array kinds{
-            std::pair{std::string_view("revolute"), revolute}, std::pair{std::string_view("prismatic"), prismatic},
-            std::pair{std::string_view("pin-slot"), pin_slot}, std::pair{std::string_view("rolling"), rolling},
-            std::pair{std::string_view("contact"), contact},   std::pair{std::string_view("gear"), gear},
-            std::pair{std::string_view("weld"), weld},
-        };
         if (!expect(value, Kind::object, "a joint")) {
             joints_known_ = false;
             return;
         }
-        const std::pair<std::string_view, JointKind>* kind = nullptr;
-        for (const auto& candidate : kinds) {
-            if (!value[candidate.first]) continue;
-            if (kind != nullptr) {
-                fault(value[candidate.first], "a joint is of one kind; this one is " + quoted(kind->first) + " already");
+        const PlanePair* pair = nullptr;
+        for (const PlanePair& candidate : plane_pairs) {
+            if (!value[candidate.key]) continue;
+            if (pair != nullptr) {
+                fault(value[candidate.key], "a joint is of one kind; this one is " + quoted(pair->key) + " already");
                 joints_known_ = false;
                 return;
             }
-            kind = &candidate;
+            pair = &candidate;
         }
-        if (kind == nullptr) {
-            // The key that is meant to be the kind is misspelt, or there is none.
-            joints_known_ = false;
-            const Members form = members(value,
-                                         {"revolute", "prismatic", "pin-slot", "rolling", "contact", "gear", "weld", "bodies",
-                                          "name", "along", "arc", "profiles", "tangent", "pushes", "pressure angle", "arm"},
-                                         "a joint");
-            if (!form.has_misspelt()) {
-                fault(
-                    value,
-                    "the kind of joint is missing: one of \"revolute\", \"prismatic\", \"pin-slot\", \"rolling\", \"contact\", \"gear\" and \"weld\"");
-            }
-            return;
-        }
+        if (pair == nullptr) return miss_kind(value);
         Joint joint;
-        joint.kind = kind->second;
+        joint.kind = pair->kind;
         joint.where = value.pointer();
-        const Members form = joint_members(value, joint.kind);
-        const JsonValue at = form[kind->first];
+        const Members form = members(value, keys_of(*pair), pair->called);
+        const JsonValue at = form[pair->key];
         joint.point = point(at);
         joint.name = at.is_string() ? at.text() : std::string_view();
         if (form["name"]) {
@@ -428,9 +406,9 @@ private:
         }
         if (!at.is_string() && !joint.named) joints_known_ = false;
         read_joint_bodies(form, joint);
-        if (joint.kind == prismatic) joint.along = bearing(required(form, "along", "the direction of the guide"));
-        if (joint.kind == pin_slot) read_slot(form, joint);
-        if (joint.kind == rolling || joint.kind == contact || joint.kind == gear) read_profiles(form, joint);
+        if (pair->is_sleeve()) joint.along = bearing(required(form, "along", "the direction of the guide"));
+        if (pair->is_slot()) read_slot(form, joint);
+        if (pair->touches()) read_profiles(form, joint);
         joint.pushes = sense(form["pushes"]);
         if (const JsonValue pressure = form["pressure angle"]) {
             joint.pressure_angle = angle(pressure);
@@ -442,10 +420,10 @@ private:
                 fault(arm, "the carrier of the two gears is a third body");
             }
         }
-        if (joint.kind == revolute || joint.kind == weld) {
+        if (pair->has_common_point()) {
             for (const BodyIndex on : joint.bodies) carry(on, joint.point);
         }
-        if (is_sliding(joint) && !joint.name.empty()) {
+        if (pair->has_guide() && !joint.name.empty()) {
             const auto [found, first] = sliding_keys_.emplace(joint.name, joint.where);
             if (!first) {
                 fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " + found->second +
@@ -455,34 +433,35 @@ private:
                 sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
             }
         }
-        if (!is_sliding(joint) && !joint.name.empty()) other_joints_.emplace(joint.name, kind->first);
+        if (!pair->has_guide() && !joint.name.empty()) other_joints_.emplace(joint.name, pair->key);
         mechanism_.joints.push_back(std::move(joint));
     }
 
-    Members joint_members(JsonValue value, JointKind kind) {
-        switch (kind) {
-            case JointKind::revolute:
-                return members(value, {"revolute", "bodies", "name"}, "a revolute");
-            case JointKind::prismatic:
-                return members(value, {"prismatic", "bodies", "along", "name"}, "a prismatic joint");
-            case JointKind::pin_slot:
-                return members(value, {"pin-slot", "bodies", "along", "arc", "name"}, "a pin-slot");
-            case JointKind::rolling:
-                return members(value, {"rolling", "bodies", "profiles", "tangent", "name"}, "a rolling joint");
-            case JointKind::contact:
-                return members(value, {"contact", "bodies", "profiles", "tangent", "pushes", "name"}, "a contact");
-            case JointKind::gear:
-                return members(value, {"gear", "bodies", "profiles", "tangent", "pressure angle", "arm", "name"}, "a gear");
-            case JointKind::weld:
-                return members(value, {"weld", "bodies", "name"}, "a weld");
-        }
-        KG_ASSERT(false, "every kind of joint has its keys");
+    /// The key that is meant to be the kind is misspelt, or there is none.
+    void miss_kind(JsonValue value) {
+        joints_known_ = false;
+        std::vector<std::string_view> kinds;
+        for (const PlanePair& pair : plane_pairs) kinds.push_back(pair.key);
+        std::vector<std::string_view> keys = kinds;
+        for (const PlanePair& pair : plane_pairs)
+            for (const std::string_view key : keys_of(pair))
+                if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+        if (!members(value, keys, "a joint").has_misspelt())
+            fault(value, "the kind of joint is missing: one of " + listed(kinds));
+    }
+
+    /// What a joint of this kind may say: of its kind, of its bodies, of what is its own.
+    static std::vector<std::string_view> keys_of(const PlanePair& pair) {
+        std::vector<std::string_view> keys{pair.key, "bodies"};
+        std::copy_if(pair.members.begin(), pair.members.end(), std::back_inserter(keys), [](auto key) { return !key.empty(); });
+        keys.emplace_back("name");
+        return keys;
     }
 
     void read_joint_bodies(const Members& form, Joint& joint) {
         const JsonValue bodies = required(form, "bodies", "the bodies that the joint connects");
         if (!bodies || !expect(bodies, Kind::array, "an array of bodies")) return;
-        const bool any_number = joint.kind == JointKind::revolute;
+        const bool any_number = joint.pair().joins_many;
         if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
             fault(bodies,
                   std::string(any_number ? "two bodies or more" : "two bodies") + " are wanted here, not " + described(bodies));
@@ -772,9 +751,11 @@ private:
             actuator.where = value.pointer();
             constexpr std::string_view remedy = "an actuator works in a prismatic joint";
             actuator.joint = sliding_joint(form["joint"], remedy);
-            if (actuator.joint >= 0 && mechanism_.joints[static_cast<std::size_t>(actuator.joint)].kind != JointKind::prismatic) {
-                fault(form["joint"],
-                      "the joint " + quoted(form["joint"].text()) + " is of kind \"pin-slot\"; " + std::string(remedy));
+            if (actuator.joint >= 0) {
+                const PlanePair& pair = mechanism_.joints[static_cast<std::size_t>(actuator.joint)].pair();
+                if (!pair.is_sleeve())
+                    fault(form["joint"], "the joint " + quoted(form["joint"].text()) + " is of kind \"" + std::string(pair.key) +
+                                             "\"; " + std::string(remedy));
             }
             actuator.name = name;
             mechanism_.efforts.emplace_back(std::move(actuator));

@@ -402,24 +402,9 @@ Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose) {
 
 void count_joints(const Mechanism& mechanism, Mobility& mobility) {
     for (const Joint& joint : mechanism.joints) {
-        const auto pairs = static_cast<int>(joint.bodies.size()) - 1;
-        switch (joint.kind) {
-            case JointKind::revolute:
-                mobility.class_1 += pairs;
-                break;
-            case JointKind::prismatic:
-            case JointKind::rolling:
-                ++mobility.class_1;
-                break;
-            case JointKind::pin_slot:
-            case JointKind::contact:
-            case JointKind::gear:
-                ++mobility.class_2;
-                break;
-            case JointKind::weld:
-                mobility.welds += pairs;
-                break;
-        }
+        const int freedoms = joint.pair().freedoms();
+        int& count = freedoms == 0 ? mobility.welds : freedoms == 1 ? mobility.class_1 : mobility.class_2;
+        count += static_cast<int>(joint.bodies.size()) - 1;
     }
     mobility.bodies = static_cast<int>(mechanism.bodies.size());
     mobility.gruebler = 3 * (mobility.bodies - 1) - 2 * mobility.class_1 - mobility.class_2 - 3 * mobility.welds;

@@ -7,13 +7,6 @@
 namespace kinegraph {
 namespace {
 
-constexpr bool kinds_are_in_order() {
-    for (std::size_t i = 0; i < plane_pairs.size(); ++i)
-        if (plane_pairs[i].kind != static_cast<JointKind>(i)) return false;
-    return true;
-}
-static_assert(kinds_are_in_order(), "the catalogue is looked up by kind");
-
 /// The tree of a Prüfer sequence: again and again the smallest leaf hangs on the sequence's next body.
 BinaryScheme tree_of(const std::vector<int>& sequence) {
     const std::size_t bodies = sequence.size() + 2;

@@ -1,43 +1,14 @@
-// The catalogue of pairs: what each allows, what it can transmit, where its instant centre lies. Data, from which `kinegraph
-// pairs` and docs/pairs.md are printed; words are the sheet's business.
+// The catalogue of pairs: beside those of the plane the lower pairs in space and what a multiple hinge stands for. Data, from
+// which `kinegraph pairs` and docs/pairs.md are printed; words are the sheet's business.
 #pragma once
 
 #include <array>
 #include <string_view>
 #include <vector>
 
-#include "engine/mechanism.hpp"
+#include "engine/pair.hpp"
 
 namespace kinegraph {
-
-/// A pair of the plane as the file knows it.
-struct PlanePair {
-    JointKind kind;
-    std::string_view key;   ///< of its words: "revolute" …
-    std::string_view form;  ///< as the file writes it
-    int freedoms;           ///< of one body against the other; its class is the same number, a weld is no pair
-    bool turns;             ///< whether relative rotation is left
-    enum class Force { any_direction, normal_to_guide, along_normal, line_of_action } force;
-    bool couple;  ///< whether it transmits a couple about its point
-    int reactions() const { return 3 - freedoms; }
-};
-/// In the order of JointKind.
-inline constexpr std::array plane_pairs{
-    PlanePair{JointKind::revolute, "revolute", R"({"revolute": P, "bodies": [i, j]})", 1, true, PlanePair::Force::any_direction,
-              false},
-    PlanePair{JointKind::prismatic, "prismatic", R"({"prismatic": P, "bodies": [i, j], "along": X})", 1, false,
-              PlanePair::Force::normal_to_guide, true},
-    PlanePair{JointKind::pin_slot, "pin-slot", R"({"pin-slot": P, "bodies": [i, j], "along": X})", 2, true,
-              PlanePair::Force::normal_to_guide, false},
-    PlanePair{JointKind::rolling, "rolling", R"({"rolling": P, "bodies": [i, j], "profiles": {…}})", 1, true,
-              PlanePair::Force::any_direction, false},
-    PlanePair{JointKind::contact, "contact", R"({"contact": P, "bodies": [i, j], "profiles": {…}})", 2, true,
-              PlanePair::Force::along_normal, false},
-    PlanePair{JointKind::gear, "gear", R"({"gear": P, "bodies": [i, j], "profiles": {…}, "pressure angle": a})", 2, true,
-              PlanePair::Force::line_of_action, false},
-    PlanePair{JointKind::weld, "weld", R"({"weld": P, "bodies": [i, j]})", 0, false, PlanePair::Force::any_direction, true},
-};
-constexpr const PlanePair& plane_pair(JointKind kind) { return plane_pairs[static_cast<std::size_t>(kind)]; }
 
 /// A lower pair in space: surfaces in contact (Reuleaux). Axis z; the planar pair's normal is z.
 struct SpacePair {

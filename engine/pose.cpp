@@ -498,9 +498,7 @@ private:
         // A contact moves its point before any joint measures from it.
         for (std::size_t i = 0; i < count; ++i) {
             const Joint& joint = mechanism_.joints[i];
-            if (joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear) {
-                read_contact(joint, i);
-            }
+            if (joint.pair().touches()) read_contact(joint, i);
         }
         for (std::size_t i = 0; i < count; ++i) {
             const Joint& joint = mechanism_.joints[i];
@@ -508,7 +506,7 @@ private:
                 if (const auto guide = direction(*joint.along, joint.where + "/along")) {
                     pose_.guides[i] = *guide;
                     pose_.guide_units[i] = unit_along(*guide, pose_.bits);
-                    if (joint.kind == JointKind::pin_slot) pose_.normals[i] = quarter_turn(*guide);
+                    pose_.normals[i] = quarter_turn(*guide);
                 }
             } else if (joint.arc >= 0) {
                 if (const auto normal = direction_between({joint.arc, joint.point}, joint.where + "/arc"))
@@ -594,7 +592,7 @@ private:
         if (!tangent) tangent = -quarter_turn(normal);
         pose_.tangents[index] = *tangent;
         pose_.normals[index] = normal;
-        if (joint.kind == JointKind::gear) {
+        if (joint.pair().meshes()) {
             // The line of action leaves the common tangent by the pressure angle. Of the two such lines this is the one turned
             // counter-clockwise; which one the teeth push on is for the forces to say, and motion does not ask.
             const Angle pressure = joint.pressure_angle.value_or(Angle{});

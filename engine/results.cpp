@@ -306,7 +306,7 @@ private:
         const auto shares = [&](const Sliding& other) {
             return other.joint != slide.joint && mechanism_.joints[static_cast<std::size_t>(other.joint)].name == joint.name;
         };
-        if (joint.kind != JointKind::contact || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
+        if (!joint.pair().touches() || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
             return joint.name;
         return joint.name + " (" + name_of_body(joint.bodies[0]) + " on " + name_of_body(joint.bodies[1]) + ")";
     }

@@ -47,17 +47,36 @@ TEST(Catalogue, LeavesTheFreedomsThatTheRankFinds) {
         const auto pose = draw_pose(s.mechanism);
         ASSERT_TRUE(pose) << pair.key;
         const Mobility mobility = mobility_of(s.mechanism, *pose);
-        EXPECT_EQ(mobility.effective, pair.freedoms) << pair.key;
-        EXPECT_EQ(mobility.gruebler, pair.freedoms) << pair.key;
+        EXPECT_EQ(mobility.effective, pair.freedoms()) << pair.key;
+        EXPECT_EQ(mobility.gruebler, pair.freedoms()) << pair.key;
         EXPECT_EQ(static_cast<int>(constraint_rows(s.mechanism, *pose).size()), pair.reactions()) << pair.key;
     }
 }
 
 TEST(Catalogue, ReactionsAreThoseOfTheForcesDrawn) {
     for (const PlanePair& pair : plane_pairs) {
-        const int force = pair.force == PlanePair::Force::any_direction ? 2 : 1;
-        EXPECT_EQ(force + (pair.couple ? 1 : 0), pair.reactions()) << pair.key;
-        EXPECT_EQ(pair.couple, !pair.turns) << pair.key << ": a couple is what hinders turning";
+        const int force = pair.force() == PlanePair::Force::any_direction ? 2 : 1;
+        EXPECT_EQ(force + (pair.transmits_couple() ? 1 : 0), pair.reactions()) << pair.key;
+    }
+}
+
+TEST(Catalogue, PutsTheCentreWhereTheRowsLeaveIt) {
+    using Centre = PlanePair::Centre;
+    for (const PlanePair& pair : plane_pairs) {
+        const Sketch s = single(pair.kind);
+        const auto pose = draw_pose(s.mechanism);
+        ASSERT_TRUE(pose) << pair.key;
+        // Guide and common tangent lie along x, P at the origin: a motion is the velocity there and a turn.
+        bool rotates = true, translates = true;
+        for (const ConstraintRow& row : constraint_rows(s.mechanism, *pose)) {
+            rotates = rotates && !row.turn;
+            translates = translates && (row.turn || row.along.x.is_zero());
+        }
+        const Centre centre = pair.centre();
+        EXPECT_EQ(rotates, centre == Centre::at_point || centre == Centre::on_normal) << pair.key;
+        EXPECT_EQ(translates, centre == Centre::at_infinity || centre == Centre::on_normal) << pair.key;
+        const bool told = pair.primary.has_value();
+        EXPECT_EQ(told, centre != Centre::on_normal) << pair.key << ": what the pair alone tells is said";
     }
 }
 

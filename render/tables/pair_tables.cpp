@@ -90,7 +90,7 @@ private:
 
 std::string reaction_of(const PlanePair& pair, Language language) {
     const auto force = [&] {
-        switch (pair.force) {
+        switch (pair.force()) {
             case PlanePair::Force::any_direction:
                 return "force any direction";
             case PlanePair::Force::normal_to_guide:
@@ -102,7 +102,7 @@ std::string reaction_of(const PlanePair& pair, Language language) {
         }
         return "force along line of action";
     };
-    return word(force(), language) + (pair.couple ? " " + word("and a couple", language) : "");
+    return word(force(), language) + (pair.transmits_couple() ? " " + word("and a couple", language) : "");
 }
 
 std::string counted(int count, const char* one, const char* several, Language language) {
@@ -138,8 +138,8 @@ std::string pair_catalogue(Language language, TextForm form) {
         page.entry(say_word("pair " + key),
                    {{say_word("in the file"), page.code(pair.form)},
                     {say_word("freedoms left"),
-                     std::to_string(pair.freedoms) + (pair.freedoms > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
-                    {say_word("class"), pair.freedoms > 0 ? std::to_string(pair.freedoms) : say_word("no pair")},
+                     std::to_string(pair.freedoms()) + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
+                    {say_word("class"), pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : say_word("no pair")},
                     {say_word("reaction"),
                      reaction_of(pair, language) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
                     {say_word("fixed"), say_word("fixed " + key)},
@@ -180,7 +180,7 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
     std::vector<Cells> rows{{say_word("joint"), say_word("kind of pair"), say_word("bodies of a pair"), say_word("class")}};
     std::vector<std::string> multiple;
     for (const Joint& joint : mechanism.joints) {
-        const PlanePair& pair = plane_pair(joint.kind);
+        const PlanePair& pair = joint.pair();
         std::vector<std::string> names;
         std::string bodies;
         for (const BodyIndex body : joint.bodies) {
@@ -188,7 +188,7 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
             bodies += (bodies.empty() ? "" : ", ") + names.back();
         }
         rows.push_back({joint.name, say_word("pair " + std::string(pair.key)), bodies,
-                        pair.freedoms > 0 ? std::to_string(pair.freedoms) : "–"});
+                        pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : "–"});
         if (names.size() < 3) continue;
         const auto n = static_cast<int>(names.size());
         std::string line = joint.name + ": " + say_word("multiplicity") + " " + std::to_string(n - 1) + ", " + schemes_of(n) +

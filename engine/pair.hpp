@@ -1,0 +1,88 @@
+// Pairs of the plane: each kind of joint is a row of one table. A row says in three facts what a pair is: how its bodies meet at
+// the joint's point P, what is held there of their relative velocity, and whether their relative rotation is held. Everything
+// else follows from the three: freedoms, the force it transmits, where its instant centre lies, what it means to the planner and
+// on paper. So the rest of the house asks for facts ("has a guide", "holds the rotation") and never for a kind; only the check, a
+// second opinion, knows the kinds by itself.
+//
+// A table and not a variant of types with visitors: the kinds differ in what they are, which is data; what is done with them
+// belongs to rooms that this one knows nothing of, and there two or three facts at a time decide, seldom all seven kinds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace kinegraph {
+
+enum class Sentence;
+
+enum class JointKind { revolute, prismatic, pin_slot, rolling, contact, gear, weld };
+
+/// A pair of the plane as the file knows it. Class is the number of its freedoms; a weld is no pair.
+struct PlanePair {
+    /// How the bodies meet at P.
+    enum class Meeting {
+        common_point,  ///< P is one point of all of them
+        guide,         ///< P of bodies[0] lies on a guide of bodies[1]
+        profiles       ///< two profiles touch in P
+    };
+    /// What is held of their relative velocity at P: across the guide or the common tangent, along the tangent only, or all.
+    enum class Held { along_normal, along_tangent, wholly };
+    enum class Force { any_direction, normal_to_guide, along_normal, line_of_action };
+    enum class Centre { at_point, at_infinity, on_normal, everywhere };
+
+    JointKind kind;
+    std::string_view key;                     ///< in the file, and of its words: "revolute" …
+    std::string_view called;                  ///< in messages about the file
+    std::string_view form;                    ///< as the file writes it
+    std::array<std::string_view, 4> members;  ///< what a file may say of it besides its bodies and its name
+    Meeting meeting;
+    Held held;
+    bool holds_rotation;
+    bool joins_many;                  ///< more than two bodies may share it
+    std::optional<Sentence> primary;  ///< says where its instant centre is, where the pair alone tells
+
+    int rows() const { return (held == Held::wholly ? 2 : 1) + (holds_rotation ? 1 : 0); }
+    int freedoms() const { return 3 - rows(); }
+    int reactions() const { return rows(); }
+    bool turns() const { return !holds_rotation; }
+
+    bool has_common_point() const { return meeting == Meeting::common_point; }
+    bool has_guide() const { return meeting == Meeting::guide; }
+    bool touches() const { return meeting == Meeting::profiles; }
+
+    bool is_hinge() const { return has_common_point() && turns(); }
+    bool is_clamp() const { return has_common_point() && holds_rotation; }
+    bool is_sleeve() const { return has_guide() && holds_rotation; }
+    bool is_slot() const { return has_guide() && turns(); }
+    bool rolls() const { return touches() && held == Held::wholly; }
+    /// Pitch curves: they roll on each other, and what holds their centres apart is another pair.
+    bool meshes() const { return touches() && held == Held::along_tangent; }
+
+    /// The bodies slide on each other at P.
+    bool slides() const { return held == Held::along_normal; }
+    /// They turn about a pin at P, which may itself slide.
+    bool has_pin() const { return !touches() && turns(); }
+    /// Accelerations there hang on the curvatures of the profiles.
+    bool asks_curvatures() const { return touches() && !meshes(); }
+
+    Centre centre() const {
+        if (holds_rotation) return slides() ? Centre::at_infinity : Centre::everywhere;
+        return slides() ? Centre::on_normal : Centre::at_point;
+    }
+    Force force() const {
+        if (held == Held::wholly) return Force::any_direction;
+        if (has_guide()) return Force::normal_to_guide;
+        return meshes() ? Force::line_of_action : Force::along_normal;
+    }
+    /// Besides the force, a couple about P: what hinders turning.
+    bool transmits_couple() const { return holds_rotation; }
+};
+
+/// In the order of JointKind.
+extern const std::array<PlanePair, 7> plane_pairs;
+
+inline const PlanePair& plane_pair(JointKind kind) { return plane_pairs[static_cast<std::size_t>(kind)]; }
+
+}  // namespace kinegraph
