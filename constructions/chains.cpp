@@ -180,13 +180,13 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
 LineReason Chains::line_reason(const Locus& locus) const {
     const Joint& joint = mechanism_.joints[at(locus.joint)];
     if (locus.kind == Locus::Kind::mesh) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
-    if (joint.kind == JointKind::contact) return {LineReason::Kind::parallel_to_tangent, joint.name, {}};
+    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_tangent, joint.name, {}};
     return along_guide(mechanism_, locus.joint, false);
 }
 
 LineReason Chains::normal_reason(const Locus& locus) const {
     const Joint& joint = mechanism_.joints[at(locus.joint)];
-    if (joint.kind == JointKind::contact) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
+    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
     return along_guide(mechanism_, locus.joint, true);
 }
 

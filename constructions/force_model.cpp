@@ -63,24 +63,12 @@ void ForceModel::add_joint(JointIndex index) {
     Bond bond;
     bond.joint = index;
     bond.place = board_.place(joint.point);
-    switch (joint.kind) {
-        case JointKind::revolute:
-        case JointKind::rolling:
-            bond.kind = Bond::Kind::pin;
-            break;
-        case JointKind::prismatic:
-            bond.kind = Bond::Kind::guide;
-            bond.direction = board_.perpendicular(board_.guide(index));
-            break;
-        case JointKind::pin_slot:
-        case JointKind::contact:
-        case JointKind::gear:
-            bond.kind = Bond::Kind::line;
-            bond.direction = board_.normal(index);
-            break;
-        case JointKind::weld:
-            bond.kind = Bond::Kind::clamp;
-            break;
+    const bool couple = joint.pair().transmits_couple();
+    if (joint.pair().force() == PlanePair::Force::any_direction) {
+        bond.kind = couple ? Bond::Kind::clamp : Bond::Kind::pin;
+    } else {
+        bond.kind = couple ? Bond::Kind::guide : Bond::Kind::line;
+        bond.direction = couple ? board_.perpendicular(board_.guide(index)) : board_.normal(index);
     }
     const auto add = [&](int first, int second) {
         Bond one = bond;
@@ -97,7 +85,7 @@ void ForceModel::add_joint(JointIndex index) {
         bonds_.push_back(one);
     };
     if (joint.bodies.size() == 2) return add(joint.bodies[0], joint.bodies[1]);
-    if (joint.kind == JointKind::revolute) {  // a multiple hinge: a pin of its own, without weight
+    if (joint.pair().is_hinge()) {  // a multiple hinge: a pin of its own, without weight
         pins_.push_back(joint.point);
         const int pin = members_++;
         for (const BodyIndex body : joint.bodies) add(body, pin);
@@ -144,7 +132,7 @@ bool ForceModel::turn_gears(const Run& run) {
     bool changed = false;
     for (std::size_t b = 0; b < joint_bonds_; ++b) {
         Bond& bond = bonds_[b];
-        if (bond.joint < 0 || mechanism_.joints[at(bond.joint)].kind != JointKind::gear || !run.reactions[b].force) continue;
+        if (bond.joint < 0 || !mechanism_.joints[at(bond.joint)].pair().meshes() || !run.reactions[b].force) continue;
         const JointIndex joint = bond.joint;
         const Vector normal = quarter_turn(board_.pose().tangents[at(joint)]);
         const int radial = dot(board_.value(*run.reactions[b].force), normal).sign();

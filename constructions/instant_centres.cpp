@@ -69,20 +69,23 @@ void InstantCentres::primary(JointIndex j) {
 void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j) {
     const Joint& joint = structure_.mechanism().joints[at(index_of_joint)];
     Pair& entry = pair(i, j);
-    if (joint.kind == JointKind::pin_slot || joint.kind == JointKind::contact) {
+    const PlanePair::Centre lies = joint.pair().centre();
+    if (lies == PlanePair::Centre::on_normal) {
         entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
         return;
     }
     if (entry.centre.everywhere) return;
-    if (joint.kind == JointKind::weld) {
+    const auto told = [&] {
+        return say(*joint.pair().primary, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+    };
+    if (lies == PlanePair::Centre::everywhere) {
         entry.centre.everywhere = true;
         entry.centre.how = InstantCentre::How::primary;
         entry.centre.order = order_++;
-        entry.centre.statement =
-            say(Sentence::primary_weld, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+        entry.centre.statement = told();
         return;
     }
-    const Drawing point = joint.kind == JointKind::prismatic
+    const Drawing point = lies == PlanePair::Centre::at_infinity
                               ? board_.at_infinity(board_.perpendicular(board_.guide(index_of_joint)))
                               : board_.place(joint.point);
     if (entry.point) {
@@ -91,11 +94,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
         return;
     }
     settle(entry, point, InstantCentre::How::primary);
-    const Sentence sentence = joint.kind == JointKind::prismatic ? Sentence::primary_prismatic
-                              : joint.kind == JointKind::rolling ? Sentence::primary_rolling
-                              : joint.kind == JointKind::gear    ? Sentence::primary_gear
-                                                                 : Sentence::primary_revolute;
-    entry.centre.statement = say(sentence, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+    entry.centre.statement = told();
 }
 
 /// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be drawn.

@@ -163,7 +163,7 @@ private:
     void spin_by_joint(Track<plane>& track, const Step& step) {
         if (!track.turns(step.other)) return;
         const Joint& joint = mechanism_.joints[at(step.joint)];
-        if (joint.kind == JointKind::prismatic && joint.bodies[1] == frame)
+        if (joint.pair().is_sleeve() && joint.bodies[1] == frame)
             begin<plane>(either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
                          {spin_of<plane>(step.body), body(step.body), place_of(joint)}, "");
         else
@@ -272,7 +272,7 @@ private:
     void introduce(const Locus& locus) {
         const bool higher = locus.kind == Locus::Kind::link || locus.kind == Locus::Kind::tangent ||
                             locus.kind == Locus::Kind::mesh ||
-                            (locus.kind == Locus::Kind::slot && mechanism_.joints[at(locus.joint)].kind == JointKind::contact);
+                            (locus.kind == Locus::Kind::slot && mechanism_.joints[at(locus.joint)].pair().touches());
         if (hand_ != Hand::solution || !higher || !introduced_.insert(locus.joint).second) return;
         const Joint& joint = mechanism_.joints[at(locus.joint)];
         const PointName contact{mechanism_.points[at(joint.point)].name};

@@ -329,7 +329,7 @@ private:
         for (BodyIndex body = 0; body < bodies; ++body) {
             for (const Rolling& rolling : structure_.rollings_of(body)) structure_.on(rolling.point, body);
             for (const Passage& passage : structure_.passages_of(body)) {
-                if (mechanism_.joints[at(passage.joint)].kind != JointKind::pin_slot) structure_.on(passage.own, body);
+                if (mechanism_.joints[at(passage.joint)].pair().touches()) structure_.on(passage.own, body);
             }
         }
     }
@@ -343,8 +343,7 @@ private:
                 const BodyIndex body = joint.bodies[inverse ? 1 : 0], other = joint.bodies[inverse ? 0 : 1];
                 if (body_known(body)) continue;
                 NodeIndex base = known_on(joint.point, other);
-                if (base < 0 &&
-                    joint.kind == JointKind::prismatic) {  // any known place of the other serves: no relative rotation
+                if (base < 0 && joint.pair().holds_rotation) {  // any known place of the other serves: no relative rotation
                     base = base_of(other, -1);
                 }
                 if (base < 0 || structure_.node(base).point < 0) continue;
@@ -480,7 +479,7 @@ private:
 
     DirectionHandle direction_of_slot(JointIndex index) {
         const Joint& joint = mechanism_.joints[at(index)];
-        if (joint.kind == JointKind::contact) return board_.tangent(index);
+        if (joint.pair().touches()) return board_.tangent(index);
         return joint.arc >= 0 ? perpendicular_to(board_.normal(index)) : board_.guide(index);
     }
 
@@ -832,7 +831,7 @@ private:
     bool see_places_of(JointIndex index) {
         const Joint& joint = mechanism_.joints[at(index)];
         const BodyIndex body = joint.bodies[0];
-        if (joint.kind == JointKind::prismatic || joint.kind == JointKind::rolling)
+        if (joint.pair().is_sleeve() || joint.pair().rolls())
             return known_on(joint.point, body) >= 0 && known_on(joint.point, joint.bodies[1]) >= 0;
         for (const Passage& passage : structure_.passages_of(body)) {
             if (passage.joint == index) return known_on(passage.own, body) >= 0 && known_on(passage.others, passage.other) >= 0;

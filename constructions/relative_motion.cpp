@@ -11,11 +11,6 @@ namespace {
 constexpr BodyIndex frame = 0;
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Whether the bodies of a joint may slide on each other at its point.
-bool slides_at_point(const Joint& joint) {
-    return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot || joint.kind == JointKind::contact;
-}
-
 /// The node of a point that moves with the body the question is about: any of its nodes but one of the observer's own.
 NodeIndex node_of_point(const Structure& structure, PointIndex point, BodyIndex observer) {
     NodeIndex best = -1;
@@ -149,9 +144,9 @@ private:
 void add_nodes_of_interest(Structure& structure) {
     const Mechanism& mechanism = structure.mechanism();
     for (const Joint& joint : mechanism.joints) {
-        if (!slides_at_point(joint) && joint.kind != JointKind::rolling) continue;
+        if (!joint.pair().slides() && !joint.pair().rolls()) continue;
         // The plain name is for the slider's point, or for the body that moves.
-        const bool guide_first = joint.bodies.front() == frame && joint.kind != JointKind::prismatic;
+        const bool guide_first = joint.bodies.front() == frame && !joint.pair().is_sleeve();
         for (const BodyIndex body : joint.bodies) {
             if (!guide_first || body != frame) structure.on(joint.point, body, true);
         }
@@ -167,7 +162,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
     std::vector<Sliding> results;
     for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
         const Joint& joint = mechanism.joints[j];
-        if (!slides_at_point(joint)) continue;
+        if (!joint.pair().slides()) continue;
         const NodeIndex slider = structure.find(joint.point, joint.bodies[0]),
                         guide = structure.find(joint.point, joint.bodies[1]);
         if (slider < 0 || guide < 0 || !motion.velocity.has(slider) || !motion.velocity.has(guide)) continue;

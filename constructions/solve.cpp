@@ -307,8 +307,7 @@ private:
     Message missing_acceleration() const {
         for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
             const Joint& joint = mechanism_.joints[j];
-            const bool curved = joint.kind == JointKind::rolling || joint.kind == JointKind::contact;
-            if (!curved || structure_.has_curvatures(static_cast<JointIndex>(j))) continue;
+            if (!joint.pair().asks_curvatures() || structure_.has_curvatures(static_cast<JointIndex>(j))) continue;
             const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
             return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {PointName{joint.name}}};
         }

@@ -7,12 +7,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-bool slides(const Joint& joint) { return joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot; }
-
-bool touches(const Joint& joint) {
-    return joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear;
-}
-
 /// Profiles that are given, of the joint's first or second body.
 bool is_straight(const Joint& joint, std::size_t side) {
     return std::holds_alternative<LineProfile>(joint.profiles.at(joint.bodies[side]));
@@ -24,7 +18,7 @@ PointIndex centre_of(const Joint& joint, std::size_t side) {
 
 /// The body whose point at a joint goes by the plain name: the slider, not the guide; of two that touch the one that moves.
 BodyIndex plainly_named(const Joint& joint) {
-    return touches(joint) && joint.bodies.front() == 0 ? joint.bodies.back() : joint.bodies.front();
+    return joint.pair().touches() && joint.bodies.front() == 0 ? joint.bodies.back() : joint.bodies.front();
 }
 
 /// For each point, the groups of bodies that carry it as one: joined by the revolutes and welds at it.
@@ -35,13 +29,13 @@ public:
             for (const PointIndex point : mechanism.bodies[body].points) add(point, static_cast<BodyIndex>(body));
         }
         for (const Joint& joint : mechanism.joints) {
-            if (joint.kind == JointKind::revolute || joint.kind == JointKind::weld) {
+            if (joint.pair().has_common_point()) {
                 for (const BodyIndex body : joint.bodies) unite(joint.point, joint.bodies.front(), body);
             }
         }
         // The pin of a slot is its body's; the point of a sleeve is the slider's where nothing else carries it.
         for (const Joint& joint : mechanism.joints) {
-            if (joint.kind == JointKind::pin_slot || (joint.kind == JointKind::prismatic && groups_[at(joint.point)].empty())) {
+            if (joint.pair().is_slot() || (joint.pair().is_sleeve() && groups_[at(joint.point)].empty())) {
                 add(joint.point, joint.bodies.front());
             }
         }
@@ -94,7 +88,7 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
         // The slider's point goes by the plain name, the guide's by the name with a star.
         const auto is_slider = [&](const std::vector<BodyIndex>& group) {
             return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-                return (slides(joint) || touches(joint)) && joint.point == static_cast<PointIndex>(point) &&
+                return !joint.pair().has_common_point() && joint.point == static_cast<PointIndex>(point) &&
                        std::find(group.begin(), group.end(), plainly_named(joint)) != group.end();
             });
         };
@@ -109,17 +103,17 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
     for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
         const Joint& joint = mechanism.joints[j];
         const auto index = static_cast<JointIndex>(j);
-        if (joint.kind == JointKind::prismatic) {
+        if (joint.pair().is_sleeve()) {
             sleeves_[at(joint.bodies[0])].push_back({index, joint.bodies[1], false});
             sleeves_[at(joint.bodies[1])].push_back({index, joint.bodies[0], true});
         }
-        if (joint.kind == JointKind::rolling) {
+        if (joint.pair().rolls()) {
             rollings_[at(joint.bodies[0])].push_back({index, joint.bodies[1], joint.point});
             rollings_[at(joint.bodies[1])].push_back({index, joint.bodies[0], joint.point});
         }
         curvatures_.push_back(finds_curvatures(joint));
         add_passages(index);
-        if (joint.kind == JointKind::prismatic || joint.kind == JointKind::weld) {
+        if (joint.pair().holds_rotation) {
             for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
                 same_spin_[at(joint.bodies[0])].emplace_back(joint.bodies[k], index);
                 same_spin_[at(joint.bodies[k])].emplace_back(joint.bodies[0], index);
@@ -139,11 +133,11 @@ void Structure::add_passage(Passage::Kind kind, JointIndex joint, BodyIndex slid
 void Structure::add_passages(JointIndex index) {
     using Kind = Passage::Kind;
     const Joint& joint = mechanism_.joints[at(index)];
-    if (joint.kind == JointKind::pin_slot || joint.kind == JointKind::gear) {
-        const Kind kind = joint.kind == JointKind::gear ? Kind::mesh : Kind::slot;
+    if (joint.pair().is_slot() || joint.pair().meshes()) {
+        const Kind kind = joint.pair().meshes() ? Kind::mesh : Kind::slot;
         add_passage(kind, index, joint.bodies[0], joint.point, joint.bodies[1], joint.point);
     }
-    if (joint.kind != JointKind::contact) return;
+    if (!joint.pair().touches() || !joint.pair().slides()) return;
     const auto add = [&](Kind kind, std::size_t slider, PointIndex place, PointIndex guides_place) {
         add_passage(kind, index, joint.bodies[slider], place, joint.bodies[1 - slider], guides_place);
     };
@@ -157,7 +151,7 @@ void Structure::add_passages(JointIndex index) {
 }
 
 bool Structure::finds_curvatures(const Joint& joint) {
-    if (joint.kind != JointKind::rolling && joint.kind != JointKind::contact) return false;
+    if (!joint.pair().asks_curvatures()) return false;
     if (!joint.profiles.contains(joint.bodies[0]) || !joint.profiles.contains(joint.bodies[1])) return false;
     if (is_straight(joint, 0) || is_straight(joint, 1)) return true;
     return !board_.coincide(board_.place(centre_of(joint, 0)), board_.place(centre_of(joint, 1)));
