@@ -44,9 +44,8 @@ void Sketch::draw_alone(BodyIndex body) {
     }
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
-        if (joint.kind == JointKind::prismatic && joint.bodies.size() == 2 && joint.bodies[0] == body)
-            draw_block(joint, j, bodies);
-        if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
+        if (joint.pair().is_sleeve() && joint.bodies.size() == 2 && joint.bodies[0] == body) draw_block(joint, j, bodies);
+        if (joint.pair().is_slot() && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
             draw_curved_slot(joint, bodies);
     }
     for (const Bar& slot : shape.slots) draw_slot(slot, body, bodies);
@@ -60,8 +59,8 @@ void Sketch::draw_alone(BodyIndex body) {
     for (const Joint& joint : m_.joints) {
         if (std::find(joint.bodies.begin(), joint.bodies.end(), body) == joint.bodies.end()) continue;
         const Spot at = spot(joint.point);
-        if (joint.kind == JointKind::prismatic || !once(at)) continue;
-        if (joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot)
+        if (joint.pair().is_sleeve() || !once(at)) continue;
+        if (joint.pair().has_pin())
             pins.emplace_back(ring(at, 0.8 * pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
         else
             draw_dot(at);

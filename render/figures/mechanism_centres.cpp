@@ -243,8 +243,7 @@ private:
         const Spot at = place_[cluster.front()];
         const std::vector<Joint>& joints = sketch_.m_.joints;
         const bool pin_there = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
-            return (joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot || joint.kind == JointKind::weld) &&
-                   length(sketch_.spot(joint.point) - at) < same_place;
+            return (joint.pair().has_pin() || joint.pair().is_clamp()) && length(sketch_.spot(joint.point) - at) < same_place;
         });
         const bool at_pin =
             pin_there && std::any_of(cluster.begin(), cluster.end(), [&](std::size_t d) { return is_primary(d); });
@@ -279,7 +278,7 @@ private:
                 const auto has = [&](BodyIndex body) {
                     return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
                 };
-                if (joint.kind != JointKind::prismatic || !has(all_[c].first) || !has(all_[c].second)) continue;
+                if (!joint.pair().is_sleeve() || !has(all_[c].first) || !has(all_[c].second)) continue;
                 const Spot at = sketch_.spot(joint.point);
                 double up = 0, down = 0;
                 for (const Spot link : sketch_.leaving(joint.point)) {

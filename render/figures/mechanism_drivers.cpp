@@ -19,7 +19,7 @@ std::optional<PointIndex> Sketch::pivot_of_driver(const SpinDriver& spin) const 
         const auto has = [&](BodyIndex b) {
             return std::find(joint.bodies.begin(), joint.bodies.end(), b) != joint.bodies.end();
         };
-        if (joint.kind == JointKind::revolute && has(spin.body) && has(spin.relative_to)) return joint.point;
+        if (joint.pair().is_hinge() && has(spin.body) && has(spin.relative_to)) return joint.point;
     }
     const std::vector<int>& corners = s_.corners[at_index(spin.body)];
     if (corners.empty()) return std::nullopt;

@@ -101,9 +101,8 @@ Subject::Subject(const Solution& s) : solution(s), mechanism(s.mechanism) {
         if (joint.point < 0) continue;
         shown[at_index(joint.point)] = true;
         for (std::size_t i = 0; i < joint.bodies.size(); ++i) {
-            const bool held = joint.kind == JointKind::revolute || joint.kind == JointKind::weld ||
-                              ((joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot) && i == 0) ||
-                              is_tip(joint, joint.bodies[i]);
+            const bool held =
+                joint.pair().has_common_point() || (joint.pair().has_guide() && i == 0) || is_tip(joint, joint.bodies[i]);
             if (held) add_corner(joint.bodies[i], joint.point);
         }
     }
@@ -137,18 +136,9 @@ bool Subject::touches_there(BodyIndex body, PointIndex point) const {
     for (const Joint& joint : mechanism.joints) {
         const auto in = std::find(joint.bodies.begin(), joint.bodies.end(), body);
         if (in == joint.bodies.end() || joint.point != point) continue;
-        switch (joint.kind) {
-            case JointKind::revolute:
-            case JointKind::weld:
-                return false;
-            case JointKind::prismatic:
-            case JointKind::pin_slot:
-                if (in == joint.bodies.begin()) return false;
-                break;
-            default:
-                // Without a profile it is a point of the body that touches.
-                touches = joint.profiles.count(body) != 0 && !is_tip(joint, body);
-        }
+        if (joint.pair().has_common_point() || (joint.pair().has_guide() && in == joint.bodies.begin())) return false;
+        // Without a profile it is a point of the body that touches.
+        if (joint.pair().touches()) touches = joint.profiles.count(body) != 0 && !is_tip(joint, body);
     }
     return touches;
 }
@@ -164,7 +154,7 @@ Sketch::Sketch(const Subject& subject, const DrawingContext& context, double sca
     for (const Spot point : s_.points) spots_.push_back((1 / scale_) * point);
     for (const Joint& joint : m_.joints)
         for (const auto& [body, profile] : joint.profiles)
-            if (const auto* round = std::get_if<CircleProfile>(&profile); round && joint.kind == JointKind::gear)
+            if (const auto* round = std::get_if<CircleProfile>(&profile); round && joint.pair().meshes())
                 module_ = std::min(module_, length(spot(joint.point) - spot(round->centre)) / 6);
     find_cylinders();
     for (std::size_t b = 0; b < m_.bodies.size(); ++b) shapes_.push_back(shape_of(static_cast<int>(b)));
@@ -174,8 +164,7 @@ Sketch::Sketch(const Subject& subject, const DrawingContext& context, double sca
 void Sketch::find_cylinders() {
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
-        if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2 || joint.bodies[0] == 0 || joint.bodies[1] == 0)
-            continue;
+        if (!joint.pair().is_sleeve() || joint.bodies.size() != 2 || joint.bodies[0] == 0 || joint.bodies[1] == 0) continue;
         const auto driven = [&](const auto& listed) {
             return std::any_of(listed.begin(), listed.end(), [&](const auto& one) {
                 const auto* slide = std::get_if<SlideDriver>(&one);
@@ -271,11 +260,11 @@ Shape Sketch::shape_of(BodyIndex body) const {
     std::vector<Spot> off_guide = corners;
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
-        const bool slides = (joint.kind == JointKind::prismatic || joint.kind == JointKind::pin_slot) &&
-                            joint.bodies.size() == 2 && joint.bodies[1] == body && length(s_.guides[j]) > 0;
+        const bool slides =
+            joint.pair().has_guide() && joint.bodies.size() == 2 && joint.bodies[1] == body && length(s_.guides[j]) > 0;
         if (!slides) continue;
         if (cylinder_of(j)) continue;
-        const bool slot = joint.kind == JointKind::pin_slot;
+        const bool slot = joint.pair().is_slot();
         const double reach = slot ? slot_half_ : sleeve_half_ + rod_beyond_;
         rods.push_back({spots_[at_index(joint.point)], s_.guides[j], -reach, reach, slot});
     }
@@ -319,7 +308,7 @@ Shape Sketch::shape_of(BodyIndex body) const {
     }
     // A curved slot hangs on the nearest corner by its nearer end.
     for (const Joint& joint : m_.joints) {
-        if (joint.kind != JointKind::pin_slot || joint.arc < 0 || joint.bodies[1] != body || corners.empty()) continue;
+        if (!joint.pair().is_slot() || joint.arc < 0 || joint.bodies[1] != body || corners.empty()) continue;
         const CurvedSlot slot = curved_slot(joint);
         if (slot.radius <= 0) continue;
         Bar nearest{corners.front(), slot.centre + slot.radius * polar_spot(slot.from)};
@@ -441,7 +430,7 @@ double Sketch::crowding(Spot spot, Spot besides) const {
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
         const Spot at = this->spot(joint.point);
-        if (joint.kind == JointKind::prismatic) {
+        if (joint.pair().is_sleeve()) {
             const bool on_frame = joint.bodies[1] == 0;
             const Spot d = spot - at;
             if (std::abs(dot(d, s_.guides[j])) < (on_frame ? slider_half_ + wall_beyond_ : sleeve_half_) + 1 &&
@@ -462,7 +451,7 @@ bool Sketch::lies_on(BodyIndex body, BodyIndex longer) const {
     const Shape &a = shapes_[at_index(body)], &b = shapes_[at_index(longer)];
     if (body == longer || a.bars.size() != 1 || b.bars.size() != 1) return false;
     for (const Joint& joint : m_.joints)
-        if (joint.kind == JointKind::prismatic && joint.bodies.size() == 2 &&
+        if (joint.pair().is_sleeve() && joint.bodies.size() == 2 &&
             std::max(joint.bodies[0], joint.bodies[1]) == std::max(body, longer) &&
             std::min(joint.bodies[0], joint.bodies[1]) == std::min(body, longer))
             return false;
@@ -480,11 +469,11 @@ std::vector<BodyIndex> Sketch::drawing_order() const {
     const std::size_t n = m_.bodies.size();
     std::vector<std::vector<bool>> above(n, std::vector<bool>(n, false));  // above[a][b]: a is drawn after b
     for (const Joint& joint : m_.joints) {
-        if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2) continue;
+        if (!joint.pair().is_sleeve() || joint.bodies.size() != 2) continue;
         const std::size_t block = at_index(joint.bodies[0]), guide = at_index(joint.bodies[1]);
         above[block][guide] = true;
         for (const Joint& other : m_.joints) {
-            if (other.point != joint.point || other.kind != JointKind::revolute) continue;
+            if (other.point != joint.point || !other.pair().is_hinge()) continue;
             for (const BodyIndex body : other.bodies)
                 if (at_index(body) != block && at_index(body) != guide) above[at_index(body)][block] = true;
         }

@@ -101,7 +101,7 @@ struct Subject {
 
     double size() const { return std::max(box.width(), box.height()); }
     static bool is_fixed_pin(const Joint& joint) {
-        return joint.kind == JointKind::revolute && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+        return joint.pair().is_hinge() && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
     }
     static bool is_tip(const Joint& joint, BodyIndex body) {
         const auto profile = joint.profiles.find(body);

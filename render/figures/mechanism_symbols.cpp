@@ -131,7 +131,7 @@ void Sketch::draw_guides() {
                                   away);
             }
         };
-        if (joint.kind == JointKind::prismatic && joint.bodies[1] == 0) {
+        if (joint.pair().is_sleeve() && joint.bodies[1] == 0) {
             const double half = slider_half_ + axis_beyond_;
             construction.emplace_back(
                 line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
@@ -144,9 +144,9 @@ void Sketch::draw_guides() {
                     reach = std::min(reach, std::max(ahead - 3.5, slider_half_ + 2));
             }
             walls(slider_side_ + theme_.vector / 2 + theme_.outline / 2, reach, true);
-        } else if (joint.kind == JointKind::prismatic && joint.bodies[0] == 0) {
+        } else if (joint.pair().is_sleeve() && joint.bodies[0] == 0) {
             walls(theme_.link / 2 + 0.5, sleeve_half_, false);
-        } else if (joint.kind == JointKind::pin_slot && joint.bodies[1] == 0) {
+        } else if (joint.pair().is_slot() && joint.bodies[1] == 0) {
             const double half = slider_half_ + axis_beyond_;
             construction.emplace_back(
                 line(at - half * along, at + half * along, {theme_.thin, theme_.secondary, dash_dot(), false}));
@@ -230,7 +230,7 @@ void Sketch::draw_crossings(BodyIndex body, const std::vector<BodyIndex>& below,
         for (std::size_t j = 0; j < m_.joints.size(); ++j) {
             const Spot d = at - spot(m_.joints[j].point);
             if (length(d) < pin_radius_ + theme_.link) return true;
-            if (m_.joints[j].kind == JointKind::prismatic && std::abs(dot(d, s_.guides[j])) < slider_half_ + theme_.link &&
+            if (m_.joints[j].pair().is_sleeve() && std::abs(dot(d, s_.guides[j])) < slider_half_ + theme_.link &&
                 std::abs(cross(d, s_.guides[j])) < slider_side_ + theme_.link)
                 return true;
         }
@@ -317,7 +317,7 @@ bool Sketch::covered_by_block(const Joint& hinge) const {
     };
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
-        if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2 || joint.bodies[0] == 0 || cylinder_of(j)) continue;
+        if (!joint.pair().is_sleeve() || joint.bodies.size() != 2 || joint.bodies[0] == 0 || cylinder_of(j)) continue;
         if (length(spot(joint.point) - spot(hinge.point)) < same_place && !holds(joint.bodies[0]) && holds(joint.bodies[1]))
             return true;
     }
@@ -342,11 +342,11 @@ void Sketch::draw_body(BodyIndex body, const std::vector<BodyIndex>& below) {
         if (m_.joints[cylinder.joint].bodies[1] == body) draw_barrel(cylinder, body, marks);
     // The block covers the end of its own rod: they are one piece.
     for (std::size_t j = 0; j < m_.joints.size(); ++j)
-        if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies.size() == 2 && m_.joints[j].bodies[0] == body)
+        if (m_.joints[j].pair().is_sleeve() && m_.joints[j].bodies.size() == 2 && m_.joints[j].bodies[0] == body)
             draw_block(m_.joints[j], j, marks);
     for (const Bar& slot : shape.slots) draw_slot(slot, body, marks);
     for (const Joint& joint : m_.joints)
-        if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
+        if (joint.pair().is_slot() && joint.arc >= 0 && joint.bodies.size() == 2 && joint.bodies[1] == body)
             draw_curved_slot(joint, marks);
     const std::string& words = in(data.label, context_.language);
     bodies.emplace_back(GroupBegin{"link", id("link", data.name), words.empty() ? data.name : data.name + ": " + words, {}});
@@ -382,7 +382,7 @@ void Sketch::balloon(BodyIndex body) {
         request.anchor = shape.middle;
         request.clearance = 6.4;
         for (std::size_t j = 0; j < m_.joints.size(); ++j)
-            if (m_.joints[j].kind == JointKind::prismatic && m_.joints[j].bodies[0] == body) {
+            if (m_.joints[j].pair().is_sleeve() && m_.joints[j].bodies[0] == body) {
                 request.anchor = spot(m_.joints[j].point);
                 const double half = m_.joints[j].bodies[1] == 0 ? slider_half_ : sleeve_half_;
                 const double side = m_.joints[j].bodies[1] == 0 ? slider_side_ : sleeve_side_;
@@ -448,8 +448,8 @@ void Sketch::draw_clamp(const Joint& joint) {
 void Sketch::draw_in_colour() {
     for (const Joint& joint : m_.joints) {
         if (Subject::is_fixed_pin(joint)) draw_fixed_pin(joint.point);
-        if (joint.kind == JointKind::weld) draw_clamp(joint);
-        if (joint.kind == JointKind::pin_slot && joint.arc >= 0 && joint.bodies[1] == 0) draw_curved_slot(joint, ground);
+        if (joint.pair().is_clamp()) draw_clamp(joint);
+        if (joint.pair().is_slot() && joint.arc >= 0 && joint.bodies[1] == 0) draw_curved_slot(joint, ground);
     }
     draw_guides();
     std::vector<Mark> none;  // all that the frame has is ground
@@ -472,13 +472,13 @@ void Sketch::draw_in_colour() {
         for (const BodyIndex body : joint.bodies) title += " " + m_.bodies[at_index(body)].name;
         pins.emplace_back(GroupBegin{"joint", id("joint", joint.name), title, {}});
         const bool already = std::any_of(pinned.begin(), pinned.end(), [&](Spot p) { return length(p - at) < same_place; });
-        const bool hinge = joint.kind == JointKind::revolute || joint.kind == JointKind::pin_slot;
+        const bool hinge = joint.pair().has_pin();
         if (hinge && !already && covered_by_block(joint)) {
             pins.emplace_back(circle(at, pin_radius_, {theme_.outline, theme_.text, {0.9, 0.5}, false}));
         } else if (hinge && !already) {
             pins.emplace_back(ring(at, pin_radius_, theme_.paper, {theme_.outline, theme_.text, {}, false}));
             pinned.push_back(at);
-        } else if (joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear) {
+        } else if (joint.pair().touches()) {
             draw_dot(at);
         }
         pins.emplace_back(GroupEnd{});
@@ -486,7 +486,7 @@ void Sketch::draw_in_colour() {
     for (std::size_t p = 0; p < spots_.size(); ++p) {
         if (!s_.shown[p]) continue;
         const bool taken = std::any_of(m_.joints.begin(), m_.joints.end(), [&](const Joint& joint) {
-            return length(spot(joint.point) - spots_[p]) < same_place && joint.kind != JointKind::prismatic;
+            return length(spot(joint.point) - spots_[p]) < same_place && !joint.pair().is_sleeve();
         });
         if (taken) continue;
         if (s_.mass_centre[p])
@@ -508,7 +508,7 @@ void Sketch::draw_in_grey() {
         bodies.emplace_back(GroupBegin{"link", id("link", m_.bodies[at_index(body)].name), m_.bodies[at_index(body)].name, {}});
         for (std::size_t j = 0; j < m_.joints.size(); ++j) {
             const Joint& joint = m_.joints[j];
-            if (joint.kind != JointKind::prismatic || joint.bodies[0] != body || cylinder_of(j)) continue;
+            if (!joint.pair().is_sleeve() || joint.bodies[0] != body || cylinder_of(j)) continue;
             const bool on_frame = joint.bodies[1] == 0;
             const double half = on_frame ? slider_half_ : sleeve_half_, side = on_frame ? slider_side_ : sleeve_side_;
             const Spot at = spot(joint.point), u = half * s_.guides[j], w = side * turned(s_.guides[j]);
@@ -528,9 +528,9 @@ void Sketch::draw_in_grey() {
         bodies.emplace_back(GroupEnd{});
     }
     for (const Joint& joint : m_.joints) {
-        if (joint.kind == JointKind::prismatic) continue;
+        if (joint.pair().is_sleeve()) continue;
         pins.emplace_back(ring(spot(joint.point), 0.9, theme_.paper, thin));
-        if (joint.kind == JointKind::revolute && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end())
+        if (joint.pair().is_hinge() && std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end())
             draw_fixed_pin(joint.point);
     }
 }

@@ -9,10 +9,6 @@ namespace kinegraph::render::drawing {
 
 namespace {
 
-bool touches(const Joint& joint) {
-    return joint.kind == JointKind::rolling || joint.kind == JointKind::contact || joint.kind == JointKind::gear;
-}
-
 const CircleProfile* circle_profile(const Joint& joint, BodyIndex body) {
     const auto profile = joint.profiles.find(body);
     return profile == joint.profiles.end() ? nullptr : std::get_if<CircleProfile>(&profile->second);
@@ -63,7 +59,7 @@ std::vector<Rim> Sketch::rims_of(BodyIndex body) const {
     if (data.circle) rim_of(spot(data.circle->centre), data.circle->radius.to_double() / scale_).form = Rim::Form::wheel;
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
-        const CircleProfile* round = touches(joint) && joint.bodies.size() == 2 ? circle_profile(joint, body) : nullptr;
+        const CircleProfile* round = joint.pair().touches() && joint.bodies.size() == 2 ? circle_profile(joint, body) : nullptr;
         if (!round) continue;
         const Spot at = spot(joint.point), centre = spot(round->centre);
         const double radius = length(at - centre);
@@ -73,12 +69,12 @@ std::vector<Rim> Sketch::rims_of(BodyIndex body) const {
         rim.touches.push_back({j, other});
         const std::vector<int>& corners = s_.corners[at_index(body)];
         const bool about_own_point = std::find(corners.begin(), corners.end(), round->centre) != corners.end();
-        if (joint.kind == JointKind::gear)
+        if (joint.pair().meshes())
             rim.form = Rim::Form::gear;
-        else if (joint.kind == JointKind::contact && rim.form == Rim::Form::wheel)
+        else if (joint.pair().slides() && rim.form == Rim::Form::wheel)
             rim.form = Rim::Form::cam;
-        else if (rim.form == Rim::Form::arc && (about_own_point || joint.kind == JointKind::rolling))
-            rim.form = joint.kind == JointKind::rolling ? Rim::Form::wheel : Rim::Form::roller;
+        else if (rim.form == Rim::Form::arc && (about_own_point || joint.pair().rolls()))
+            rim.form = joint.pair().rolls() ? Rim::Form::wheel : Rim::Form::roller;
         // The larger of two circles on one side of the contact lies about the smaller.
         if (const CircleProfile* within = circle_profile(joint, other))
             if (const Spot inner = spot(within->centre) - at; dot(inner, centre - at) > 0 && length(inner) < radius)
@@ -92,7 +88,7 @@ std::vector<Flat> Sketch::flats_of(BodyIndex body) const {
     std::vector<Flat> flats;
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
-        if (!touches(joint) || joint.bodies.size() != 2) continue;
+        if (!joint.pair().touches() || joint.bodies.size() != 2) continue;
         const auto profile = joint.profiles.find(body);
         if (profile == joint.profiles.end() || !std::holds_alternative<LineProfile>(profile->second)) continue;
         const Spot at = spot(joint.point);
@@ -104,7 +100,7 @@ std::vector<Flat> Sketch::flats_of(BodyIndex body) const {
             side = (joint.bodies[0] == body ? -1.0 : 1.0) * dot(paper_direction(*joint.pushes), inward);
         if (std::abs(side) < same_place) side = -dot(bulk_of(body, joint) - at, inward);
         if (side > 0) inward = -1.0 * inward;
-        const bool rack = joint.kind == JointKind::gear;
+        const bool rack = joint.pair().meshes();
         double half = 16;
         if (const CircleProfile* round = circle_profile(joint, other); round && rack)
             half = std::max(16.0, 1.1 * std::sqrt(4 * module_ * length(at - spot(round->centre))) + 2 * pi_number * module_);
@@ -226,7 +222,7 @@ void Sketch::draw_fixed_rim(const Rim& rim, double radius, bool outside) {
 bool Sketch::turns_about(Spot centre, BodyIndex body) const {
     bool elsewhere = false;
     for (const Joint& joint : m_.joints) {
-        if (joint.kind != JointKind::revolute) continue;
+        if (!joint.pair().is_hinge()) continue;
         if (std::find(joint.bodies.begin(), joint.bodies.end(), body) == joint.bodies.end()) continue;
         if (length(spot(joint.point) - centre) < same_place) return true;
         elsewhere = elsewhere || (std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end());
@@ -401,11 +397,11 @@ void Sketch::draw_bare_contacts(BodyIndex body) {
     for (std::size_t j = 0; j < m_.joints.size(); ++j) {
         const Joint& joint = m_.joints[j];
         const Spot tangent = paper_direction(s_.solution.pose.tangents[j]);
-        if (!touches(joint) || joint.bodies.size() != 2 || s_.solution.pose.tangents[j].is_zero()) continue;
+        if (!joint.pair().touches() || joint.bodies.size() != 2 || s_.solution.pose.tangents[j].is_zero()) continue;
         const auto in = std::find(joint.bodies.begin(), joint.bodies.end(), body);
         if (in == joint.bodies.end() || joint.profiles.count(body) != 0 || m_.bodies[at_index(body)].circle) continue;
         const Spot at = spot(joint.point);
-        if (joint.kind == JointKind::gear) {
+        if (joint.pair().meshes()) {
             if (in == joint.bodies.begin())
                 construction.emplace_back(
                     line(at - 10.0 * tangent, at + 10.0 * tangent, {theme_.thin, theme_.secondary, dash_dot(), false}));
@@ -417,7 +413,7 @@ void Sketch::draw_bare_contacts(BodyIndex body) {
             else if (dot(bulk_of(other, joint) - at, away) > 0)
                 away = -1.0 * away;
             const bool rounded = joint.profiles.count(other) != 0 && !Subject::is_tip(joint, other);
-            if (rounded || joint.kind == JointKind::rolling) {
+            if (rounded || joint.pair().rolls()) {
                 draw_wall(at - 16.0 * tangent, at + 16.0 * tangent, away);
                 continue;
             }
