@@ -1,6 +1,7 @@
 // Sentences, by kind.
 #include "render/scene/sentences.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace kinegraph::render {
@@ -11,16 +12,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 }  // namespace
 
 bool names_a_pair(Sentence sentence) {
-    switch (sentence) {
-        case Sentence::primary_revolute:
-        case Sentence::primary_prismatic:
-        case Sentence::primary_rolling:
-        case Sentence::primary_gear:
-        case Sentence::primary_weld:
-            return true;
-        default:
-            return false;
-    }
+    return std::any_of(plane_pairs.begin(), plane_pairs.end(), [&](const PlanePair& pair) { return pair.primary == sentence; });
 }
 
 bool told_by_list(Sentence sentence) {

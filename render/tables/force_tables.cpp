@@ -53,9 +53,8 @@ RichText line_of(const DrawingContext& context, const FreeBody& body, const Appl
     if (applied.joint < 0) return one_piece(word("given", language));
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (applied.kind == Kind::effort) return one_piece("∥ " + word("guide", language));
-    if (joint.kind == JointKind::prismatic) return one_piece("⟂ " + word("guide", language));
-    if (joint.kind == JointKind::contact || joint.kind == JointKind::pin_slot || joint.kind == JointKind::gear)
-        return one_piece(word("normal", language));
+    if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
+    if (joint.pair().force() != PlanePair::Force::any_direction) return one_piece(word("normal", language));
     const Vector& own = solution.pose.at(joint.point);
     RichText text = point(mechanism, joint.point, language);
     // Along a two-force body: its other joint lies on the line.
@@ -199,7 +198,7 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
     const Mechanism& mechanism = solution.mechanism;
     if (applied.joint < 0 || body.body < 0 || applied.kind != Kind::reaction || applied.force.is_zero()) return {};
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
-    if (joint.kind != JointKind::prismatic || joint.bodies.size() != 2) return {};
+    if (!joint.pair().is_sleeve()) return {};
     const Vector own = solution.pose.at(joint.point), guide = solution.pose.guides[at_index(applied.joint)];
     const double unit_length = kinegraph::length(guide);
     const auto along = [&](const Vector& place) { return dot(place - own, guide).to_double() / unit_length; };

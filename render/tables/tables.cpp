@@ -402,27 +402,7 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
         return one_piece(word("not found", language));
     if (centre.how == InstantCentre::How::primary) {
         if (const Joint* joint = joint_of(centre, mechanism)) {
-            switch (joint->kind) {
-                case JointKind::revolute:
-                    append(text, word("hinge", language) + " ");
-                    break;
-                case JointKind::prismatic:
-                    append(text, word("normal to guide", language) + " ");
-                    break;
-                case JointKind::rolling:
-                    append(text, word("contact", language) + " ");
-                    break;
-                case JointKind::gear:
-                    append(text, word("pitch point", language) + " ");
-                    break;
-                case JointKind::weld:
-                    append(text, word("clamped at", language) + " ");
-                    break;
-                case JointKind::pin_slot:
-                case JointKind::contact:
-                    append(text, word("normal at", language) + " ");
-                    break;
-            }
+            append(text, word("found " + std::string(joint->pair().key), language) + " ");
             append(text, point(joint->point));
             return text;
         }
@@ -478,15 +458,15 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
         const auto found = std::find(joint.bodies.begin(), joint.bodies.end(), index);
         if (found == joint.bodies.end()) continue;
         const bool with_frame = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
-        if (joint.kind == JointKind::revolute) {
+        if (joint.pair().is_hinge()) {
             hinges.push_back(joint.point);
             on_frame = on_frame || with_frame;
         }
-        if (joint.kind == JointKind::prismatic) {
+        if (joint.pair().is_sleeve()) {
             slides_on_frame = slides_on_frame || with_frame;
             (found == joint.bodies.begin() ? slides : carries_guide) = true;
         }
-        if (joint.kind == JointKind::pin_slot && found != joint.bodies.begin()) carries_guide = true;
+        if (joint.pair().is_slot() && found != joint.bodies.begin()) carries_guide = true;
     }
     for (const Driver& driver : mechanism.drivers)
         if (const auto* spin = std::get_if<SpinDriver>(&driver)) driven = driven || spin->body == index;
