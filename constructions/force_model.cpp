@@ -64,7 +64,7 @@ void ForceModel::add_joint(JointIndex index) {
     bond.joint = index;
     bond.place = board_.place(joint.point);
     const bool couple = joint.pair().transmits_couple();
-    if (joint.pair().force() == PlanePair::Force::any_direction) {
+    if (joint.pair().holds_point()) {
         bond.kind = couple ? Bond::Kind::clamp : Bond::Kind::pin;
     } else {
         bond.kind = couple ? Bond::Kind::guide : Bond::Kind::line;

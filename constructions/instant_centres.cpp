@@ -69,14 +69,15 @@ void InstantCentres::primary(JointIndex j) {
 void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j) {
     const Joint& joint = structure_.mechanism().joints[at(index_of_joint)];
     Pair& entry = pair(i, j);
-    const PlanePair::Centre lies = joint.pair().centre();
+    const PlanePair& known = joint.pair();
+    const PlanePair::Centre lies = known.centre();
     if (lies == PlanePair::Centre::on_normal) {
         entry.normals.emplace_back(board_.through(board_.place(joint.point), board_.normal(index_of_joint)), joint.point);
         return;
     }
-    if (entry.centre.everywhere) return;
-    const auto told = [&] {
-        return say(*joint.pair().primary, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
+    if (entry.centre.everywhere || !known.primary) return;
+    const auto told = [&, sentence = *known.primary] {
+        return say(sentence, {symbol(i, j), PointName{structure_.mechanism().points[at(joint.point)].name}});
     };
     if (lies == PlanePair::Centre::everywhere) {
         entry.centre.everywhere = true;

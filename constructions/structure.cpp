@@ -88,7 +88,7 @@ Structure::Structure(const Mechanism& mechanism, Board& board)
         // The slider's point goes by the plain name, the guide's by the name with a star.
         const auto is_slider = [&](const std::vector<BodyIndex>& group) {
             return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-                return !joint.pair().has_common_point() && joint.point == static_cast<PointIndex>(point) &&
+                return (joint.pair().has_guide() || joint.pair().touches()) && joint.point == static_cast<PointIndex>(point) &&
                        std::find(group.begin(), group.end(), plainly_named(joint)) != group.end();
             });
         };

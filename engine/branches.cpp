@@ -192,27 +192,20 @@ private:
         const State i = state(u, row.i), j = state(u, row.j);
         const Vector p = place(row.point);
         const Exact centripetal = (square(j.omega) - square(i.omega)) * dot(row.along, p);
-        switch (joint.pair().meeting) {
-            case PlanePair::Meeting::common_point:
-                return centripetal;
-            case PlanePair::Meeting::guide: {
-                const Vector sliding = velocity(i, p) - velocity(j, p);
-                Exact q = centripetal - 2 * j.omega * dot(row.along, quarter_turn(sliding));
-                if (joint.arc >= 0) {
-                    const Vector inwards = place(joint.arc) - p;
-                    q -= squared_length(sliding) * dot(row.along, inwards) / squared_length(inwards);
-                }
-                return q;
+        if (joint.pair().has_guide()) {
+            const Vector sliding = velocity(i, p) - velocity(j, p);
+            Exact q = centripetal - 2 * j.omega * dot(row.along, quarter_turn(sliding));
+            if (joint.arc >= 0) {
+                const Vector inwards = place(joint.arc) - p;
+                q -= squared_length(sliding) * dot(row.along, inwards) / squared_length(inwards);
             }
-            case PlanePair::Meeting::profiles: {
-                if (!joint.pair().asks_curvatures()) return centripetal;
-                const Vector& normal = pose_.normals[slot(row.joint)];
-                const auto along = normal_difference(joint, u, normal);
-                if (!along) return std::nullopt;
-                return centripetal - *along * dot(row.along, normal) / squared_length(normal);
-            }
+            return q;
         }
-        return std::nullopt;
+        if (!joint.pair().asks_curvatures()) return centripetal;
+        const Vector& normal = pose_.normals[slot(row.joint)];
+        const auto along = normal_difference(joint, u, normal);
+        if (!along) return std::nullopt;
+        return centripetal - *along * dot(row.along, normal) / squared_length(normal);
     }
 
     /// s·q(u); nothing where a row with a share in s has no second order.

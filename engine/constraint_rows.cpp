@@ -5,15 +5,11 @@ namespace {
 
 /// Along which directions the bodies have one speed at the joint's point.
 std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std::size_t slot) {
-    switch (pair.held) {
-        case PlanePair::Held::along_normal:
-            return {pose.normals[slot]};
-        case PlanePair::Held::along_tangent:
-            return {pose.tangents[slot]};
-        case PlanePair::Held::wholly:
-            break;
-    }
-    return {{1, 0}, {0, 1}};
+    if (pair.holds_point()) return {{1, 0}, {0, 1}};
+    std::vector<Vector> held;
+    if (pair.holds_normal) held.push_back(pose.normals[slot]);
+    if (pair.holds_tangent) held.push_back(pose.tangents[slot]);
+    return held;
 }
 
 void write(const Joint& joint, JointIndex index, const Pose& pose, std::vector<ConstraintRow>& rows) {

@@ -6,7 +6,6 @@ namespace kinegraph {
 namespace {
 
 using Meeting = PlanePair::Meeting;
-using Held = PlanePair::Held;
 
 constexpr std::array rows{
     PlanePair{
@@ -16,7 +15,8 @@ constexpr std::array rows{
         .form = R"({"revolute": P, "bodies": [i, j]})",
         .members = {},
         .meeting = Meeting::common_point,
-        .held = Held::wholly,
+        .holds_normal = true,
+        .holds_tangent = true,
         .holds_rotation = false,
         .joins_many = true,
         .primary = Sentence::primary_revolute,
@@ -28,7 +28,8 @@ constexpr std::array rows{
         .form = R"({"prismatic": P, "bodies": [i, j], "along": X})",
         .members = {"along"},
         .meeting = Meeting::guide,
-        .held = Held::along_normal,
+        .holds_normal = true,
+        .holds_tangent = false,
         .holds_rotation = true,
         .joins_many = false,
         .primary = Sentence::primary_prismatic,
@@ -40,7 +41,8 @@ constexpr std::array rows{
         .form = R"({"pin-slot": P, "bodies": [i, j], "along": X})",
         .members = {"along", "arc"},
         .meeting = Meeting::guide,
-        .held = Held::along_normal,
+        .holds_normal = true,
+        .holds_tangent = false,
         .holds_rotation = false,
         .joins_many = false,
         .primary = {},
@@ -52,7 +54,8 @@ constexpr std::array rows{
         .form = R"({"rolling": P, "bodies": [i, j], "profiles": {…}})",
         .members = {"profiles", "tangent"},
         .meeting = Meeting::profiles,
-        .held = Held::wholly,
+        .holds_normal = true,
+        .holds_tangent = true,
         .holds_rotation = false,
         .joins_many = false,
         .primary = Sentence::primary_rolling,
@@ -64,7 +67,8 @@ constexpr std::array rows{
         .form = R"({"contact": P, "bodies": [i, j], "profiles": {…}})",
         .members = {"profiles", "tangent", "pushes"},
         .meeting = Meeting::profiles,
-        .held = Held::along_normal,
+        .holds_normal = true,
+        .holds_tangent = false,
         .holds_rotation = false,
         .joins_many = false,
         .primary = {},
@@ -76,7 +80,8 @@ constexpr std::array rows{
         .form = R"({"gear": P, "bodies": [i, j], "profiles": {…}, "pressure angle": a})",
         .members = {"profiles", "tangent", "pressure angle", "arm"},
         .meeting = Meeting::profiles,
-        .held = Held::along_tangent,
+        .holds_normal = false,
+        .holds_tangent = true,
         .holds_rotation = false,
         .joins_many = false,
         .primary = Sentence::primary_gear,
@@ -88,7 +93,8 @@ constexpr std::array rows{
         .form = R"({"weld": P, "bodies": [i, j]})",
         .members = {},
         .meeting = Meeting::common_point,
-        .held = Held::wholly,
+        .holds_normal = true,
+        .holds_tangent = true,
         .holds_rotation = true,
         .joins_many = false,
         .primary = Sentence::primary_weld,

@@ -1,8 +1,8 @@
-// Pairs of the plane: each kind of joint is a row of one table. A row says in three facts what a pair is: how its bodies meet at
-// the joint's point P, what is held there of their relative velocity, and whether their relative rotation is held. Everything
-// else follows from the three: freedoms, the force it transmits, where its instant centre lies, what it means to the planner and
-// on paper. So the rest of the house asks for facts ("has a guide", "holds the rotation") and never for a kind; only the check, a
-// second opinion, knows the kinds by itself.
+// Pairs of the plane: each kind of joint is a row of one table. A row says how the bodies of a pair meet at the joint's point P,
+// and which of the three freedoms of a plane motion it holds there: across the guide or the common tangent, along it, and the
+// rotation. Everything else follows: what it leaves free, the force it transmits, where its instant centre lies, what it means to
+// the planner and on paper. So the rest of the house asks for facts ("has a guide", "holds the rotation") and never for a kind;
+// only the check, a second opinion, knows the kinds by itself.
 //
 // A table and not a variant of types with visitors: the kinds differ in what they are, which is data; what is done with them
 // belongs to rooms that this one knows nothing of, and there two or three facts at a time decide, seldom all seven kinds.
@@ -27,9 +27,6 @@ struct PlanePair {
         guide,         ///< P of bodies[0] lies on a guide of bodies[1]
         profiles       ///< two profiles touch in P
     };
-    /// What is held of their relative velocity at P: across the guide or the common tangent, along the tangent only, or all.
-    enum class Held { along_normal, along_tangent, wholly };
-    enum class Force { any_direction, normal_to_guide, along_normal, line_of_action };
     enum class Centre { at_point, at_infinity, on_normal, everywhere };
 
     JointKind kind;
@@ -38,14 +35,17 @@ struct PlanePair {
     std::string_view form;                    ///< as the file writes it
     std::array<std::string_view, 4> members;  ///< what a file may say of it besides its bodies and its name
     Meeting meeting;
-    Held held;
+    bool holds_normal;   ///< no relative velocity at P across the guide or the common tangent …
+    bool holds_tangent;  ///< … nor along it …
     bool holds_rotation;
     bool joins_many;                  ///< more than two bodies may share it
     std::optional<Sentence> primary;  ///< says where its instant centre is, where the pair alone tells
 
-    int rows() const { return (held == Held::wholly ? 2 : 1) + (holds_rotation ? 1 : 0); }
-    int freedoms() const { return 3 - rows(); }
-    int reactions() const { return rows(); }
+    /// Unknowns of its reaction: one for each freedom that it holds.
+    int reactions() const { return (holds_normal ? 1 : 0) + (holds_tangent ? 1 : 0) + (holds_rotation ? 1 : 0); }
+    int freedoms() const { return 3 - reactions(); }
+    /// P of one body and P of the other have one velocity: the force between them may have any direction.
+    bool holds_point() const { return holds_normal && holds_tangent; }
     bool turns() const { return !holds_rotation; }
 
     bool has_common_point() const { return meeting == Meeting::common_point; }
@@ -56,12 +56,12 @@ struct PlanePair {
     bool is_clamp() const { return has_common_point() && holds_rotation; }
     bool is_sleeve() const { return has_guide() && holds_rotation; }
     bool is_slot() const { return has_guide() && turns(); }
-    bool rolls() const { return touches() && held == Held::wholly; }
+    bool rolls() const { return touches() && holds_point(); }
     /// Pitch curves: they roll on each other, and what holds their centres apart is another pair.
-    bool meshes() const { return touches() && held == Held::along_tangent; }
+    bool meshes() const { return touches() && !holds_normal; }
 
     /// The bodies slide on each other at P.
-    bool slides() const { return held == Held::along_normal; }
+    bool slides() const { return holds_normal && !holds_tangent; }
     /// They turn about a pin at P, which may itself slide.
     bool has_pin() const { return !touches() && turns(); }
     /// Accelerations there hang on the curvatures of the profiles.
@@ -70,11 +70,6 @@ struct PlanePair {
     Centre centre() const {
         if (holds_rotation) return slides() ? Centre::at_infinity : Centre::everywhere;
         return slides() ? Centre::on_normal : Centre::at_point;
-    }
-    Force force() const {
-        if (held == Held::wholly) return Force::any_direction;
-        if (has_guide()) return Force::normal_to_guide;
-        return meshes() ? Force::line_of_action : Force::along_normal;
     }
     /// Besides the force, a couple about P: what hinders turning.
     bool transmits_couple() const { return holds_rotation; }

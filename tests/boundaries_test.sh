@@ -1,6 +1,6 @@
 #!/bin/sh
 # Holds the walls between the rooms: app → render → constructions → engine, CGAL in at most two files of the engine, Eigen
-# in the two checks alone, cairo in its backend alone.
+# in the two checks alone, cairo in its backend alone; the kinds of joint known by name to the table of pairs and the check alone.
 #   boundaries_test.sh ROOT         every breach in the tree, one a line; status 1 if there is one
 #   boundaries_test.sh --self-test  that each kind of breach is seen
 set -u
@@ -35,6 +35,8 @@ check() {
         if [ "$(printf '%s' "$users" | grep -c .)" -gt 2 ]; then
             printf '%s\n' "$users" | breach "more than two files of the engine include CGAL"
         fi
+        grep -rn 'JointKind::' engine constructions render app 2>/dev/null |
+            grep -vE '^engine/(pair|check|check_forces|mechanism)\.[ch]pp:' | breach "kinds of joint are engine/pair's and the check's"
     )
     [ -z "$found" ] && return 0
     printf '%s\n' "$found"
@@ -78,6 +80,8 @@ seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
 seen "the engine's" constructions/a.cpp '<CGAL/Point_2.h>'
 seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/c.hpp '<CGAL/a.h>'
+seen "kinds of joint" constructions/a.cpp 'JointKind::gear'
+seen "" engine/pair.cpp 'JointKind::gear' engine/check_forces.cpp 'JointKind::weld' tests/a_test.cpp 'JointKind::gear'
 seen "" engine/a.cpp '<CGAL/a.h>' engine/a.cpp '<CGAL/b.h>' engine/b.cpp '<CGAL/a.h>' engine/check.cpp '<Eigen/QR>' \
     engine/check_forces.cpp '<Eigen/Dense>' \
     render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' constructions/a.cpp '"engine/a.hpp"'

@@ -53,13 +53,6 @@ TEST(Catalogue, LeavesTheFreedomsThatTheRankFinds) {
     }
 }
 
-TEST(Catalogue, ReactionsAreThoseOfTheForcesDrawn) {
-    for (const PlanePair& pair : plane_pairs) {
-        const int force = pair.force() == PlanePair::Force::any_direction ? 2 : 1;
-        EXPECT_EQ(force + (pair.transmits_couple() ? 1 : 0), pair.reactions()) << pair.key;
-    }
-}
-
 TEST(Catalogue, PutsTheCentreWhereTheRowsLeaveIt) {
     using Centre = PlanePair::Centre;
     for (const PlanePair& pair : plane_pairs) {

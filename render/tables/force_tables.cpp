@@ -54,7 +54,7 @@ RichText line_of(const DrawingContext& context, const FreeBody& body, const Appl
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (applied.kind == Kind::effort) return one_piece("∥ " + word("guide", language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
-    if (joint.pair().force() != PlanePair::Force::any_direction) return one_piece(word("normal", language));
+    if (!joint.pair().holds_point()) return one_piece(word("normal", language));
     const Vector& own = solution.pose.at(joint.point);
     RichText text = point(mechanism, joint.point, language);
     // Along a two-force body: its other joint lies on the line.

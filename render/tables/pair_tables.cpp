@@ -88,23 +88,6 @@ private:
     std::string text_;
 };
 
-std::string reaction_of(const PlanePair& pair, Language language) {
-    const auto force = [&] {
-        switch (pair.force()) {
-            case PlanePair::Force::any_direction:
-                return "force any direction";
-            case PlanePair::Force::normal_to_guide:
-                return "force normal to guide";
-            case PlanePair::Force::along_normal:
-                return "force along normal";
-            case PlanePair::Force::line_of_action:
-                break;
-        }
-        return "force along line of action";
-    };
-    return word(force(), language) + (pair.transmits_couple() ? " " + word("and a couple", language) : "");
-}
-
 std::string counted(int count, const char* one, const char* several, Language language) {
     return std::to_string(count) + " " + word(count == 1 ? one : several, language);
 }
@@ -141,7 +124,7 @@ std::string pair_catalogue(Language language, TextForm form) {
                      std::to_string(pair.freedoms()) + (pair.freedoms() > 0 ? " (" + say_word("freedoms " + key) + ")" : "")},
                     {say_word("class"), pair.freedoms() > 0 ? std::to_string(pair.freedoms()) : say_word("no pair")},
                     {say_word("reaction"),
-                     reaction_of(pair, language) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
+                     say_word("reaction " + key) + " (" + counted(pair.reactions(), "unknown", "unknowns", language) + ")"},
                     {say_word("fixed"), say_word("fixed " + key)},
                     {say_word("instant centre"), say_word("centre " + key)}});
     }
