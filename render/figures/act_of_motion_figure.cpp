@@ -6,7 +6,7 @@
 
 #include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
-#include "render/figures/clutter.hpp"
 #include "render/figures/fit.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/clutter.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/force_statements.hpp"
 #include "render/tables/force_tables.hpp"

@@ -7,8 +7,8 @@
 
 #include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
-#include "render/figures/mechanism_sketch.hpp"
 #include "render/figures/polygon_parts.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
 #include "render/tables/force_tables.hpp"

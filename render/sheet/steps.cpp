@@ -9,7 +9,7 @@
 #include <string>
 
 #include "render/figures/caption.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/force_statements.hpp"
 #include "render/scene/sentences.hpp"

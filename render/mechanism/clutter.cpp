@@ -1,5 +1,5 @@
 // Clutter: strokes kept as bars with half their width.
-#include "render/figures/clutter.hpp"
+#include "render/mechanism/clutter.hpp"
 
 namespace kinegraph::render::drawing {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/ink_map.hpp"
 
 namespace kinegraph::render::drawing {

@@ -1,8 +1,8 @@
 // Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are found.
 #include <array>
 
-#include "render/figures/clutter.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/clutter.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/scene/sentences.hpp"
 
 namespace kinegraph::render::drawing {

@@ -1,5 +1,5 @@
 // What a mechanism is made of on paper: points, bars, plates, rods and slots of each body, what lies on what. Draws nothing.
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
 
