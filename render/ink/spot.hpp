@@ -1,6 +1,7 @@
 // Spots of a drawing and the boxes round them, mm, y downwards. Owns their little algebra; knows no ink.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace kinegraph::render {
@@ -31,6 +32,13 @@ struct Box {
     Spot min, max;
     double width() const { return max.x - min.x; }
     double height() const { return max.y - min.y; }
+    Spot middle() const { return {0.5 * (min.x + max.x), 0.5 * (min.y + max.y)}; }
+    /// Grows to hold these.
+    void include(const Box& other) {
+        min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y)};
+        max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y)};
+    }
+    void include(Spot spot) { include(Box{spot, spot}); }
     bool operator==(const Box&) const = default;
 };
 inline Box rectangle(double left, double top, double right, double bottom) { return {{left, top}, {right, bottom}}; }

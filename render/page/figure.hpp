@@ -13,18 +13,19 @@ namespace kinegraph::render {
 
 /// A label that wants a place near its object.
 struct LabelRequest {
-    RichText text;
+    RichText text{};
     double size = 11;  ///< points
-    Colour colour;
-    Spot anchor;                 ///< the point, or the middle of the vector or line
-    std::optional<Spot> toward;  ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
-    double clearance = 2.2;      ///< from the anchor to the nearest ink, mm
-    bool along = false;          ///< set along the line (turned with it), as direction marks are
-    std::string id;              ///< empty, or the SVG id of the label's group
-    double balloon = 0;          ///< radius of a circle round the text (body numbers), mm; 0: none
-    int statement = -1;          ///< of the solution, that what it names is drawn by; −1: it is there from the beginning
-    std::vector<std::string> names;  ///< as TextMark's
-    std::vector<double> dashes;      ///< line kind of the balloon, mm
+    Colour colour{};
+    Spot anchor{};  ///< the point, or the middle of the vector or line
+    std::optional<Spot>
+        toward{};            ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
+    double clearance = 2.2;  ///< from the anchor to the nearest ink, mm
+    bool along = false;      ///< set along the line (turned with it), as direction marks are
+    std::string id{};        ///< empty, or the SVG id of the label's group
+    double balloon = 0;      ///< radius of a circle round the text (body numbers), mm; 0: none
+    int statement = -1;      ///< of the solution, that what it names is drawn by; −1: it is there from the beginning
+    std::vector<std::string> names{};  ///< as TextMark's
+    std::vector<double> dashes{};      ///< line kind of the balloon, mm
 };
 
 /// A vector's length on paper.
