@@ -72,7 +72,7 @@ public:
     }
 
     void draw(Sketch& sketch, double velocity_scale) const {
-        sketch.draw_alone(act_.body);
+        draw_alone(sketch, act_.body);
         draw_directions(sketch);
         draw_centre(sketch, velocity_scale);
         draw_projections(sketch, velocity_scale);
@@ -80,7 +80,7 @@ public:
         std::swap(sketch.construction, sketch.over_bodies);
         draw_velocities(sketch, velocity_scale);
         draw_acceleration_centre(sketch);
-        sketch.draw_points(true);
+        name_points(sketch);
     }
 
 private:
@@ -294,9 +294,9 @@ private:
 
     LabelRequest name_of_centre(const Sketch& sketch) const {
         LabelRequest label;
-        label.text = typeset(sketch.symbol_of(*centre_), context_.language);
+        label.text = typeset(symbol_of(sketch.mechanism, *centre_), context_.language);
         label.statement = statement_of_centre();
-        label.names = {name_of(sketch.symbol_of(*centre_))};
+        label.names = {name_of(symbol_of(sketch.mechanism, *centre_))};
         label.size = context_.theme.label;
         label.colour = context_.theme.text;
         return label;

@@ -10,7 +10,6 @@
 
 #include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
-#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
 #include "render/tables/force_tables.hpp"
@@ -18,8 +17,6 @@
 
 namespace kinegraph::render {
 namespace {
-
-using drawing::at_index;
 
 constexpr double longest_force = 25;  // mm
 constexpr double least_shown = 12;    // of the longest velocity, mm

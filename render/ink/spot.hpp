@@ -27,6 +27,9 @@ inline Spot unit(Spot a) {
 }
 /// A quarter turn clockwise on paper.
 inline Spot turned(Spot a) { return {-a.y, a.x}; }
+/// The unit at an angle (radians, clockwise on paper), and the angle of a direction.
+inline Spot polar_spot(double angle) { return {std::cos(angle), std::sin(angle)}; }
+inline double angle_of(Spot a) { return std::atan2(a.y, a.x); }
 
 struct Box {
     Spot min, max;

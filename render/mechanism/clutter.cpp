@@ -25,6 +25,13 @@ void Clutter::add(const std::vector<Mark>& marks) {
     }
 }
 
+void Clutter::add_arc(Spot centre, double radius, double from, double sweep) {
+    constexpr int pieces = 6;
+    for (int i = 0; i < pieces; ++i)
+        add(centre + radius * polar_spot(from + sweep * i / pieces),
+            centre + radius * polar_spot(from + sweep * (i + 1) / pieces));
+}
+
 double Clutter::along(Spot from, Spot to) const {
     constexpr int pieces = 16;
     int met = 0;

@@ -4,30 +4,22 @@
 
 namespace kinegraph::render::drawing {
 
-void Sketch::draw_equivalent_linkages() {
-    const Pen broken{theme_.thin, theme_.text, dashes(), false};
-    const Pen edge{theme_.thin, theme_.text, {}, false};
-    const double radius = 0.6 * pin_radius_;
-    for (const EquivalentLinkage& linkage : s_.solution.equivalent_linkages) {
-        const Joint& joint = m_.joints[at_index(linkage.joint)];
-        Spot from = spot(linkage.places[0]), to = spot(linkage.places[1]);
+void draw_equivalent_linkages(Sketch& sketch) {
+    const Theme& theme = sketch.theme;
+    const Pen broken{theme.thin, theme.text, dashes(), false}, edge{theme.thin, theme.text, {}, false};
+    const double radius = 0.6 * sketch.measures.pin_radius;
+    for (const EquivalentLinkage& linkage : sketch.subject.solution.equivalent_linkages) {
+        const Joint& joint = sketch.mechanism.joint(linkage.joint);
+        const Spot first = sketch.spot(linkage.places[0]), second = sketch.spot(linkage.places[1]);
         const bool is_link = linkage.kind == EquivalentLinkage::Kind::link;
-        if (!is_link) {
-            // A tip is the pin of its slot already, and the slot the body's own side.
-            if (length(from - spot(joint.point)) < same_place) continue;
-            const Spot along = slot_half_ * turned(s_.normals[at_index(linkage.joint)]);
-            to = from + along;
-            from = from - along;
-        }
-        centres.emplace_back(GroupBegin{"equivalent", id("equivalent", joint.name), joint.name, {}});
-        centres.emplace_back(line(from, to, broken));
-        if (is_link) {
-            centres.emplace_back(ring(from, radius, theme_.paper, edge));
-            centres.emplace_back(ring(to, radius, theme_.paper, edge));
-        } else {
-            centres.emplace_back(ring(spot(linkage.places[0]), radius, theme_.paper, edge));
-        }
-        centres.emplace_back(GroupEnd{});
+        // A tip is the pin of its slot already, and the slot the body's own side.
+        if (!is_link && coincide(first, sketch.spot(joint))) continue;
+        const Spot along = sketch.measures.slot_half * turned(sketch.subject.normals[at_index(linkage.joint)]);
+        sketch.centres.emplace_back(GroupBegin{"equivalent", sketch.id("equivalent", joint.name), joint.name, {}});
+        sketch.centres.emplace_back(is_link ? line(first, second, broken) : line(first - along, first + along, broken));
+        sketch.centres.emplace_back(ring(first, radius, theme.paper, edge));
+        if (is_link) sketch.centres.emplace_back(ring(second, radius, theme.paper, edge));
+        sketch.centres.emplace_back(GroupEnd{});
     }
 }
 

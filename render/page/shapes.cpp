@@ -155,6 +155,25 @@ Path filled(const std::vector<Spot>& spots, Colour fill) {
     return path;
 }
 
+Path panel(const std::vector<Spot>& spots, Colour tint, Pen pen) {
+    Path path = polyline(spots, std::move(pen), true);
+    path.filled = path.tinted = true;
+    path.fill = tint;
+    return path;
+}
+
+std::vector<Spot> corners_about(Spot middle, Spot u, Spot w) {
+    return {middle + u + w, middle + u - w, middle - u - w, middle - u + w};
+}
+
+Path arc(Spot centre, double radius, double from, double to, Pen pen) {
+    Path path;
+    path.segments = {MoveTo{centre + radius * polar_spot(from)}, ArcTo{centre, radius, from, to}};
+    path.stroked = true;
+    path.pen = std::move(pen);
+    return path;
+}
+
 Path circle(Spot centre, double radius, Pen pen) {
     Path path;
     path.segments = {MoveTo{{centre.x + radius, centre.y}}, ArcTo{centre, radius, 0, 2 * std::numbers::pi}, Close{}};

@@ -23,7 +23,12 @@ Path line(Spot from, Spot to, Pen pen);
 Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed = false);
 /// A filled polygon with no edge.
 Path filled(const std::vector<Spot>& spots, Colour fill);
+/// The same filled with a body's tint or the paper, and stroked: blocks, slots, grounds.
+Path panel(const std::vector<Spot>& spots, Colour tint, Pen pen);
+/// The corners at ± u ± w about a middle.
+std::vector<Spot> corners_about(Spot middle, Spot u, Spot w);
 Path circle(Spot centre, double radius, Pen pen);
+Path arc(Spot centre, double radius, double from, double to, Pen pen);
 Path disc(Spot centre, double radius, Colour fill);
 /// The same, its fill a body's tint or the paper.
 Path tinted(Path path);
