@@ -42,9 +42,9 @@ struct Run {
 
 /// What stands together: a heading and what is below it; split only where it is longer than any column.
 struct Section {
-    std::vector<Block> rows;
-    std::vector<std::size_t> spare_rows;  ///< of rows, ascending: those that may be left out
-    Block heading_again;                  ///< stands above what is left of the rows where they go on below something else
+    std::vector<Block> rows{};
+    std::vector<std::size_t> spare_rows{};  ///< of rows, ascending: those that may be left out
+    Block heading_again{};                ///< stands above what is left of the rows where they go on below something else
     int home = -1;                        ///< the figure it explains; −1: none
     bool continued = false;               ///< its first rows stand already: the rest comes after them
     bool of_forces = false;               ///< not before the pages of forces
