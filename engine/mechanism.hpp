@@ -265,6 +265,8 @@ struct Mechanism {
     const NamedPoint& point(PointIndex index) const { return points[at_index(index)]; }
     const Body& body(BodyIndex index) const { return bodies[at_index(index)]; }
     const Joint& joint(JointIndex index) const { return joints[at_index(index)]; }
+    /// Of a joint of this mechanism.
+    JointIndex index_of(const Joint& joint) const { return static_cast<JointIndex>(&joint - joints.data()); }
     std::optional<PointIndex> point_named(std::string_view name) const;
     std::optional<BodyIndex> body_named(std::string_view name) const;
 };

@@ -893,7 +893,7 @@ private:
 };
 
 template <class Item>
-std::optional<int> index_of(const std::vector<Item>& items, std::string_view name) {
+std::optional<int> named_in(const std::vector<Item>& items, std::string_view name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
     if (found == items.end()) return std::nullopt;
     return static_cast<int>(found - items.begin());
@@ -901,8 +901,8 @@ std::optional<int> index_of(const std::vector<Item>& items, std::string_view nam
 
 }  // namespace
 
-std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return index_of(points, name); }
-std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return index_of(bodies, name); }
+std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return named_in(points, name); }
+std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return named_in(bodies, name); }
 
 Result<Mechanism> read_mechanism(std::string_view text, std::string source) {
     const Result<JsonSource> json = JsonSource::read(text);

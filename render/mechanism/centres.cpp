@@ -272,11 +272,9 @@ private:
     };
     Shaft shaft_of(std::size_t c) const {
         if (where_[c] == Where::infinity && is_primary(c))
-            for (JointIndex j = 0; at_index(j) < sketch_.mechanism.joints.size(); ++j) {
-                const Joint& joint = sketch_.mechanism.joint(j);
+            for (const Joint& joint : sketch_.mechanism.joints)
                 if (joint.pair().is_sleeve() && joint.connects(all_[c].first) && joint.connects(all_[c].second))
                     return shaft_from_slide(joint.point, place_[c]);
-            }
         if (!arrows_[c].empty()) {
             const auto& [base, along] = arrows_[c].front();
             return where_[c] == Where::far ? Shaft{base, along, broken_end, true} : Shaft{base, along};

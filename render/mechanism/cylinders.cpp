@@ -21,8 +21,8 @@ bool is_driven(const Mechanism& mechanism, JointIndex joint) {
 }
 
 /// How far along a slide the body's farthest corner lies; nothing where one stands off its axis or there is none.
-std::optional<double> farthest_on_axis(const Layout& layout, JointIndex joint, BodyIndex body) {
-    const Spot at = layout.spot(layout.mechanism.joint(joint)), along = layout.guide(joint);
+std::optional<double> farthest_on_axis(const Layout& layout, const Joint& slide, BodyIndex body) {
+    const Spot at = layout.spot(slide), along = layout.guide(slide);
     std::optional<double> found;
     for (const PointIndex corner : layout.subject.corners[at_index(body)]) {
         const Spot d = layout.spot(corner) - at;
@@ -32,10 +32,10 @@ std::optional<double> farthest_on_axis(const Layout& layout, JointIndex joint, B
     return found;
 }
 
-std::optional<Cylinder> cylinder_at(const Layout& layout, JointIndex index) {
-    const Joint& joint = layout.mechanism.joint(index);
+std::optional<Cylinder> cylinder_at(const Layout& layout, const Joint& joint) {
+    const JointIndex index = layout.mechanism.index_of(joint);
     if (!is_slide(joint) || joint.connects(0) || !is_driven(layout.mechanism, index)) return std::nullopt;
-    const auto rod = farthest_on_axis(layout, index, joint.bodies[0]), barrel = farthest_on_axis(layout, index, joint.bodies[1]);
+    const auto rod = farthest_on_axis(layout, joint, joint.bodies[0]), barrel = farthest_on_axis(layout, joint, joint.bodies[1]);
     if (!rod || !barrel) return std::nullopt;
     const double shrink = layout.measures.shrink;
     const double sense = *rod > *barrel ? 1 : -1, whole = sense * (*rod - *barrel);
@@ -44,7 +44,7 @@ std::optional<Cylinder> cylinder_at(const Layout& layout, JointIndex index) {
     const double wanted = -sense * *barrel;
     const double piston = wanted > 0.25 * whole && wanted < 0.75 * whole ? wanted : 0.5 * whole;
     const double open_end = std::min(piston + 0.2 * whole, whole - 5 * shrink), closed_end = std::min(5.0 * shrink, piston - 2);
-    const Spot at = layout.spot(joint), along = layout.guide(index);
+    const Spot at = layout.spot(joint), along = layout.guide(joint);
     const Spot foot = at + *barrel * along, onward = sense * along;
     return Cylinder{index, at + *rod * along, foot + piston * onward, {foot + closed_end * onward, foot + open_end * onward}};
 }
@@ -53,7 +53,7 @@ std::optional<Cylinder> cylinder_at(const Layout& layout, JointIndex index) {
 
 std::vector<Cylinder> cylinders_in(const Layout& layout) {
     std::vector<Cylinder> found;
-    for (JointIndex joint = 0; at_index(joint) < layout.mechanism.joints.size(); ++joint)
+    for (const Joint& joint : layout.mechanism.joints)
         if (auto cylinder = cylinder_at(layout, joint)) found.push_back(*cylinder);
     return found;
 }

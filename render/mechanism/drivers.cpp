@@ -130,7 +130,7 @@ void draw_straight(Sketch& sketch, Spot start, Spot along, double speed, BodyInd
 
 void draw_driver(Sketch& sketch, const SlideDriver& slide) {
     const Joint& joint = sketch.mechanism.joint(slide.joint);
-    const Spot along = sketch.guide(slide.joint);
+    const Spot along = sketch.guide(joint);
     Spot side = turned(along);
     if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
     const Spot start = sketch.spot(joint) + (sketch.measures.slider_side + 5.0) * side;

@@ -37,8 +37,8 @@ Mesh mesh_of(const Layout& layout, const PitchCurve& curve, const Touch& touch, 
         curvature += (about ? 1 : -1) / length(at - centre);
     }
     const double half = std::sqrt(4 * layout.module() / std::max(std::abs(curvature), 1e-3)) + pi_number * layout.module();
-    return {curve.round() ? angle_of(off) : dot(off, layout.subject.tangent(touch.joint)),
-            curve.round() ? half / curve.radius : half, joint.bodies[0] == body};
+    return {curve.round() ? angle_of(off) : dot(off, layout.subject.tangent(joint)), curve.round() ? half / curve.radius : half,
+            joint.bodies[0] == body};
 }
 
 /// Where the spaces between teeth are, near each mesh. A tooth of the joint's first body stands at the pitch point, a space of
@@ -97,7 +97,7 @@ std::vector<Spot> teeth_of_rack(const Layout& layout, const Flat& flat, BodyInde
     std::vector<Spot> contour{at(0, 1)};
     for (const double space : tooth_spaces(layout, {flat.bar.from}, flat.touches, body)) {
         // Lengths are counted along the joint's tangent, which may run either way.
-        const Spot tangent = layout.subject.tangent(flat.touches.front().joint);
+        const Spot tangent = layout.subject.tangent(layout.mechanism.joint(flat.touches.front().joint));
         const double middle = space * (dot(tangent, along) < 0 ? -1 : 1);
         const double a = half_space_at_tip * module, b = half_space_at_root * module;
         if (middle - a < 0 || middle + a > whole) continue;

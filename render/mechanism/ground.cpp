@@ -82,10 +82,9 @@ std::vector<Interval> open_where_links_pass(const std::vector<Spot>& links, Inte
     return pieces;
 }
 
-void draw_walls(Sketch& sketch, JointIndex guide, double aside, double half, bool heed_links) {
-    const PointIndex point = sketch.mechanism.joint(guide).point;
-    const Spot at = sketch.spot(point), along = sketch.guide(guide);
-    const std::vector<Spot> links = heed_links ? sketch.leaving(point) : std::vector<Spot>{};
+void draw_walls(Sketch& sketch, const Joint& guide, double aside, double half, bool heed_links) {
+    const Spot at = sketch.spot(guide), along = sketch.guide(guide);
+    const std::vector<Spot> links = heed_links ? sketch.leaving(guide.point) : std::vector<Spot>{};
     for (const double side : {1.0, -1.0}) {
         const Spot away = side * turned(along);
         for (const auto& [from, to] :
@@ -94,18 +93,18 @@ void draw_walls(Sketch& sketch, JointIndex guide, double aside, double half, boo
     }
 }
 
-void draw_axis_of_guide(Sketch& sketch, JointIndex guide) {
+void draw_axis_of_guide(Sketch& sketch, const Joint& guide) {
     const double half = sketch.measures.slider_half + sketch.measures.axis_beyond;
-    const Spot at = sketch.spot(sketch.mechanism.joint(guide)), along = sketch.guide(guide);
+    const Spot at = sketch.spot(guide), along = sketch.guide(guide);
     sketch.construction.emplace_back(line(at - half * along, at + half * along, sketch.axis()));
 }
 
 /// A wall ends before the next pin on its way.
-double reach_of_wall(const Sketch& sketch, JointIndex guide) {
+double reach_of_wall(const Sketch& sketch, const Joint& guide) {
     const double half = sketch.measures.slider_half;
     double reach = half + sketch.measures.wall_beyond;
     for (const Joint& other : sketch.mechanism.joints) {
-        const Spot d = sketch.spot(other) - sketch.spot(sketch.mechanism.joint(guide)), along = sketch.guide(guide);
+        const Spot d = sketch.spot(other) - sketch.spot(guide), along = sketch.guide(guide);
         const double ahead = std::abs(dot(d, along));
         if (ahead > half && std::abs(cross(d, along)) < sketch.measures.slider_side + 3)
             reach = std::min(reach, std::max(ahead - 3.5, half + 2));
@@ -127,18 +126,18 @@ void draw_fixed_pin(Sketch& sketch, PointIndex point) {
 void draw_guides(Sketch& sketch) {
     const Theme& theme = sketch.theme;
     const Measures& measures = sketch.measures;
-    for (JointIndex j = 0; at_index(j) < sketch.mechanism.joints.size(); ++j) {
-        const Joint& joint = sketch.mechanism.joint(j);
-        if (joint.bodies.size() != 2 || length(sketch.guide(j)) == 0) continue;
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (joint.bodies.size() != 2 || length(sketch.guide(joint)) == 0) continue;
         const bool on_frame = joint.bodies[1] == 0;
         if (joint.pair().is_sleeve() && on_frame) {
-            draw_axis_of_guide(sketch, j);
-            draw_walls(sketch, j, measures.slider_side + theme.vector / 2 + theme.outline / 2, reach_of_wall(sketch, j), true);
+            draw_axis_of_guide(sketch, joint);
+            draw_walls(sketch, joint, measures.slider_side + theme.vector / 2 + theme.outline / 2, reach_of_wall(sketch, joint),
+                       true);
         } else if (joint.pair().is_sleeve() && joint.bodies[0] == 0) {
-            draw_walls(sketch, j, theme.link / 2 + 0.5, measures.sleeve_half, false);
+            draw_walls(sketch, joint, theme.link / 2 + 0.5, measures.sleeve_half, false);
         } else if (joint.pair().is_slot() && on_frame) {
-            draw_axis_of_guide(sketch, j);
-            draw_walls(sketch, j, measures.slot_side, measures.slot_half + 3, false);
+            draw_axis_of_guide(sketch, joint);
+            draw_walls(sketch, joint, measures.slot_side, measures.slot_half + 3, false);
         }
     }
 }

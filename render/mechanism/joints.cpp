@@ -10,9 +10,8 @@ namespace {
 
 /// A pin of the body that a block slides on, not of the block itself: the block hides it.
 bool covered_by_block(const Layout& layout, const Joint& hinge) {
-    for (JointIndex j = 0; at_index(j) < layout.mechanism.joints.size(); ++j) {
-        const Joint& joint = layout.mechanism.joint(j);
-        if (!is_slide(joint) || joint.bodies[0] == 0 || layout.cylinder_of(j)) continue;
+    for (const Joint& joint : layout.mechanism.joints) {
+        if (!is_slide(joint) || joint.bodies[0] == 0 || layout.cylinder_of(joint)) continue;
         if (coincide(layout.spot(joint), layout.spot(hinge)) && !hinge.connects(joint.bodies[0]) &&
             hinge.connects(joint.bodies[1]))
             return true;

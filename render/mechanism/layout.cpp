@@ -17,9 +17,9 @@ Layout::Layout(const Subject& of, const Theme& look, double metres_per_millimetr
     for (BodyIndex body = 0; at_index(body) < mechanism.bodies.size(); ++body) shapes_.push_back(shape_of(*this, body));
 }
 
-const Cylinder* Layout::cylinder_of(JointIndex joint) const {
-    const auto found =
-        std::find_if(cylinders_.begin(), cylinders_.end(), [&](const Cylinder& cylinder) { return cylinder.joint == joint; });
+const Cylinder* Layout::cylinder_of(const Joint& joint) const {
+    const auto found = std::find_if(cylinders_.begin(), cylinders_.end(),
+                                    [&](const Cylinder& cylinder) { return cylinder.joint == mechanism.index_of(joint); });
     return found == cylinders_.end() ? nullptr : &*found;
 }
 
@@ -28,9 +28,9 @@ BlockSize Layout::block(const Joint& slide) const {
                                 : BlockSize{measures.sleeve_half, measures.sleeve_side};
 }
 
-std::vector<Spot> Layout::corners_of_block(JointIndex slide) const {
-    const auto [half, side] = block(mechanism.joint(slide));
-    return corners_about(spot(mechanism.joint(slide)), half * guide(slide), side * turned(guide(slide)));
+std::vector<Spot> Layout::corners_of_block(const Joint& slide) const {
+    const auto [half, side] = block(slide);
+    return corners_about(spot(slide), half * guide(slide), side * turned(guide(slide)));
 }
 
 Arc Layout::curved_slot(const Joint& joint) const {
@@ -68,19 +68,17 @@ double Layout::crowding(Spot spot, Spot besides) const {
         for (const Rim& rim : shape.rims)
             if (rim.form != Rim::Form::arc) crowd += std::abs(length(spot - rim.centre) - rim.radius) < theme.link / 2 + 1;
     }
-    for (JointIndex joint = 0; at_index(joint) < mechanism.joints.size(); ++joint)
-        crowd += crowding_of_joint(joint, spot, besides);
+    for (const Joint& joint : mechanism.joints) crowd += crowding_of_joint(joint, spot, besides);
     return crowd;
 }
 
-double Layout::crowding_of_joint(JointIndex index, Spot spot, Spot besides) const {
-    const Joint& joint = mechanism.joint(index);
+double Layout::crowding_of_joint(const Joint& joint, Spot spot, Spot besides) const {
     const Spot at = this->spot(joint), d = spot - at;
     if (joint.pair().is_sleeve()) {
         const bool on_frame = joint.bodies[1] == 0;
         const double half = on_frame ? measures.slider_half + measures.wall_beyond : measures.sleeve_half;
         const double side = on_frame ? measures.slider_side + measures.hatch_depth : measures.sleeve_side;
-        return std::abs(dot(d, guide(index))) < half + 1 && std::abs(cross(d, guide(index))) < side + 1 ? 1 : 0;
+        return std::abs(dot(d, guide(joint))) < half + 1 && std::abs(cross(d, guide(joint))) < side + 1 ? 1 : 0;
     }
     if (coincide(at, besides)) return 0;
     if (length(d) < measures.pin_radius + 1) return 1;

@@ -79,21 +79,21 @@ public:
     Spot spot(PointIndex point) const { return spots_[at_index(point)]; }
     Spot spot(const Vector& place) const { return (1 / scale_) * paper_spot(place); }
     Spot spot(const Joint& joint) const { return spot(joint.point); }
-    Spot guide(JointIndex joint) const { return subject.guides[at_index(joint)]; }
+    Spot guide(const Joint& joint) const { return subject.guides[at_index(mechanism.index_of(joint))]; }
     double size() const { return subject.size() / scale_; }
     double scale() const { return scale_; }  ///< m for each mm
     Box mechanism_box() const { return {(1 / scale_) * subject.box.min, (1 / scale_) * subject.box.max}; }
     double module() const { return module_; }  ///< of all gears: height of a tooth above the pitch circle
 
     const std::vector<Cylinder>& cylinders() const { return cylinders_; }
-    const Cylinder* cylinder_of(JointIndex joint) const;
+    const Cylinder* cylinder_of(const Joint& joint) const;
     const std::vector<Shape>& shapes() const { return shapes_; }
     const Shape& shape(BodyIndex body) const { return shapes_[at_index(body)]; }
 
     /// Half the length and half the width of a slide's block.
     BlockSize block(const Joint& slide) const;
     /// Its corners.
-    std::vector<Spot> corners_of_block(JointIndex slide) const;
+    std::vector<Spot> corners_of_block(const Joint& slide) const;
     /// The centre line of a slot curved about a point; radius 0: too narrow to draw.
     Arc curved_slot(const Joint& joint) const;
     /// Unit directions in which strokes leave a point.
@@ -105,7 +105,7 @@ public:
     bool lies_on(BodyIndex body, BodyIndex longer) const;
 
 private:
-    double crowding_of_joint(JointIndex index, Spot spot, Spot besides) const;
+    double crowding_of_joint(const Joint& joint, Spot spot, Spot besides) const;
 
     double scale_;
     std::vector<Spot> spots_;

@@ -41,13 +41,12 @@ std::vector<std::vector<bool>> stacking(const Layout& layout) {
 
 /// A pin or a block says by itself what is joined.
 bool is_joined(const Layout& layout, Spot at) {
-    for (JointIndex j = 0; at_index(j) < layout.mechanism.joints.size(); ++j) {
-        const Joint& joint = layout.mechanism.joint(j);
+    for (const Joint& joint : layout.mechanism.joints) {
         const Spot d = at - layout.spot(joint);
         const double link = layout.theme.link;
         if (length(d) < layout.measures.pin_radius + link) return true;
-        if (joint.pair().is_sleeve() && std::abs(dot(d, layout.guide(j))) < layout.measures.slider_half + link &&
-            std::abs(cross(d, layout.guide(j))) < layout.measures.slider_side + link)
+        if (joint.pair().is_sleeve() && std::abs(dot(d, layout.guide(joint))) < layout.measures.slider_half + link &&
+            std::abs(cross(d, layout.guide(joint))) < layout.measures.slider_side + link)
             return true;
     }
     return false;
@@ -163,11 +162,10 @@ void draw_balloon(Sketch& sketch, BodyIndex body) {
         stand_at(middle(longest), longest.to, 2.7);
     } else {
         // A block or a wheel: beside it.
-        for (JointIndex j = 0; at_index(j) < sketch.mechanism.joints.size(); ++j) {
-            const Joint& joint = sketch.mechanism.joint(j);
+        for (const Joint& joint : sketch.mechanism.joints) {
             if (!joint.pair().is_sleeve() || joint.bodies[0] != body) continue;
             const auto [half, side] = sketch.block(joint);
-            stand_at(sketch.spot(joint), sketch.spot(joint) + (half + 2) * sketch.guide(j), side + 2.2);
+            stand_at(sketch.spot(joint), sketch.spot(joint) + (half + 2) * sketch.guide(joint), side + 2.2);
         }
         if (data.circle) {
             const double radius = data.circle->radius.to_double() / sketch.scale();

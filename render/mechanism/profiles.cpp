@@ -28,9 +28,8 @@ Rim::Form form_of(const Layout& layout, const Rim& rim, const Joint& joint, Body
 }
 
 /// Unit, into the material: away from the other body, else against its push, else towards the bulk of its own.
-Spot inward_of(const Layout& layout, JointIndex index, BodyIndex body) {
-    const Joint& joint = layout.mechanism.joint(index);
-    const Spot at = layout.spot(joint), inward = turned(layout.subject.tangent(index));
+Spot inward_of(const Layout& layout, const Joint& joint, BodyIndex body) {
+    const Spot at = layout.spot(joint), inward = turned(layout.subject.tangent(joint));
     double side = dot(bulk_of(layout, joint.other_than(body), joint) - at, inward);
     if (std::abs(side) < same_place && joint.pushes)
         side = (joint.bodies[0] == body ? -1.0 : 1.0) * dot(paper_direction(*joint.pushes), inward);
@@ -97,8 +96,7 @@ std::vector<Rim> rims_of(const Layout& layout, BodyIndex body) {
     std::vector<Rim> rims;
     if (const auto& circle = layout.mechanism.body(body).circle)
         rim_about(rims, layout.spot(circle->centre), circle->radius.to_double() / layout.scale()).form = Rim::Form::wheel;
-    for (JointIndex j = 0; at_index(j) < layout.mechanism.joints.size(); ++j) {
-        const Joint& joint = layout.mechanism.joint(j);
+    for (const Joint& joint : layout.mechanism.joints) {
         const auto* round = joint.pair().touches() && joint.bodies.size() == 2 ? profile_of<CircleProfile>(joint, body) : nullptr;
         if (!round) continue;
         const Spot at = layout.spot(joint), centre = layout.spot(round->centre);
@@ -106,7 +104,7 @@ std::vector<Rim> rims_of(const Layout& layout, BodyIndex body) {
         if (radius < same_place) continue;
         Rim& rim = rim_about(rims, centre, radius);
         const BodyIndex other = joint.other_than(body);
-        rim.touches.push_back({j, other});
+        rim.touches.push_back({layout.mechanism.index_of(joint), other});
         rim.form = form_of(layout, rim, joint, body);
         // The larger of two circles on one side of the contact lies about the smaller.
         if (const auto* within = profile_of<CircleProfile>(joint, other))
@@ -118,16 +116,15 @@ std::vector<Rim> rims_of(const Layout& layout, BodyIndex body) {
 
 std::vector<Flat> flats_of(const Layout& layout, BodyIndex body) {
     std::vector<Flat> flats;
-    for (JointIndex j = 0; at_index(j) < layout.mechanism.joints.size(); ++j) {
-        const Joint& joint = layout.mechanism.joint(j);
+    for (const Joint& joint : layout.mechanism.joints) {
         if (!joint.pair().touches() || joint.bodies.size() != 2 || !profile_of<LineProfile>(joint, body)) continue;
-        const Spot at = layout.spot(joint), along = layout.subject.tangent(j);
+        const Spot at = layout.spot(joint), along = layout.subject.tangent(joint);
         const double half = half_of_flat(layout, joint, body);
         add_flat(flats, {{at - half * along, at + half * along},
-                         inward_of(layout, j, body),
+                         inward_of(layout, joint, body),
                          0.5 * layout.theme.link,
                          joint.pair().meshes(),
-                         {{j, joint.other_than(body)}}});
+                         {{layout.mechanism.index_of(joint), joint.other_than(body)}}});
     }
     return flats;
 }

@@ -76,14 +76,13 @@ public:
 
 private:
     void find_rods() {
-        for (JointIndex j = 0; at_index(j) < l_.mechanism.joints.size(); ++j) {
-            const Joint& joint = l_.mechanism.joint(j);
+        for (const Joint& joint : l_.mechanism.joints) {
             const bool slides =
-                joint.pair().has_guide() && joint.bodies.size() == 2 && joint.bodies[1] == body_ && length(l_.guide(j)) > 0;
-            if (!slides || l_.cylinder_of(j)) continue;
+                joint.pair().has_guide() && joint.bodies.size() == 2 && joint.bodies[1] == body_ && length(l_.guide(joint)) > 0;
+            if (!slides || l_.cylinder_of(joint)) continue;
             const bool slot = joint.pair().is_slot();
             const double reach = slot ? l_.measures.slot_half : l_.measures.sleeve_half + l_.measures.rod_beyond;
-            rods_.push_back({l_.spot(joint), l_.guide(j), -reach, reach, slot});
+            rods_.push_back({l_.spot(joint), l_.guide(joint), -reach, reach, slot});
         }
     }
 

@@ -13,8 +13,8 @@ void draw_piston(const Sketch& sketch, const Cylinder& cylinder, BodyIndex body,
 }
 
 /// The block of a slide, or the piston of a cylinder.
-void draw_block(const Sketch& sketch, JointIndex slide, std::vector<Mark>& marks) {
-    const BodyIndex body = sketch.mechanism.joint(slide).bodies[0];
+void draw_block(const Sketch& sketch, const Joint& slide, std::vector<Mark>& marks) {
+    const BodyIndex body = slide.bodies[0];
     if (const Cylinder* cylinder = sketch.cylinder_of(slide)) return draw_piston(sketch, *cylinder, body, marks);
     marks.emplace_back(
         panel(sketch.corners_of_block(slide), sketch.theme.colour_of(body).tint, sketch.pen_of(body, sketch.theme.vector)));
@@ -62,12 +62,10 @@ void draw_barrel(const Sketch& sketch, const Cylinder& cylinder, std::vector<Mar
 }
 
 void draw_sliding_parts(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {
-    const std::vector<Joint>& joints = sketch.mechanism.joints;
-    for (JointIndex j = 0; at_index(j) < joints.size(); ++j)
-        if (body != 0 && is_slide(sketch.mechanism.joint(j)) && sketch.mechanism.joint(j).bodies[0] == body)
-            draw_block(sketch, j, marks);
+    for (const Joint& joint : sketch.mechanism.joints)
+        if (body != 0 && is_slide(joint) && joint.bodies[0] == body) draw_block(sketch, joint, marks);
     for (const Bar& slot : sketch.shape(body).slots) draw_slot(sketch, slot, body, marks);
-    for (const Joint& joint : joints)
+    for (const Joint& joint : sketch.mechanism.joints)
         if (is_curved_slot(joint) && joint.bodies[1] == body) draw_curved_slot(sketch, joint, marks);
 }
 

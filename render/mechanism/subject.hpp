@@ -39,7 +39,9 @@ struct Subject {
     /// A point where the body only touches or is slid upon: no stroke leads there.
     bool touches_there(BodyIndex body, PointIndex point) const;
     /// Units of the direction of a contact's tangent.
-    Spot tangent(JointIndex joint) const { return paper_direction(solution.pose.tangents[at_index(joint)]); }
+    Spot tangent(const Joint& joint) const {
+        return paper_direction(solution.pose.tangents[at_index(mechanism.index_of(joint))]);
+    }
 
 private:
     void add_corner(BodyIndex body, PointIndex point);

@@ -194,13 +194,13 @@ void draw_profiles(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {
 }
 
 void draw_bare_contacts(Sketch& sketch, BodyIndex body) {
-    for (JointIndex j = 0; at_index(j) < sketch.mechanism.joints.size(); ++j) {
-        const Joint& joint = sketch.mechanism.joint(j);
-        if (!joint.pair().touches() || joint.bodies.size() != 2 || sketch.subject.solution.pose.tangents[at_index(j)].is_zero())
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (!joint.pair().touches() || joint.bodies.size() != 2 ||
+            sketch.subject.solution.pose.tangents[at_index(sketch.mechanism.index_of(joint))].is_zero())
             continue;
         if (!joint.connects(body) || joint.profiles.count(body) != 0 || sketch.mechanism.body(body).circle) continue;
         const bool is_gear = joint.pair().meshes(), first = joint.bodies[0] == body;
-        const Spot at = sketch.spot(joint), tangent = sketch.subject.tangent(j);
+        const Spot at = sketch.spot(joint), tangent = sketch.subject.tangent(joint);
         if (body == 0 && !is_gear)
             draw_bearing(sketch, joint, tangent);
         else if (first && (is_gear || joint.bodies[1] != 0))

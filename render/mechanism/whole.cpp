@@ -32,10 +32,9 @@ void draw_free_points(Sketch& sketch) {
 void draw_skeleton_of(Sketch& sketch, BodyIndex body, const Pen& thin) {
     const Shape& shape = sketch.shape(body);
     std::vector<Mark>& marks = sketch.bodies;
-    for (JointIndex j = 0; at_index(j) < sketch.mechanism.joints.size(); ++j) {
-        const Joint& joint = sketch.mechanism.joint(j);
-        if (joint.pair().is_sleeve() && joint.bodies[0] == body && !sketch.cylinder_of(j))
-            marks.emplace_back(panel(sketch.corners_of_block(j), sketch.theme.paper, thin));
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (joint.pair().is_sleeve() && joint.bodies[0] == body && !sketch.cylinder_of(joint))
+            marks.emplace_back(panel(sketch.corners_of_block(joint), sketch.theme.paper, thin));
     }
     for (const Rim& rim : shape.rims)
         if (rim.form != Rim::Form::arc) marks.emplace_back(circle(rim.centre, rim.radius, thin));
