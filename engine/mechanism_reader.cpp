@@ -416,7 +416,7 @@ private:
         }
         if (const JsonValue arm = form["arm"]) {
             joint.arm = body(arm);
-            if (std::find(joint.bodies.begin(), joint.bodies.end(), joint.arm) != joint.bodies.end() && joint.arm >= 0) {
+            if (joint.connects(joint.arm) && joint.arm >= 0) {
                 fault(arm, "the carrier of the two gears is a third body");
             }
         }
@@ -535,8 +535,8 @@ private:
 
     bool read_profile(JsonValue member, Joint& joint) {
         const BodyIndex on = look_up_body(member, member.key());
-        if (on >= 0 && std::find(joint.bodies.begin(), joint.bodies.end(), on) == joint.bodies.end()) {
-            if (std::find(joint.bodies.begin(), joint.bodies.end(), -1) == joint.bodies.end()) {
+        if (on >= 0 && !joint.connects(on)) {
+            if (!joint.connects(-1)) {
                 fault(member, "the body " + quoted(member.key()) + " is not in this joint");
             }
             return false;
@@ -588,7 +588,7 @@ private:
             driver.where = value.pointer();
             driver.joint =
                 sliding_joint(form["joint"], "a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here");
-            if (driver.joint >= 0 && mechanism_.joints[static_cast<std::size_t>(driver.joint)].arc >= 0) {
+            if (driver.joint >= 0 && mechanism_.joint(driver.joint).arc >= 0) {
                 fault(form["joint"], "the slot of " + quoted(form["joint"].text()) + " is curved; drive a \"body\" instead");
             }
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
@@ -752,7 +752,7 @@ private:
             constexpr std::string_view remedy = "an actuator works in a prismatic joint";
             actuator.joint = sliding_joint(form["joint"], remedy);
             if (actuator.joint >= 0) {
-                const PlanePair& pair = mechanism_.joints[static_cast<std::size_t>(actuator.joint)].pair();
+                const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
                 if (!pair.is_sleeve())
                     fault(form["joint"], "the joint " + quoted(form["joint"].text()) + " is of kind \"" + std::string(pair.key) +
                                              "\"; " + std::string(remedy));
