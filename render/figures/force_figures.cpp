@@ -235,13 +235,7 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     belong(sketch.arrows, first, statement);
     clutter.add_arc(at, arc.radius, arc.from, by);
     const Spot out = polar_spot(arc.from + by / 2), middle = at + arc.radius * out;
-    sketch.labels.push_back({.text = text,
-                             .size = sketch.theme.label,
-                             .colour = colour.letter,
-                             .anchor = middle,
-                             .toward = middle + 4.0 * turned(out),
-                             .clearance = 1.5,
-                             .statement = statement});
+    sketch.add_label(text, colour.letter, middle, 1.5, statement).toward = middle + 4.0 * turned(out);
 }
 
 RichText couple_words(const DrawingContext& context, const AppliedForce& applied) {
@@ -374,13 +368,9 @@ private:
         RichText text = typeset(applied.symbol, sketch_.context.language);
         if (!to_scale && scale_.says_values)
             append(text, with_powers(" = " + number(value, 4, sketch_.context.language) + " " + unit_.symbol));
-        sketch_.labels.push_back({.text = std::move(text),
-                                  .size = theme.equation,
-                                  .colour = colour_.letter,
-                                  .anchor = middle(arrow),
-                                  .toward = arrow.to,
-                                  .clearance = 1.5,
-                                  .statement = statement});
+        LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);
+        label.size = theme.equation;
+        label.toward = arrow.to;
     }
 
     /// Two forces: one line, or with a couple two, and their distance is its arm.
@@ -396,12 +386,8 @@ private:
 
     void remark_guide(const AppliedForce& applied) {
         const RichText words = beside_guide(sketch_.context, body_, applied);
-        if (words.empty()) return;
-        sketch_.labels.push_back({.text = words,
-                                  .size = sketch_.theme.small,
-                                  .colour = sketch_.theme.secondary,
-                                  .anchor = sketch_.spot(applied.at),
-                                  .clearance = 3});
+        if (!words.empty())
+            sketch_.add_label(words, sketch_.theme.secondary, sketch_.spot(applied.at), 3).size = sketch_.theme.small;
     }
 
     Sketch& sketch_;
@@ -477,14 +463,11 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);
     belong(sketch.arrows, first, statement);
     clutter.add(arrow.from, arrow.to);
-    sketch.labels.push_back({.text = typeset(applied.symbol, sketch.context.language),
-                             .size = sketch.theme.equation,
-                             .colour = colour.letter,
-                             .anchor = middle(arrow),
-                             .toward = arrow.to,
-                             .clearance = 1.5,
-                             .statement = statement,
-                             .names = {name_of(applied.symbol)}});
+    LabelRequest& label =
+        sketch.add_label(typeset(applied.symbol, sketch.context.language), colour.letter, middle(arrow), 1.5, statement);
+    label.size = sketch.theme.equation;
+    label.toward = arrow.to;
+    label.names = {name_of(applied.symbol)};
 }
 
 void draw_action_lines(Sketch& sketch, const Meets& meets, const ForceStatements& statements, const Box& view) {

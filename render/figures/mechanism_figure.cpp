@@ -165,13 +165,9 @@ void draw_velocity(Sketch& sketch, const ShownVelocity& shown, const Bar& arrow)
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);
     sketch.arrows.emplace_back(Axis{arrow.from, arrow.to});
     sketch.arrows.emplace_back(GroupEnd{});
-    sketch.labels.push_back({.text = text,
-                             .size = sketch.theme.equation,
-                             .colour = colour.letter,
-                             .anchor = middle(arrow),
-                             .toward = arrow.to,
-                             .clearance = 1.6,
-                             .statement = statement});
+    LabelRequest& label = sketch.add_label(text, colour.letter, middle(arrow), 1.6, statement);
+    label.size = sketch.theme.equation;
+    label.toward = arrow.to;
 }
 
 }  // namespace

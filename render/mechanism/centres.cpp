@@ -356,12 +356,7 @@ void draw_pole(Sketch& sketch, const InstantCentre& centre) {
         }
     sketch.centres.emplace_back(disc(at, 0.8, sketch.theme.text));
     belong(sketch.centres, sketch.centres.size() - 1, centre.statement);
-    sketch.labels.push_back({.text = name,
-                             .size = sketch.theme.label,
-                             .colour = sketch.theme.text,
-                             .anchor = at,
-                             .clearance = 1.7,
-                             .statement = centre.statement});
+    sketch.add_label(name, sketch.theme.text, at, 1.7, centre.statement);
 }
 
 void draw_centres(Sketch& sketch) { CentresDrawing(sketch).draw(); }

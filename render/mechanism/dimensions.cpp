@@ -235,23 +235,21 @@ private:
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, width)) take(bar);
         return box;
     }
+    /// What each thing costs that is nearer than a distance.
+    struct Rate {
+        double price, distance;
+    };
+    double toll(const Bar& bar, Rate heavy, Rate light, Rate taken, const std::array<Spot, 2>& ends) const {
+        return heavy.price * count_near(bar, heavy_, heavy.distance, ends) +
+               light.price * count_near(bar, light_, light.distance, ends) +
+               taken.price * count_near(bar, taken_, taken.distance, nowhere);
+    }
     double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends) const {
         double price = trial.price;
-        for (const Bar& stroke : trial.strokes) {
-            price += 3 * count_near(stroke, heavy_, 1.2, ends);
-            price += 0.6 * count_near(stroke, light_, 0.3, ends);
-            price += 3 * count_near(stroke, taken_, 1.0, nowhere);
-        }
-        for (const Bar& extension : trial.extensions) {
-            price += 1.5 * count_near(extension, heavy_, 0.4, ends);
-            price += 0.3 * count_near(extension, light_, 0.2, ends);
-            price += 1.5 * count_near(extension, taken_, 0.4, nowhere);
-        }
-        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width())) {
-            price += 4 * count_near(bar, heavy_, 1.5, nowhere);
-            price += 4 * count_near(bar, light_, 0.6, nowhere);
-            price += 4 * count_near(bar, taken_, 0.6, nowhere);
-        }
+        for (const Bar& stroke : trial.strokes) price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends);
+        for (const Bar& extension : trial.extensions) price += toll(extension, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
+        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
+            price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
         const Box box = with(box_, trial, text.width());
         // Names need a rim, the scale bar its place below.
         if (box.width() > std::max(room_.x - 10, box_.width()) || box.height() > std::max(room_.y - 18, box_.height()))

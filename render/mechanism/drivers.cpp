@@ -72,12 +72,7 @@ void draw_turning(Sketch& sketch, const Turning& turning, Clutter* clutter) {
     belong(sketch.arrows, first, turning.statement);
     const Spot middle = arc.at(arc.from + 0.5 * (arc.to - arc.from));
     sketch.arcs_of_drivers.push_back({turning.pivot, middle});
-    sketch.labels.push_back({.text = turning.text,
-                             .size = sketch.theme.label,
-                             .colour = colour,
-                             .anchor = middle,
-                             .clearance = 1.5,
-                             .statement = turning.statement});
+    sketch.add_label(turning.text, colour, middle, 1.5, turning.statement);
     if (clutter) clutter->add_arc(arc.centre, arc.radius, arc.from, arc.to - arc.from);
 }
 
@@ -120,12 +115,8 @@ void draw_straight(Sketch& sketch, Spot start, Spot along, double speed, BodyInd
     const Spot half = 7.0 * (speed < 0 ? -1.0 * along : along);
     const Colour colour = sketch.theme.colour_of(body).letter;
     draw_arrow(sketch.arrows, start - half, start + half, sketch.theme.outline, colour);
-    sketch.labels.push_back({.text = given_value(sketch, {Symbol::Letter::v, about, ""}, speed, sketch.mechanism.units.velocity),
-                             .size = sketch.theme.label,
-                             .colour = colour,
-                             .anchor = start,
-                             .toward = start + half,
-                             .clearance = 1.5});
+    RichText text = given_value(sketch, {Symbol::Letter::v, about, ""}, speed, sketch.mechanism.units.velocity);
+    sketch.add_label(std::move(text), colour, start, 1.5).toward = start + half;
 }
 
 void draw_driver(Sketch& sketch, const SlideDriver& slide) {

@@ -36,11 +36,7 @@ void name_points(Sketch& sketch) {
             there->text = std::move(text);
             there->clearance = std::max(there->clearance, clearance);
         } else {
-            sketch.labels.push_back({.text = std::move(text),
-                                     .size = sketch.theme.label,
-                                     .colour = sketch.theme.text,
-                                     .anchor = at,
-                                     .clearance = clearance});
+            sketch.add_label(std::move(text), sketch.theme.text, at, clearance);
         }
     }
 }

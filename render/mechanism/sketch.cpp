@@ -14,6 +14,16 @@ RichText Sketch::name_of_point(PointIndex point) const {
     return typeset(Symbol{Symbol::Letter::point, mechanism.point(point).name, ""}, context.language);
 }
 
+LabelRequest& Sketch::add_label(RichText text, Colour colour, Spot at, double clearance, int statement) {
+    labels.push_back({.text = std::move(text),
+                      .size = theme.label,
+                      .colour = colour,
+                      .anchor = at,
+                      .clearance = clearance,
+                      .statement = statement});
+    return labels.back();
+}
+
 Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_name) {
     Figure figure;
     figure.kind = std::move(kind);

@@ -32,6 +32,8 @@ public:
     /// Legal, and met once in the figure.
     std::string id(std::string_view kind, std::string_view name);
     RichText name_of_point(PointIndex point) const;
+    /// Beside a place, in the usual size; what it is told further is set in the label.
+    LabelRequest& add_label(RichText text, Colour colour, Spot at, double clearance, int statement = -1);
 
     Pen thin() const { return {theme.thin, theme.secondary, {}, false}; }  ///< of construction
     Pen axis() const { return {theme.thin, theme.secondary, dash_dot(), false}; }
