@@ -59,79 +59,97 @@ std::string resolution_fits(const std::string& text) {
     return number_within(text, 20, 1200) ? std::string() : "\"" + text + "\" is not a number from 20 to 1200";
 }
 
-void add_solve(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
-    auto request = std::make_shared<SolveRequest>();
-    auto language = std::make_shared<std::string>("en");
-    auto paper = std::make_shared<std::string>("A4");
-    auto orientation = std::make_shared<std::string>("landscape");
-    auto dimensions = std::make_shared<std::string>("auto");
-    command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
+/// An option that takes one of several words, in small or large letters.
+void add_choice(CLI::App& command, const char* name, std::string& chosen, const char* help, std::vector<std::string> words,
+                const char* type) {
+    command.add_option(name, chosen, help)
+        ->transform(CLI::IsMember(std::move(words), CLI::ignore_case))
+        ->type_name(type)
+        ->capture_default_str();
+}
+
+render::Language language_named(const std::string& word) { return word == "it" ? render::Language::it : render::Language::en; }
+
+/// What is typed to solve a mechanism: the request, and what it says in words.
+struct SolveWords {
+    SolveRequest request;
+    std::string language = "en", paper = "A4", orientation = "landscape", dimensions = "auto";
+
+    SolveRequest meant() const {
+        SolveRequest full = request;
+        full.language = language_named(language);
+        if (paper == "A3") full.paper = render::Paper::a3;
+        if (paper == "letter") full.paper = render::Paper::letter;
+        if (dimensions == "on") full.dimensions = render::Dimensions::on;
+        if (dimensions == "off") full.dimensions = render::Dimensions::off;
+        if (orientation == "portrait") full.orientation = render::Orientation::portrait;
+        return full;
+    }
+};
+
+void add_outputs(CLI::App& command, SolveRequest& request) {
+    command.add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
-        ->add_option("-o,--output", request->outputs,
-                     "OUT.svg, .png, .pdf or .json; may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
-                     "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
+        .add_option("-o,--output", request.outputs,
+                    "OUT.svg, .png, .pdf or .json; may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+                    "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    command->add_option("--format", request->format, "What to write where the name of the output does not say it")
+    command.add_option("--format", request.format, "What to write where the name of the output does not say it")
         ->check(CLI::IsMember({"svg", "png", "pdf", "json"}, CLI::ignore_case))
         ->type_name("FORMAT");
-    command->add_option("--lang", *language, "Language of sheet and table: en or it")
-        ->transform(CLI::IsMember({"en", "it"}, CLI::ignore_case))
-        ->type_name("LANG")
-        ->capture_default_str();
-    command->add_option("--paper", *paper, "Size of the sheet: A4, A3 or letter")
-        ->transform(CLI::IsMember({"A4", "A3", "letter"}, CLI::ignore_case))
-        ->type_name("PAPER")
-        ->capture_default_str();
-    command->add_option("--orientation", *orientation, "How the sheet lies: landscape or portrait")
-        ->transform(CLI::IsMember({"landscape", "portrait"}, CLI::ignore_case))
-        ->type_name("HOW")
-        ->capture_default_str();
+}
+
+/// What is drawn, on which paper.
+void add_sheet(CLI::App& command, SolveWords& words) {
+    add_choice(command, "--lang", words.language, "Language of sheet and table: en or it", {"en", "it"}, "LANG");
+    add_choice(command, "--paper", words.paper, "Size of the sheet: A4, A3 or letter", {"A4", "A3", "letter"}, "PAPER");
+    add_choice(command, "--orientation", words.orientation, "How the sheet lies: landscape or portrait",
+               {"landscape", "portrait"}, "HOW");
     command
-        ->add_option("--figure", request->figure,
-                     "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
-                     "body-3 …; of a wrong name the message lists those there are")
+        .add_option("--figure", words.request.figure,
+                    "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
+                    "body-3 …; of a wrong name the message lists those there are")
         ->type_name("NAME");
+    add_choice(command, "--dimensions", words.dimensions,
+               "Given lengths, radii and angles on the mechanism figure: auto (each that finds a free place), on (all) or off",
+               {"auto", "on", "off"}, "WHICH");
     command
-        ->add_option(
-            "--dimensions", *dimensions,
-            "Given lengths, radii and angles on the mechanism figure: auto (each that finds a free place), on (all) or off")
-        ->transform(CLI::IsMember({"auto", "on", "off"}, CLI::ignore_case))
-        ->type_name("WHICH")
-        ->capture_default_str();
-    command
-        ->add_flag("--steps", request->steps,
-                   "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")
+        .add_flag("--steps", words.request.steps,
+                  "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")
         ->excludes("--figure");
-    command->add_option("--date", request->date, "A date for the title block, as it is to be printed")->type_name("TEXT");
-    command->add_option("--author", request->author, "A name for the title block")->type_name("TEXT");
+}
+
+/// How it looks, and what is added.
+void add_look(CLI::App& command, SolveRequest& request) {
+    command.add_option("--date", request.date, "A date for the title block, as it is to be printed")->type_name("TEXT");
+    command.add_option("--author", request.author, "A name for the title block")->type_name("TEXT");
     command
-        ->add_option("--theme", request->theme,
-                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
+        .add_option("--theme", request.theme,
+                    "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
         ->type_name("THEME")
         ->capture_default_str();
-    command->add_option("--dpi", request->dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
+    command.add_option("--dpi", request.dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")
         ->capture_default_str();
     command
-        ->add_option("--with", request->with,
-                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
-                     "moments about the pole of the velocities")
+        .add_option("--with", request.with,
+                    "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
+                    "moments about the pole of the velocities")
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"joukowsky"}))
         ->type_name("FIGURE");
-    command->add_flag("--exact", request->exact, "Add exact values to the JSON results, as fractions");
-    command->callback([&action, request, language, paper, orientation, dimensions] {
-        request->language = *language == "it" ? render::Language::it : render::Language::en;
-        if (*paper == "A3") request->paper = render::Paper::a3;
-        if (*paper == "letter") request->paper = render::Paper::letter;
-        if (*dimensions == "on") request->dimensions = render::Dimensions::on;
-        if (*dimensions == "off") request->dimensions = render::Dimensions::off;
-        if (*orientation == "portrait") request->orientation = render::Orientation::portrait;
-        action = [request] { return solve_command(*request); };
-    });
+    command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
+}
+
+void add_solve(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
+    auto words = std::make_shared<SolveWords>();
+    add_outputs(*command, words->request);
+    add_sheet(*command, *words);
+    add_look(*command, words->request);
+    command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
 void add_check(CLI::App& program, Action& action) {
@@ -193,7 +211,7 @@ void add_pairs(CLI::App& program, Action& action) {
         ->type_name("FORMAT")
         ->capture_default_str();
     command->callback([&action, request, language, form] {
-        request->language = *language == "it" ? render::Language::it : render::Language::en;
+        request->language = language_named(*language);
         request->form = *form == "markdown" ? render::TextForm::markdown : render::TextForm::plain;
         action = [request] { return pairs_command(*request); };
     });

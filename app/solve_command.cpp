@@ -146,6 +146,106 @@ const char* why_no_lever(const Solution& solution) {
     return "";
 }
 
+/// The file read and solved; else it has been said what is wrong.
+tl::expected<Solution, Status> solution_of(const SolveRequest& request, const std::string& name) {
+    const auto text = read_whole(request.file, "mechanism file");
+    if (!text) {
+        say(name, text.error());
+        return tl::unexpected(Status::bad_input);
+    }
+    auto mechanism = read_mechanism(*text, bare_name(request.file));
+    if (!mechanism) return tl::unexpected(say(name, mechanism.error()));
+    auto solution = solve(*std::move(mechanism));
+    if (!solution) return tl::unexpected(say(name, solution.error()));
+    return *std::move(solution);
+}
+
+bool wants_lever(const SolveRequest& request) {
+    return std::find(request.with.begin(), request.with.end(), "joukowsky") != request.with.end();
+}
+
+/// The sheet, its steps or one figure; else it has been said that there is no such figure.
+tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
+                                                         const SolveRequest& request, const std::string& name,
+                                                         const render::Fonts& fonts) {
+    render::SheetOptions options;
+    options.paper = request.paper;
+    options.language = request.language;
+    options.dimensions = request.dimensions;
+    options.joukowsky = wants_lever(request) || !request.figure.empty();
+    options.orientation = request.orientation;
+    options.author = request.author;
+    options.date = request.date;
+    options.theme = theme;
+    if (request.steps) return render::lay_out_steps(solution, options, fonts);
+    if (request.figure.empty()) return render::lay_out(solution, options, fonts);
+    if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
+    std::string names;
+    for (const std::string& each : render::figure_names(solution, options, fonts)) names += (names.empty() ? "" : ", ") + each;
+    say(name, "--figure " + request.figure + ": there is no such figure; there are " + names);
+    return tl::unexpected(Status::bad_input);
+}
+
+/// What was asked for and has no effect.
+void remark_on_request(const SolveRequest& request, const Solution& solution, const std::vector<Target>& targets,
+                       std::vector<std::string>& remarks) {
+    const auto is_json = [](const Target& target) { return target.format == Format::json; };
+    const bool draws = !std::all_of(targets.begin(), targets.end(), is_json);
+    if (wants_lever(request)) {
+        if (const char* why = why_no_lever(solution); *why)
+            remarks.push_back(std::string("no lever: ") + why);
+        else if (!draws)
+            remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
+    }
+    if (!request.figure.empty() && !draws) remarks.emplace_back("--figure chooses what is drawn, and no drawing is asked for");
+    if (request.steps && !draws) remarks.emplace_back("--steps adds pages to what is drawn, and no drawing is asked for");
+    if (request.exact && std::none_of(targets.begin(), targets.end(), is_json))
+        remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");
+}
+
+/// The names of further pages are known only now; none may be another output's, or the mechanism file's. Says so where one is.
+bool names_clash(const std::vector<Output>& outputs, const std::string& file) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
+            say("kinegraph", "two outputs of this run would both be " + outputs[i].path);
+            return true;
+        }
+        if (outputs[i].path != "-" && same_file(outputs[i].path, file)) {
+            say("kinegraph", outputs[i].path + " (a further page) would overwrite the mechanism file itself");
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
+tl::expected<std::vector<Output>, Status> made(const Solution& solution, const std::vector<Target>& targets,
+                                               const render::Theme& theme, const SolveRequest& request, const std::string& name,
+                                               std::vector<std::string>& remarks) {
+    if (targets.empty()) return std::vector<Output>{{"-", render::results_table(solution, request.language)}};
+    if (std::all_of(targets.begin(), targets.end(), [](const Target& target) { return target.format == Format::json; }))
+        return outputs_of(solution, targets, request, {}, {}, {}, remarks);
+    auto fonts = render::Fonts::open();
+    if (!fonts) {
+        say("kinegraph", fonts.error());
+        return tl::unexpected(Status::output);
+    }
+    const std::optional<render::Fonts> opened(*std::move(fonts));
+    std::optional<Painter> painter;
+    if (std::any_of(targets.begin(), targets.end(), is_painted)) {
+        auto loaded = Painter::open();
+        if (!loaded) {
+            say("kinegraph", loaded.error());
+            return tl::unexpected(Status::output);
+        }
+        painter.emplace(*std::move(loaded));
+    }
+    const auto pages = pages_of(solution, theme, request, name, *opened);
+    if (!pages) return tl::unexpected(pages.error());
+    return outputs_of(solution, targets, request, *pages, opened, painter, remarks);
+}
+
 }  // namespace
 
 Status solve_command(const SolveRequest& request) {
@@ -161,97 +261,20 @@ Status solve_command(const SolveRequest& request) {
     }
     const auto theme = theme_of(request.theme);
     if (!theme) return theme.error();
-    const auto text = read_whole(request.file, "mechanism file");
-    if (!text) {
-        say(name, text.error());
-        return Status::bad_input;
-    }
-    auto mechanism = read_mechanism(*text, bare_name(request.file));
-    if (!mechanism) return say(name, mechanism.error());
-    const auto solution = solve(*std::move(mechanism));
-    if (!solution) return say(name, solution.error());
+    const auto solution = solution_of(request, name);
+    if (!solution) return solution.error();
 
     std::vector<std::string> remarks;
-    for (const Message& remark : solution->remarks) remarks.push_back(render::tell(remark, request.language));
-    std::vector<Output> outputs;
-    const bool wants_lever = std::find(request.with.begin(), request.with.end(), "joukowsky") != request.with.end();
-    const bool draws =
-        std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.format != Format::json; });
-    if (targets->empty()) {
-        outputs.push_back({"-", render::results_table(*solution, request.language)});
-    } else {
-        std::optional<render::Fonts> fonts;
-        std::optional<Painter> painter;
-        std::vector<render::Page> pages;
-        if (draws) {
-            auto opened = render::Fonts::open();
-            if (!opened) {
-                say("kinegraph", opened.error());
-                return Status::output;
-            }
-            fonts.emplace(*std::move(opened));
-            if (std::any_of(targets->begin(), targets->end(), is_painted)) {
-                auto loaded = Painter::open();
-                if (!loaded) {
-                    say("kinegraph", loaded.error());
-                    return Status::output;
-                }
-                painter.emplace(*std::move(loaded));
-            }
-            render::SheetOptions options;
-            options.paper = request.paper;
-            options.language = request.language;
-            options.dimensions = request.dimensions;
-            options.joukowsky = wants_lever || !request.figure.empty();
-            options.orientation = request.orientation;
-            options.author = request.author;
-            options.date = request.date;
-            options.theme = *theme;
-            if (request.steps) {
-                pages = render::lay_out_steps(*solution, options, *fonts);
-            } else if (request.figure.empty()) {
-                pages = render::lay_out(*solution, options, *fonts);
-            } else if (auto page = render::lay_out_alone(*solution, options, request.figure, *fonts)) {
-                pages.push_back(*std::move(page));
-            } else {
-                std::string names;
-                for (const std::string& each : render::figure_names(*solution, options, *fonts))
-                    names += (names.empty() ? "" : ", ") + each;
-                say(name, "--figure " + request.figure + ": there is no such figure; there are " + names);
-                return Status::bad_input;
-            }
-        }
-        outputs = outputs_of(*solution, *targets, request, pages, fonts, painter, remarks);
-    }
-    if (wants_lever) {
-        if (const char* why = why_no_lever(*solution); *why)
-            remarks.push_back(std::string("no lever: ") + why);
-        else if (!draws)
-            remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
-    }
-    if (!request.figure.empty() && !draws) remarks.emplace_back("--figure chooses what is drawn, and no drawing is asked for");
-    if (request.steps && !draws) remarks.emplace_back("--steps adds pages to what is drawn, and no drawing is asked for");
-    if (request.exact &&
-        std::none_of(targets->begin(), targets->end(), [](const Target& target) { return target.format == Format::json; }))
-        remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");
-
-    // The names of further pages are known only now; none may be another output's, or the mechanism file's.
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
-            say("kinegraph", "two outputs of this run would both be " + outputs[i].path);
-            return Status::bad_input;
-        }
-        if (outputs[i].path != "-" && same_file(outputs[i].path, request.file)) {
-            say("kinegraph", outputs[i].path + " (a further page) would overwrite the mechanism file itself");
-            return Status::bad_input;
-        }
-    }
-    if (const auto failure = write_all(outputs)) {
+    const auto tell = [&](const Message& message) { return render::tell(message, request.language); };
+    for (const Message& remark : solution->remarks) remarks.push_back(tell(remark));
+    const auto outputs = made(*solution, *targets, *theme, request, name, remarks);
+    if (!outputs) return outputs.error();
+    remark_on_request(request, *solution, *targets, remarks);
+    if (names_clash(*outputs, request.file)) return Status::bad_input;
+    if (const auto failure = write_all(*outputs)) {
         say(failure->path == "-" ? "standard output" : failure->path, "cannot be written: " + failure->why);
         return Status::output;
     }
-    const auto tell = [&](const Message& message) { return render::tell(message, request.language); };
     for (const std::string& remark : remarks) say(name, render::word("a remark", request.language) + ": " + remark);
     for (const Unsolved& unsolved : solution->unsolved)
         say(name, render::word("one unsolved", request.language) + ": " + tell(unsolved.what) + ": " + tell(unsolved.why));

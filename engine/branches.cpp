@@ -10,8 +10,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t slot(int index) { return static_cast<std::size_t>(index); }
-
 using Row = std::vector<Exact>;
 
 /// What is zero, and how long a number may grow.
@@ -56,10 +54,10 @@ public:
             motion.second_order = InstantMotion::SecondOrder::open;
             return motion;
         }
-        for (BodyIndex body = 1; slot(body) < mechanism_.bodies.size(); ++body) {
+        for (BodyIndex body = 1; at_index(body) < mechanism_.bodies.size(); ++body) {
             const auto rests = [&](int from, int to) {
                 return std::all_of(velocities_.begin(), velocities_.end(), [&](const Row& u) {
-                    const auto first = u.begin() + static_cast<Row::difference_type>(3 * slot(body - 1));
+                    const auto first = u.begin() + static_cast<Row::difference_type>(3 * at_index(body - 1));
                     return std::all_of(first + from, first + to, [&](const Exact& value) { return arithmetic_.is_zero(value); });
                 });
             };
@@ -81,7 +79,7 @@ private:
 
     /// Gauss–Jordan on [J | 1]: the rows that vanish leave the states of self-stress, the pivots the null space.
     void eliminate() {
-        const std::size_t columns = slot(columns_), count = rows_.size();
+        const std::size_t columns = at_index(columns_), count = rows_.size();
         std::vector<std::pair<std::size_t, Row>> kept;
         for (std::size_t i = 0; i < count; ++i) {
             Row row = coefficients(rows_[i]);
@@ -120,10 +118,10 @@ private:
     }
 
     Row coefficients(const ConstraintRow& row) const {
-        Row entries(slot(columns_));
+        Row entries(at_index(columns_));
         const auto add = [&](BodyIndex body, int sign) {
             if (body == 0) return;
-            const std::size_t first = 3 * slot(body - 1);
+            const std::size_t first = 3 * at_index(body - 1);
             if (row.turn) {
                 entries[first + 2] += sign;
                 return;
@@ -141,7 +139,7 @@ private:
 
     State state(const Row& u, BodyIndex body) const {
         if (body == 0) return {};
-        const std::size_t first = 3 * slot(body - 1);
+        const std::size_t first = 3 * at_index(body - 1);
         return {{u[first], u[first + 1]}, u[first + 2]};
     }
     static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
@@ -188,7 +186,7 @@ private:
     /// q of the row: its time derivative is (row) · a + q(u) = 0, a the accelerations of the bodies' points at the origin.
     std::optional<Exact> quadratic(const ConstraintRow& row, const Row& u) const {
         if (row.turn) return Exact();
-        const Joint& joint = mechanism_.joints[slot(row.joint)];
+        const Joint& joint = mechanism_.joint(row.joint);
         const State i = state(u, row.i), j = state(u, row.j);
         const Vector p = place(row.point);
         const Exact centripetal = (square(j.omega) - square(i.omega)) * dot(row.along, p);
@@ -202,7 +200,7 @@ private:
             return q;
         }
         if (!joint.pair().asks_curvatures()) return centripetal;
-        const Vector& normal = pose_.normals[slot(row.joint)];
+        const Vector& normal = pose_.normals[at_index(row.joint)];
         const auto along = normal_difference(joint, u, normal);
         if (!along) return std::nullopt;
         return centripetal - *along * dot(row.along, normal) / squared_length(normal);
@@ -314,17 +312,17 @@ private:
             omega[body] = root.x * velocities_[0][column] + root.y * velocities_[1][column];
         }
         Branch branch;
-        const auto turns = [&](BodyIndex body) { return body > 0 && !arithmetic_.is_zero(omega[slot(body)]); };
+        const auto turns = [&](BodyIndex body) { return body > 0 && !arithmetic_.is_zero(omega[at_index(body)]); };
         for (const Driver& driver : mechanism_.drivers) {
             const auto* spin = std::get_if<SpinDriver>(&driver);
             if (spin != nullptr && spin->relative_to == 0 && branch.reference < 0 && turns(spin->body))
                 branch.reference = spin->body;
         }
-        for (BodyIndex body = 1; branch.reference < 0 && slot(body) < omega.size(); ++body)
+        for (BodyIndex body = 1; branch.reference < 0 && at_index(body) < omega.size(); ++body)
             if (turns(body)) branch.reference = body;
         if (branch.reference < 0) return branch;
         for (const Exact& each : omega) {
-            const Exact ratio = arithmetic_.is_zero(each) ? Exact() : each / omega[slot(branch.reference)];
+            const Exact ratio = arithmetic_.is_zero(each) ? Exact() : each / omega[at_index(branch.reference)];
             branch.ratios.push_back(ratio.to_double());
             if (root.exact && arithmetic_.is_exact()) branch.exact.push_back(ratio);
         }

@@ -19,7 +19,6 @@ namespace {
 
 using Pair = std::array<double, 2>;
 
-std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 double inner(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 Pair operator-(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
 Pair quarter(const Pair& a) { return {-a[1], a[0]}; }
@@ -81,7 +80,7 @@ public:
     }
 
     Solved solve(const Eigen::VectorXd& right) const {
-        Solved solved{Eigen::VectorXd::Zero(columns_), std::vector<bool>(slot(static_cast<int>(columns_)), is_regular_)};
+        Solved solved{Eigen::VectorXd::Zero(columns_), std::vector<bool>(at_index(static_cast<int>(columns_)), is_regular_)};
         if (matrix_.rows() == 0) return solved;
         Eigen::VectorXd x = particular(right);
         const Eigen::VectorXd miss = residual(right, x);
@@ -151,7 +150,7 @@ public:
             Pair& reference = motion_.bodies[i].reference;
             for (const PointIndex point : points) {
                 const Pair place = rough(pose.at(point));
-                for (const int k : {0, 1}) reference[slot(k)] += place[slot(k)] / static_cast<double>(points.size());
+                for (const int k : {0, 1}) reference[at_index(k)] += place[at_index(k)] / static_cast<double>(points.size());
             }
             references_.push_back(exactly(reference));
         }
@@ -220,7 +219,7 @@ private:
 
     // --- pieces of equations; lengths over the drawing's size ----------------------------------------------------------------
     Pair arm(BodyIndex body, const Vector& place) const {
-        const Pair r = rough(place - references_[slot(body)]);
+        const Pair r = rough(place - references_[at_index(body)]);
         return {r[0] / size_, r[1] / size_};
     }
     void add_speed(Row& row, BodyIndex body, const Vector& place, const Pair& n, double sign) const {
@@ -239,9 +238,9 @@ private:
         rows_.push_back(std::move(row));
         second_order_.push_back(std::move(second_order));
     }
-    double omega(BodyIndex body) const { return motion_.bodies[slot(body)].omega; }
+    double omega(BodyIndex body) const { return motion_.bodies[at_index(body)].omega; }
     Pair speed(BodyIndex body, const Vector& place) const {
-        const auto& state = motion_.bodies[slot(body)];
+        const auto& state = motion_.bodies[at_index(body)];
         const Pair r = arm(body, place);
         return {state.velocity[0] / size_ - state.omega * r[1], state.velocity[1] / size_ + state.omega * r[0]};
     }
@@ -308,7 +307,7 @@ private:
 
     /// P of i moves along u in j, at s:  a_i = a_j + 2ω_j z×(s u) + s̈ u,  so with n = z×u:  n·(a_i − a_j) = 2 ω_j s.
     void slide(const Joint& joint, int index) {
-        const Pair u = unit(pose_.guides[slot(index)]);
+        const Pair u = unit(pose_.guides[at_index(index)]);
         slot_along(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), u);
     }
     void slot_along(BodyIndex i, BodyIndex j, const Vector& place, const Pair& u) {
@@ -353,7 +352,7 @@ private:
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
         const Vector place = pose_.at(joint.point);
-        const Pair n = unit(pose_.normals[slot(index)]);
+        const Pair n = unit(pose_.normals[at_index(index)]);
         const Curvature on_i = curvature(joint, i, n);
         const Curvature on_j = curvature(joint, j, n);
         std::optional<double> lever;
@@ -378,7 +377,7 @@ private:
     void touch(const Joint& joint, int index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
-        const Pair n = unit(pose_.normals[slot(index)]);
+        const Pair n = unit(pose_.normals[at_index(index)]);
         const Pair u{n[1], -n[0]};  // n = z×u
         const Curvature on_i = curvature(joint, i, n);
         const Curvature on_j = curvature(joint, j, n);
@@ -408,7 +407,7 @@ private:
     ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds of the α; put into the accelerations at P, the
     /// terms of the arm cancel and the tangential components are equal (what is left lies along the normal). So too for a rack.
     void mesh(const Joint& joint, int index) {
-        const Pair t = unit(pose_.tangents[slot(index)]);
+        const Pair t = unit(pose_.tangents[at_index(index)]);
         equal_speeds(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), t, 0, [] { return 0.0; });
     }
 
@@ -418,10 +417,11 @@ private:
     }
     /// Second derivative of the place along u seen from j: u·(a_i − a_j), as Coriolis is square to u.
     void write(const SlideDriver& driver) {
-        const Joint& joint = mechanism_.joints[slot(driver.joint)];
+        const Joint& joint = mechanism_.joint(driver.joint);
         const Vector place = pose_.at(joint.point);
-        const bool straight = !pose_.guides[slot(driver.joint)].is_zero();
-        const Pair u = straight ? unit(pose_.guides[slot(driver.joint)]) : quarter(unit(pose_.normals[slot(driver.joint)]));
+        const bool straight = !pose_.guides[at_index(driver.joint)].is_zero();
+        const Pair u =
+            straight ? unit(pose_.guides[at_index(driver.joint)]) : quarter(unit(pose_.normals[at_index(driver.joint)]));
         const double second = driver.acceleration.to_double() / size_;
         equal_speeds(joint.bodies[0], joint.bodies[1], place, u, driver.speed.to_double() / size_, [=] { return second; });
     }
@@ -474,13 +474,13 @@ private:
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose) { return Check(mechanism, pose).run(); }
 
 std::array<double, 2> NumericMotion::velocity(BodyIndex body, const Vector& place) const {
-    const BodyState& state = bodies[slot(body)];
+    const BodyState& state = bodies[at_index(body)];
     const Pair r = rough(place - exactly(state.reference));
     return {state.velocity[0] - state.omega * r[1], state.velocity[1] + state.omega * r[0]};
 }
 
 std::array<double, 2> NumericMotion::acceleration(BodyIndex body, const Vector& place) const {
-    const BodyState& state = bodies[slot(body)];
+    const BodyState& state = bodies[at_index(body)];
     const Pair r = rough(place - exactly(state.reference));
     const double squared = state.omega * state.omega;
     return {state.acceleration[0] - state.alpha * r[1] - squared * r[0],

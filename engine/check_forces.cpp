@@ -22,7 +22,6 @@ namespace {
 using Pair = std::array<double, 2>;
 using Eigen::Index;
 
-std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 double inner(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 double outer(const Pair& a, const Pair& b) { return a[0] * b[1] - a[1] * b[0]; }
 Pair operator*(double s, const Pair& a) { return {s * a[0], s * a[1]}; }
@@ -154,9 +153,9 @@ private:
             const double m = mass.mass.to_double();
             if (mechanism_.gravity) given_.push_back({mass.body, m * rough(*mechanism_.gravity), centre, 0});
             if (!mechanism_.inertia_forces) continue;
-            const auto& state = motion_.bodies[slot(mass.body)];
+            const auto& state = motion_.bodies[at_index(mass.body)];
             if (!state.acceleration_known) {
-                unknown_inertia_[slot(mass.body)] = m > 0 || !mass.inertia.is_zero();
+                unknown_inertia_[at_index(mass.body)] = m > 0 || !mass.inertia.is_zero();
                 continue;
             }
             given_.push_back(
@@ -188,13 +187,14 @@ private:
     void measure_bodies() {
         std::vector<std::vector<const Vector*>> places(mechanism_.bodies.size());
         for (const Joint& joint : mechanism_.joints) {
-            for (const BodyIndex body : joint.bodies) places[slot(body)].push_back(&pose_.at(joint.point));
+            for (const BodyIndex body : joint.bodies) places[at_index(body)].push_back(&pose_.at(joint.point));
         }
         for (const Given& each : given_) {
-            if (each.force != Pair{}) places[slot(each.body)].push_back(&each.place);
+            if (each.force != Pair{}) places[at_index(each.body)].push_back(&each.place);
         }
         for (const Effort& effort : mechanism_.efforts) {
-            if (const auto* force = std::get_if<ForceEffort>(&effort)) places[slot(force->body)].push_back(&pose_.at(force->at));
+            if (const auto* force = std::get_if<ForceEffort>(&effort))
+                places[at_index(force->body)].push_back(&pose_.at(force->at));
         }
         references_.resize(places.size());
         own_size_.resize(places.size(), size_);
@@ -244,7 +244,7 @@ private:
     // --- equations -------------------------------------------------------------------------------------------------------------
     static Index row_of(BodyIndex body) { return Index{3} * (body - 1); }
     double moment(BodyIndex body, const Vector& place, const Pair& force) const {
-        return outer(rough(place - references_[slot(body)]), force) / own_size_[slot(body)];
+        return outer(rough(place - references_[at_index(body)]), force) / own_size_[at_index(body)];
     }
     void add_force(Eigen::MatrixXd& matrix, Index column, BodyIndex body, const Vector& place, const Pair& direction) const {
         if (body == 0) return;
@@ -255,7 +255,7 @@ private:
     }
     /// A couple is counted in units of (largest load)·(size of the drawing).
     void add_couple(Eigen::MatrixXd& matrix, Index column, BodyIndex body, double sign) const {
-        if (body != 0) matrix(row_of(body) + 2, column) += sign * size_ / own_size_[slot(body)];
+        if (body != 0) matrix(row_of(body) + 2, column) += sign * size_ / own_size_[at_index(body)];
     }
     void write_right_side() {
         right_ = Eigen::VectorXd::Zero(rows_);
@@ -264,7 +264,7 @@ private:
             const Index row = row_of(each.body);
             right_[row] -= each.force[0] / unit_;
             right_[row + 1] -= each.force[1] / unit_;
-            right_[row + 2] -= each.couple / own_size_[slot(each.body)] / unit_;
+            right_[row + 2] -= each.couple / own_size_[at_index(each.body)] / unit_;
             if (each.force != Pair{}) right_[row + 2] -= moment(each.body, each.place, 1 / unit_ * each.force);
         }
     }
@@ -328,8 +328,8 @@ private:
         add_force(matrix, column, effort.body, pose_.at(effort.at), unit_of(direction_of(effort.along, pose_)));
     }
     void write(Eigen::MatrixXd& matrix, Index column, const ActuatorEffort& effort) const {
-        const Joint& joint = mechanism_.joints[slot(effort.joint)];
-        const Pair along = rough(pose_.guide_units[slot(effort.joint)]);
+        const Joint& joint = mechanism_.joint(effort.joint);
+        const Pair along = rough(pose_.guide_units[at_index(effort.joint)]);
         add_force(matrix, column, joint.bodies[0], pose_.at(joint.point), along);
         add_force(matrix, column, joint.bodies[1], pose_.at(joint.point), -1 * along);
     }

@@ -2,6 +2,7 @@
 // once read. Knows nothing of positions found by compass (Pose) nor of motion.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "engine/error.hpp"
 #include "engine/exact.hpp"
+#include "engine/index.hpp"
 #include "engine/pair.hpp"
 
 namespace kinegraph {
@@ -125,6 +127,9 @@ struct Joint {
     std::string where;
 
     const PlanePair& pair() const { return plane_pair(kind); }
+    bool connects(BodyIndex body) const { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); }
+    /// Of two bodies the one that is not `body`.
+    BodyIndex other_than(BodyIndex body) const { return bodies[bodies[0] == body ? 1 : 0]; }
 };
 
 /// rad/s, rad/s², m/s, m/s².
@@ -257,6 +262,11 @@ struct Mechanism {
     Find find;
     std::vector<AskedScale> scales;
 
+    const NamedPoint& point(PointIndex index) const { return points[at_index(index)]; }
+    const Body& body(BodyIndex index) const { return bodies[at_index(index)]; }
+    const Joint& joint(JointIndex index) const { return joints[at_index(index)]; }
+    /// Of a joint of this mechanism.
+    JointIndex index_of(const Joint& joint) const { return static_cast<JointIndex>(&joint - joints.data()); }
     std::optional<PointIndex> point_named(std::string_view name) const;
     std::optional<BodyIndex> body_named(std::string_view name) const;
 };

@@ -415,7 +415,7 @@ private:
         }
         if (const JsonValue arm = form["arm"]) {
             joint.arm = body(arm);
-            if (std::find(joint.bodies.begin(), joint.bodies.end(), joint.arm) != joint.bodies.end() && joint.arm >= 0) {
+            if (joint.connects(joint.arm) && joint.arm >= 0) {
                 fault(arm, "the carrier of the two gears is a third body");
             }
         }
@@ -534,8 +534,8 @@ private:
 
     bool read_profile(JsonValue member, Joint& joint) {
         const BodyIndex on = look_up_body(member, member.key());
-        if (on >= 0 && std::find(joint.bodies.begin(), joint.bodies.end(), on) == joint.bodies.end()) {
-            if (std::find(joint.bodies.begin(), joint.bodies.end(), -1) == joint.bodies.end()) {
+        if (on >= 0 && !joint.connects(on)) {
+            if (!joint.connects(-1)) {
                 fault(member, "the body " + quoted(member.key()) + " is not in this joint");
             }
             return false;
@@ -587,7 +587,7 @@ private:
             driver.where = value.pointer();
             driver.joint =
                 sliding_joint(form["joint"], "a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here");
-            if (driver.joint >= 0 && mechanism_.joints[static_cast<std::size_t>(driver.joint)].arc >= 0) {
+            if (driver.joint >= 0 && mechanism_.joint(driver.joint).arc >= 0) {
                 fault(form["joint"], "the slot of " + quoted(form["joint"].text()) + " is curved; drive a \"body\" instead");
             }
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
@@ -751,7 +751,7 @@ private:
             constexpr std::string_view remedy = "an actuator works in a prismatic joint";
             actuator.joint = sliding_joint(form["joint"], remedy);
             if (actuator.joint >= 0) {
-                const PlanePair& pair = mechanism_.joints[static_cast<std::size_t>(actuator.joint)].pair();
+                const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
                 if (!pair.is_sleeve())
                     fault(form["joint"], "the joint " + quoted(form["joint"].text()) + " is of kind \"" + std::string(pair.key) +
                                              "\"; " + std::string(remedy));
@@ -892,7 +892,7 @@ private:
 };
 
 template <class Item>
-std::optional<int> index_of(const std::vector<Item>& items, std::string_view name) {
+std::optional<int> named_in(const std::vector<Item>& items, std::string_view name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
     if (found == items.end()) return std::nullopt;
     return static_cast<int>(found - items.begin());
@@ -900,8 +900,8 @@ std::optional<int> index_of(const std::vector<Item>& items, std::string_view nam
 
 }  // namespace
 
-std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return index_of(points, name); }
-std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return index_of(bodies, name); }
+std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return named_in(points, name); }
+std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return named_in(bodies, name); }
 
 Result<Mechanism> read_mechanism(std::string_view text, std::string source) {
     const Result<JsonSource> json = JsonSource::read(text);

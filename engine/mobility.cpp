@@ -16,8 +16,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t slot(int index) { return static_cast<std::size_t>(index); }
-
 // --- two fields ----------------------------------------------------------------------------------------------------------------
 
 /// Integers modulo a prime p < 2^61. A rank found here is never above the true one, and below it only if p happens to divide a
@@ -160,7 +158,7 @@ private:
     void equal_speeds(BodyIndex i, BodyIndex j, PointIndex point, const Pair& n) {
         if (i == j) return enter({});  // says nothing
         Row<Number> row;
-        const Pair& place = points_[slot(point)];
+        const Pair& place = points_[at_index(point)];
         Number moment = field_.product(place[0], n[1]);
         field_.subtract_product(moment, place[1], n[0]);
         const auto add = [&](BodyIndex body, bool negative) {
@@ -202,10 +200,10 @@ private:
     }
     void write(const SpinDriver& driver) { equal_turns(driver.body, driver.relative_to); }
     void write(const SlideDriver& driver) {
-        const Joint& joint = mechanism_.joints[slot(driver.joint)];
-        const Vector& guide = pose_.guides[slot(driver.joint)];
+        const Joint& joint = mechanism_.joint(driver.joint);
+        const Vector& guide = pose_.guides[at_index(driver.joint)];
         equal_speeds(joint.bodies[0], joint.bodies[1], joint.point,
-                     direction(guide.is_zero() ? quarter_turn(pose_.normals[slot(driver.joint)]) : guide));
+                     direction(guide.is_zero() ? quarter_turn(pose_.normals[at_index(driver.joint)]) : guide));
     }
     void write(const PointDriver& driver) {
         equal_speeds(driver.body, 0, driver.at, direction(direction_of(driver.along, pose_)));
@@ -236,17 +234,17 @@ template <class Field>
 class Echelon {
 public:
     using Number = typename Field::Number;
-    Echelon(Field& field, int columns) : field_(field), row_(slot(columns), field.zero()) {}
+    Echelon(Field& field, int columns) : field_(field), row_(at_index(columns), field.zero()) {}
 
     /// Takes a row and removes what the kept rows say already.
     void reduce(const Row<Number>& row) {
         for (Number& entry : row_) entry = 0;
-        for (const auto& [column, value] : row) row_[slot(column)] = value;
+        for (const auto& [column, value] : row) row_[at_index(column)] = value;
         for (const auto& [pivot, kept] : kept_) {
-            if (row_[slot(pivot)] == 0) continue;
-            std::swap(factor_, row_[slot(pivot)]);
-            row_[slot(pivot)] = 0;
-            for (const auto& [column, value] : kept) field_.subtract_product(row_[slot(column)], factor_, value);
+            if (row_[at_index(pivot)] == 0) continue;
+            std::swap(factor_, row_[at_index(pivot)]);
+            row_[at_index(pivot)] = 0;
+            for (const auto& [column, value] : kept) field_.subtract_product(row_[at_index(column)], factor_, value);
         }
     }
     /// The column of what is left that is largest (the first of equals), and its size; zero where nothing is left.
@@ -260,7 +258,7 @@ public:
         return found;
     }
     void keep(int pivot) {
-        const Number scale = row_[slot(pivot)];
+        const Number scale = row_[at_index(pivot)];
         Row<Number> kept;
         for (std::size_t i = 0; i < row_.size(); ++i) {
             if (static_cast<int>(i) == pivot || row_[i] == 0) continue;
@@ -302,10 +300,10 @@ Verdict judge(Field& field, const Constraints<Field>& constraints, int bodies, K
     }
     const int columns = 3 * (bodies - 1);
     verdict.is_full = rank == columns || rank == static_cast<int>(constraints.rows.size());
-    verdict.determined.assign(slot(bodies), true);
+    verdict.determined.assign(at_index(bodies), true);
     for (int body = 1; body < bodies && rank < columns; ++body) {
-        for (int k = 0; k < 3 && verdict.determined[slot(body)]; ++k) {
-            verdict.determined[slot(body)] = spanned({{3 * (body - 1) + k, one}});
+        for (int k = 0; k < 3 && verdict.determined[at_index(body)]; ++k) {
+            verdict.determined[at_index(body)] = spanned({{3 * (body - 1) + k, one}});
         }
     }
     return verdict;

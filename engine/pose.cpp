@@ -17,8 +17,6 @@ namespace {
 /// What may be lost to earlier roots before a small value is taken for what it looks like: 24 of the compass's bits.
 constexpr int bits_in_doubt = 24;
 
-std::size_t slot(int index) { return static_cast<std::size_t>(index); }
-
 /// z = x·y as complex numbers: y turned by x's angle, |x| times as long.
 Vector turned(const Vector& x, const Vector& y) { return {x.x * y.x - x.y * y.y, x.x * y.y + x.y * y.x}; }
 
@@ -99,12 +97,12 @@ private:
         return {metres / mechanism_.units.length.si.to_double(), mechanism_.units.length.symbol};
     }
     std::string name_of(const Place& place) const {
-        if (const auto* point = std::get_if<PointIndex>(&place)) return mechanism_.points[slot(*point)].name;
+        if (const auto* point = std::get_if<PointIndex>(&place)) return mechanism_.point(*point).name;
         const auto& at = std::get<Vector>(place);
         const double unit = mechanism_.units.length.si.to_double();
         return "[" + number_text(at.x.to_double() / unit) + ", " + number_text(at.y.to_double() / unit) + "]";
     }
-    const std::string& name_of(PointIndex point) const { return mechanism_.points[slot(point)].name; }
+    const std::string& name_of(PointIndex point) const { return mechanism_.point(point).name; }
 
     bool fail(std::string where, std::string message, ErrorCode code = ErrorCode::bad_input) {
         errors_.push_back({code, std::move(where), std::move(message)});
@@ -124,15 +122,15 @@ private:
     // --- points --------------------------------------------------------------------------------------------------------------
     /// True when the point has its place. False: it, or one it needs, could not be placed, which has been said.
     bool drawn(PointIndex point) {
-        State& state = state_[slot(point)];
+        State& state = state_[at_index(point)];
         if (state == State::done) return true;
         if (state == State::failed) return false;
         KG_ASSERT(state == State::waiting, "the reader refuses points that need each other in a circle");
         state = State::under_way;
-        const NamedPoint& named = mechanism_.points[slot(point)];
+        const NamedPoint& named = mechanism_.point(point);
         PositionStep step{point, PositionStep::How::given, {}};
         const bool placed = std::visit([&](const auto& placement) { return place(named, placement, step); }, named.placement);
-        state_[slot(point)] = placed ? State::done : State::failed;
+        state_[at_index(point)] = placed ? State::done : State::failed;
         if (placed) pose_.steps.push_back(std::move(step));
         return placed;
     }
@@ -154,9 +152,11 @@ private:
     }
     bool touched(const Place& place) const {
         const auto* point = std::get_if<PointIndex>(&place);
-        return point != nullptr && touched_[slot(*point)];
+        return point != nullptr && touched_[at_index(*point)];
     }
-    bool touched(const Bearing::Between& between) const { return touched_[slot(between.from)] || touched_[slot(between.to)]; }
+    bool touched(const Bearing::Between& between) const {
+        return touched_[at_index(between.from)] || touched_[at_index(between.to)];
+    }
 
     /// from → to; nothing, and said, where they coincide.
     std::optional<Vector> direction_between(const Bearing::Between& between, const std::string& where) {
@@ -195,7 +195,7 @@ private:
         step.arcs.push_back({from, placement.from, abs(placement.distance)});
         const Vector angle = direction_of(placement.angle, pose_.bits);
         Vector direction = angle;
-        bool is_touched = touched_[slot(placement.from)];
+        bool is_touched = touched_[at_index(placement.from)];
         if (placement.relative_to) {
             const auto base = direction_between(*placement.relative_to, named.where);
             if (!base) return false;
@@ -261,7 +261,7 @@ private:
             ray.rational_angle = is_rational(line.angle);
         } else if (line.by == LineCurve::By::to) {
             ray.along = pose_.at(line.to) - ray.through;
-            ray.touched = ray.touched || touched_[slot(line.to)];
+            ray.touched = ray.touched || touched_[at_index(line.to)];
             ray.name += " and " + name_of(line.to);
             if (ray.touched ? is_small(ray.along) : ray.along.is_zero()) {
                 fail(where, name_of(line.through) + " and " + name_of(line.to) +
@@ -554,7 +554,7 @@ private:
             const auto profile = joint.profiles.find(body);
             if (profile == joint.profiles.end()) continue;
             if (const auto* line = std::get_if<LineProfile>(&profile->second)) {
-                tangent = direction(line->along, joint.where + "/profiles/" + mechanism_.bodies[slot(body)].name + "/line");
+                tangent = direction(line->along, joint.where + "/profiles/" + mechanism_.body(body).name + "/line");
                 if (!tangent) return;
             } else if (const auto* circle = std::get_if<CircleProfile>(&profile->second)) {
                 centres.push_back(circle->centre);
@@ -579,7 +579,7 @@ private:
             const Vector across = pose_.at(centres[1]) - base;
             if (!across.is_zero()) {
                 const Exact factor = dot(pose_.at(joint.point) - base, across) / squared_length(across);
-                if (!move(joint, on_line(base, across, factor, touched_[slot(joint.point)]), {centres[0], centres[1]})) {
+                if (!move(joint, on_line(base, across, factor, touched_[at_index(joint.point)]), {centres[0], centres[1]})) {
                     return;
                 }
             }
@@ -609,7 +609,7 @@ private:
     }
 
     bool fits_radius(const Joint& joint, BodyIndex body, PointIndex centre) {
-        const auto& circle = mechanism_.bodies[slot(body)].circle;
+        const auto& circle = mechanism_.body(body).circle;
         if (!circle || circle->centre != centre) return true;
         // | |PC| − r | = | |PC|² − r² | / (|PC| + r), without taking a root of what may be exact
         const Vector arm = pose_.at(joint.point) - pose_.at(centre);
@@ -617,20 +617,19 @@ private:
         const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());
         if (is_refused(misfit)) {
             return fail(joint.where, name_of(joint.point) + " lies " + in_file_units(length(arm)) + " from " + name_of(centre) +
-                                         ", but the circle of body " + mechanism_.bodies[slot(body)].name + " has radius " +
+                                         ", but the circle of body " + mechanism_.body(body).name + " has radius " +
                                          in_file_units(circle->radius.to_double()) + ": " + in_file_units(misfit) + " off");
         }
         if (!is_noise(misfit)) {
-            pose_.remarks.push_back(
-                {Sentence::off_its_circle,
-                 {PointName{name_of(joint.point)}, amount(misfit), BodyName{mechanism_.bodies[slot(body)].name}}});
+            pose_.remarks.push_back({Sentence::off_its_circle,
+                                     {PointName{name_of(joint.point)}, amount(misfit), BodyName{mechanism_.body(body).name}}});
         }
         return true;
     }
 
     /// `centres`: one, whose foot on the contact's line `place` is, or two, on whose line it lies.
     bool move(const Joint& joint, const Vector& place, const std::vector<PointIndex>& centres) {
-        const std::size_t point = slot(joint.point);
+        const std::size_t point = at_index(joint.point);
         const Vector shift = place - pose_.points[point];
         if (shift.is_zero()) return true;
         const double misfit = length(shift);

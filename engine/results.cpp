@@ -197,8 +197,8 @@ public:
     }
 
 private:
-    const std::string& name_of_body(BodyIndex body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].name; }
-    const std::string& name_of_point(PointIndex point) const { return mechanism_.points[static_cast<std::size_t>(point)].name; }
+    const std::string& name_of_body(BodyIndex body) const { return mechanism_.body(body).name; }
+    const std::string& name_of_point(PointIndex point) const { return mechanism_.point(point).name; }
     Entry entry() const { return {solution_.pose, exact_}; }
 
     std::string mobility() const {
@@ -221,7 +221,7 @@ private:
                         {"verdict", quoted(verdict())}};
         Members redundant;
         for (const Mobility::Redundant& each : found.redundant)
-            redundant.emplace_back(mechanism_.joints[static_cast<std::size_t>(each.joint)].name, std::to_string(each.rows));
+            redundant.emplace_back(mechanism_.joint(each.joint).name, std::to_string(each.rows));
         if (!redundant.empty()) members.emplace_back("redundant", object(redundant));
         return object(members);
     }
@@ -302,9 +302,9 @@ private:
 
     /// The joint's name; a contact that shares it with another joint that slides also says of whom on whom.
     std::string sliding_key(const Sliding& slide) const {
-        const Joint& joint = mechanism_.joints[static_cast<std::size_t>(slide.joint)];
+        const Joint& joint = mechanism_.joint(slide.joint);
         const auto shares = [&](const Sliding& other) {
-            return other.joint != slide.joint && mechanism_.joints[static_cast<std::size_t>(other.joint)].name == joint.name;
+            return other.joint != slide.joint && mechanism_.joint(other.joint).name == joint.name;
         };
         if (!joint.pair().touches() || std::none_of(solution_.sliding.begin(), solution_.sliding.end(), shares))
             return joint.name;
@@ -360,7 +360,7 @@ private:
         std::vector<std::pair<std::string, Members>> by_joint;
         for (const JointForce& action : solution_.forces) {
             if (!action.force) continue;
-            const Joint& joint = mechanism_.joints[static_cast<std::size_t>(action.joint)];
+            const Joint& joint = mechanism_.joint(action.joint);
             if (by_joint.empty() || by_joint.back().first != joint.name) {
                 const auto same =
                     std::find_if(by_joint.begin(), by_joint.end(), [&](const auto& entry) { return entry.first == joint.name; });

@@ -159,10 +159,10 @@ TEST(PolygonDetail, IsLetteredOnFromThoseOfTheSheet) {
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     Figure figure = polygon_figure(context, 1, 180, 130);
-    const std::size_t count = details_on(figure);
+    const std::size_t count = figure.details.size();
     ASSERT_GT(count, 0u);
     letter_details_on(figure, context, 3);
-    EXPECT_EQ(details_on(figure), count);
+    EXPECT_EQ(figure.details.size(), count);
     const auto read = measured_on(figure, "a_CD_n");
     ASSERT_TRUE(read.has_value());
     EXPECT_TRUE(read->detail == "IV" || read->detail == "V" || read->detail == "VI") << read->detail;

@@ -10,7 +10,7 @@
 
 #include "constructions/solve.hpp"
 #include "render/figures/figure.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "tests/fonts.hpp"
 #include "tests/solved.hpp"

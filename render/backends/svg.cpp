@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "engine/assert.hpp"
 #include "render/backends/backends.hpp"
@@ -85,7 +86,7 @@ public:
         length(paper, "height", page_.height);
         colour(paper, "fill", page_.paper);
         for (const Mark& mark : page_.marks) std::visit([this](const auto& m) { write(m); }, mark);
-        KG_ASSERT(depth_ == 0, "groups of a page are closed");
+        KG_ASSERT(statements_.empty(), "groups of a page are closed");
         if (!defs_.first_child()) defs_.parent().remove_child(defs_);
         Sink sink;
         document_.save(sink, " ", pugi::format_indent, pugi::encoding_utf8);
@@ -154,6 +155,12 @@ private:
         }
     }
 
+    /// Of the solution, that draws it; left out where it is that of the group round it.
+    void statement(pugi::xml_node node, int index, bool repeated) {
+        if (index < 0 || (!repeated && !statements_.empty() && statements_.back() == index)) return;
+        set(node, "data-statement", std::to_string(index).c_str());
+    }
+
     void write(const Path& path) {
         text_.clear();
         Spot pen, first;
@@ -187,6 +194,7 @@ private:
         } else {
             set(node, "fill", "none");
         }
+        statement(node, path.statement, false);
         if (!path.stroked) return;
         colour(node, "stroke", path.pen.colour);
         length(node, "stroke-width", path.pen.width);
@@ -230,6 +238,7 @@ private:
             text_ += ')';
             set(node, "transform", text_.c_str());
         }
+        statement(node, mark.statement, true);
         const pugi::xml_node outside = at_;
         at_ = node;
         for (const Glyph& glyph : mark.glyphs) {
@@ -244,16 +253,17 @@ private:
 
     void write(const GroupBegin& group) {
         at_ = at_.append_child("g");
-        ++depth_;
         if (!group.cls.empty()) set(at_, "class", well_formed(group.cls).c_str());
         if (!group.id.empty()) set(at_, "id", well_formed(group.id).c_str());
         for (const auto& [name, value] : group.attributes) set(at_, name.c_str(), well_formed(value).c_str());
+        statement(at_, group.statement, true);
+        statements_.push_back(group.statement >= 0 || statements_.empty() ? group.statement : statements_.back());
         title(at_, group.title);
     }
 
     void write(const GroupEnd&) {
-        KG_ASSERT(depth_ > 0, "a group that ends has begun");
-        --depth_;
+        KG_ASSERT(!statements_.empty(), "a group that ends has begun");
+        statements_.pop_back();
         at_ = at_.parent();
     }
 
@@ -325,8 +335,8 @@ private:
     Outlines& outlines_;
     pugi::xml_document document_;
     pugi::xml_node at_, defs_;
-    int depth_ = 0;
-    std::string text_;  // of the attribute at hand, one memory for all
+    std::vector<int> statements_;  // of the open groups, their own or that round them
+    std::string text_;             // of the attribute at hand, one memory for all
     std::unordered_map<std::uint64_t, std::string> references_;
 };
 

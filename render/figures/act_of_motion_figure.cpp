@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "engine/assert.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/figures/fit.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
+#include "render/scene/drawn_by.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -71,7 +72,7 @@ public:
     }
 
     void draw(Sketch& sketch, double velocity_scale) const {
-        sketch.draw_alone(act_.body);
+        draw_alone(sketch, act_.body);
         draw_directions(sketch);
         draw_centre(sketch, velocity_scale);
         draw_projections(sketch, velocity_scale);
@@ -79,7 +80,7 @@ public:
         std::swap(sketch.construction, sketch.over_bodies);
         draw_velocities(sketch, velocity_scale);
         draw_acceleration_centre(sketch);
-        sketch.draw_points(true);
+        name_points(sketch);
     }
 
 private:
@@ -114,10 +115,7 @@ private:
     // --- the statements that find what is drawn ------------------------------------------------------------------------------
     /// −1: the velocity is given, or none finds it.
     int statement_of(const Shown& shown) const {
-        if (shown.given) return -1;
-        for (const DrawnVector& vector : solution_.protocol.vectors)
-            if (vector.symbol == Symbol{Symbol::Letter::v, shown.name, ""}) return vector.statement;
-        return -1;
+        return shown.given ? -1 : statement_of_velocity(solution_.protocol, shown.name);
     }
     int statement_of_centre() const {
         const std::vector<Statement>& statements = solution_.protocol.statements;
@@ -296,9 +294,9 @@ private:
 
     LabelRequest name_of_centre(const Sketch& sketch) const {
         LabelRequest label;
-        label.text = typeset(sketch.symbol_of(*centre_), context_.language);
+        label.text = typeset(symbol_of(sketch.mechanism, *centre_), context_.language);
         label.statement = statement_of_centre();
-        label.names = {name_of(sketch.symbol_of(*centre_))};
+        label.names = {name_of(symbol_of(sketch.mechanism, *centre_))};
         label.size = context_.theme.label;
         label.colour = context_.theme.text;
         return label;
@@ -445,8 +443,10 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
     const std::optional<double> asked = asked_scale(mechanism, "mechanism");
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), asked);
-    return fitted_figure(first, asked.has_value(), room_x, room_y, any_scale, [&](double scale, bool last, bool strict) {
-        Sketch sketch(subject, context, scale, "");
+    const FitPolicy policy{
+        .room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true, .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, "");
         const double reach = std::clamp(0.55 * sketch.size(), 14.0, longest_velocity);
         const double velocity_scale = choose_scale(act.longest(), 0, reach, reach, std::nullopt);
         act.draw(sketch, velocity_scale);
@@ -454,7 +454,7 @@ Figure act_of_motion_figure(const DrawingContext& context, double room_x, double
         figure.caption = one_piece(word("act of motion", context.language));
         if (act.longest() > 0)
             figure.further_scale = "1 mm ≙ " + shortest(velocity_scale, context.language) + " " + mechanism.units.velocity.symbol;
-        sketch.close(figure, {room_x, room_y}, last || asked.has_value(), scale, mechanism.units.length, strict);
+        sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, mechanism.units.length, trial.strict);
         return figure;
     });
 }

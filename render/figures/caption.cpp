@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "render/page/shapes.hpp"
-#include "render/page/sheet_parts.hpp"
-#include "render/tables/tables.hpp"
+#include "render/sheet/sheet_parts.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {

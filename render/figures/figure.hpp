@@ -1,83 +1,14 @@
-// A Figure: one drawing to scale, in mm of its own (y downwards, origin anywhere), with its labels placed. Sheets put figures on
-// paper by moving them, never by scaling: the scale is chosen when the figure is made.
+// The figures: each of a Solution in a room, and the placing of their labels.
 #pragma once
 
-#include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "engine/solution.hpp"
-#include "render/page/page.hpp"
-#include "render/page/theme.hpp"
-#include "render/text/text.hpp"
-#include "render/text/words.hpp"
+#include "render/page/figure.hpp"
+#include "render/page/scale.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render {
-
-struct Box {
-    Spot min, max;
-    double width() const { return max.x - min.x; }
-    double height() const { return max.y - min.y; }
-    bool operator==(const Box&) const = default;
-};
-
-/// A label that wants a place near its object.
-struct LabelRequest {
-    RichText text;
-    double size = 11;  ///< points
-    Colour colour;
-    Spot anchor;                 ///< the point, or the middle of the vector or line
-    std::optional<Spot> toward;  ///< for vectors and lines: the direction they run (anchor → toward), the label stands beside it
-    double clearance = 2.2;      ///< from the anchor to the nearest ink, mm
-    bool along = false;          ///< set along the line (turned with it), as direction marks are
-    std::string id;              ///< empty, or the SVG id of the label's group
-    double balloon = 0;          ///< radius of a circle round the text (body numbers), mm; 0: none
-    int statement = -1;          ///< of the solution, that what it names is drawn by; −1: it is there from the beginning
-    std::vector<std::string> names;  ///< as TextMark's
-    std::vector<double> dashes;      ///< line kind of the balloon, mm
-};
-
-struct Figure {
-    std::string kind;                  ///< data-figure: mechanism, centres, velocity, acceleration, …
-    std::string id;                    ///< SVG id: "velocity", "velocity-E-2"
-    RichText caption;                  ///< without number and scale
-    double scale = 1;                  ///< `unit` for each mm
-    std::string unit;                  ///< SI unit of the data-value's: "m", "m/s", "m/s²"
-    std::string further_scale;         ///< of what is drawn to another one, said beside the first: "1 mm ≙ 5 N"
-    Box box;                           ///< of everything, labels included
-    Spot origin;                       ///< where the origin of its coordinates lies
-    std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
-    std::vector<LabelRequest> labels;  ///< until place_labels has set them
-    bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
-
-    void move(double dx, double dy);
-    static Figure empty_at(double scale);
-};
-
-/// Whether the mechanism figure shows the given lengths, radii and angles as dimensions: each that finds a free place, all, none.
-enum class Dimensions { automatic, on, off };
-
-struct DrawingContext {
-    const Solution& solution;
-    const Theme& theme;
-    const Fonts& fonts;
-    Language language = Language::en;
-    Dimensions dimensions = Dimensions::automatic;
-};
-
-/// The largest scale of 1-2-2.5-5 × 10ⁿ units per mm at which `extent` units fit into `room` mm; the file's own where it asks
-/// one.
-double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked);
-/// The next coarser one of these after any scale.
-inline double next_scale(double scale) { return choose_scale(1.001 * scale, 0, 1, 1, std::nullopt); }
-
-/// Of the figures that take a `coarsest` scale (units per mm): one that would have to be drawn coarser, or leave its room, comes
-/// empty and at any_scale; whoever sets such a limit has no use for it.
-constexpr double any_scale = std::numeric_limits<double>::infinity();
-
-/// SVG-legal id from a user's name: all but letters, digits, '-', '.', '_' as _xHH_ (bytes of UTF-8).
-std::string legal_id(std::string_view name);
 
 enum class Labelling {
     free,        ///< labels leave the room where nothing in it is free
@@ -96,12 +27,6 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room =
 
 /// What the names that a figure asks for will take with the air about them, mm²: places or none.
 double room_of_names(const Figure& figure, const Fonts& fonts);
-
-/// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
-/// Appended to `marks`; a vector shorter than its head gets a smaller head.
-/// `dashes` (mm) are those of its shaft.
-void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
-                const std::vector<double>& dashes = {});
 
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,

@@ -6,12 +6,12 @@
 #include <set>
 
 #include "engine/assert.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/force_statements.hpp"
+#include "render/scene/drawn_by.hpp"
 #include "render/tables/force_tables.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -28,7 +28,8 @@ public:
         : context_(context),
           protocol_(context.solution.protocol),
           polygon_(protocol_.polygons[at_index(polygon)]),
-          unit_(context.solution.mechanism.units.force) {
+          unit_(context.solution.mechanism.units.force),
+          statements_(context.solution) {
         Vector longest;
         Exact square;
         for (const int v : polygon_.vectors) {
@@ -112,6 +113,7 @@ public:
             side.colour = context_.theme.colour_of(vector.body);
             // An inner side met again (a two-force body lies between): one stroke, both names.
             side.internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
+            if (figure.kind == "closure") side.statement = statement_of_force(context_.solution, statements_, vector.symbol);
             parts.vectors.push_back(std::move(side));
         }
         return parts;
@@ -163,6 +165,7 @@ private:
     const Protocol& protocol_;
     const Polygon& polygon_;
     const Unit& unit_;
+    ForceStatements statements_;
     std::map<int, Spot> places_;  // of corners, in the unit of force, y downwards
     std::vector<double> values_;  // of the polygon's vectors
     Spot along_;                  // the longest
@@ -193,7 +196,7 @@ std::vector<int> shown_polygons(const Solution& solution) {
 /// Polygons in rows, each with its body's name above and its table below.
 class Rows {
 public:
-    Rows(const DrawingContext& context, bool with_tables) : context_(context) {
+    Rows(const DrawingContext& context, bool with_tables) : context_(context), statements_(context.solution) {
         for (const int polygon : shown_polygons(context.solution)) {
             Item item{polygon, ForcePolygon(context, polygon), {}, nullptr};
             for (const FreeBody& body : context.solution.free_bodies)
@@ -228,98 +231,6 @@ public:
     }
 
 private:
-    std::optional<Figure> at(double scale, double room_x, double room_y, bool force, bool with_details) const {
-        constexpr double between = 6, head = 6, bar = 9;
-        const Block names = has_tables() ? force_row_names(context_) : Block{};
-        const double indent = names.width > 0 ? names.width + 2 : 0;
-        room_x -= indent;
-        std::vector<Figure> figures;
-        std::vector<PolygonParts> parts;
-        std::vector<std::vector<Detail>> details;
-        std::size_t letters = 0;
-        std::vector<Spot> sizes;
-        for (const Item& item : items_) {
-            const Figure empty = item.drawing.empty_at(scale);
-            parts.push_back(item.drawing.parts_of(empty));
-            details.push_back(with_details ? details_of(parts.back(), scale, 1, letters) : std::vector<Detail>{});
-            figures.push_back(item.drawing.with_parts(empty, parts.back(), details.back()));
-            sizes.push_back(size_of(item, figures.back(), 0.4 * label_reach, head));
-        }
-        if (with_details && letters == 0) return std::nullopt;
-        if (!force && height_of(arranged(sizes, room_x, between), sizes, between) + bar > room_y) return std::nullopt;
-        if (!force && std::any_of(sizes.begin(), sizes.end(), [&](Spot s) { return s.x > room_x; })) return std::nullopt;
-        for (std::size_t i = 0; i < figures.size(); ++i) {
-            if (!place_labels(figures[i], context_.fonts, std::nullopt, with_details ? Labelling::if_all_free : Labelling::free))
-                return std::nullopt;
-            figures[i].marks.emplace_back(GroupEnd{});
-            if (!set_details(figures[i], context_, parts[i], details[i], {room_x, room_y - head - bar}, letters))
-                return std::nullopt;
-            sizes[i] = size_of(items_[i], figures[i], 0, head);
-        }
-        const auto rows = arranged(sizes, room_x, between);
-        const double height = height_of(rows, sizes, between);
-        const bool fits =
-            height + bar <= room_y && std::all_of(sizes.begin(), sizes.end(), [&](Spot s) { return s.x <= room_x; });
-        if (!fits && !force) return std::nullopt;
-
-        Figure all;
-        all.kind = "forces";
-        all.id = "forces";
-        all.scale = scale;
-        all.unit = context_.solution.mechanism.units.force.symbol;
-        const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
-            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat();
-        });
-        const std::string key = items_.size() == 1 ? (triangles ? "force triangle" : "force polygon")
-                                                   : (triangles ? "force triangles" : "force polygons");
-        all.caption = one_piece(word(key, context_.language));
-        const ForceStatements statements(context_.solution);
-        double y = 0;
-        for (const std::vector<std::size_t>& row : rows) {
-            double tallest = 0, used = 0;
-            for (const std::size_t i : row) {
-                tallest = std::max(tallest, figures[i].box.height());
-                used += sizes[i].x;
-            }
-            double x = indent;
-            bool named = names.width <= 0;
-            const double spread = row.size() < 2
-                                      ? between
-                                      : std::clamp((room_x - used) / static_cast<double>(row.size() - 1), between, 3 * between);
-            for (const std::size_t i : row) {
-                Figure& figure = figures[i];
-                const std::string& name = body_name(*items_[i].body);
-                const std::string words = items_[i].body->body >= 0 ? word("body", context_.language) + " " + name
-                                                                    : word("pin", context_.language) + " " + name;
-                const std::size_t first = all.marks.size();
-                set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
-                         {x, y + 3.2}, context_.theme.colour_of(items_[i].body->body).letter, "text");
-                figure.move(x - figure.box.min.x + 0.5 * (sizes[i].x - figure.box.width()),
-                            y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
-                append(all.marks, figure.marks);
-                belong(all.marks, first, statements.polygon(*items_[i].body));
-                std::vector<Mark> table = items_[i].table.marks;
-                const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);
-                render::move(table, left, y + head + tallest + 2.5);
-                append(all.marks, table);
-                if (!table.empty() && !named) {
-                    // What the rows are stands before the first of them.
-                    std::vector<Mark> row_names = names.marks;
-                    render::move(row_names, left - indent, y + head + tallest + 2.5);
-                    append(all.marks, row_names);
-                    named = true;
-                }
-                x += sizes[i].x + spread;
-            }
-            double below = 0;
-            for (const std::size_t i : row) below = std::max(below, items_[i].table.height);
-            y += head + tallest + (below > 0 ? below + 2.5 : 0) + between;
-        }
-        all.box = box_of(all.marks);
-        set_scale_bar(context_, all, 24, {all.box.min.x, all.box.max.y + 3});
-        return all;
-    }
-
     struct Item {
         int polygon = -1;
         ForcePolygon drawing;
@@ -327,37 +238,152 @@ private:
         const FreeBody* body = nullptr;
     };
 
+    static constexpr double between = 6, head = 6, bar = 9, above_table = 2.5;
+
+    /// A polygon as it is drawn at a scale, and what it takes with its name and its table.
+    struct Cell {
+        Figure figure;
+        PolygonParts parts;
+        std::vector<Detail> details;
+        Spot size;
+    };
+    using Row = std::vector<std::size_t>;  // of items
+
+    std::optional<Figure> at(double scale, double room_x, double room_y, bool force, bool with_details) const {
+        const Block names = has_tables() ? force_row_names(context_) : Block{};
+        const Spot room{room_x - indent_of(names), room_y};
+        std::size_t letters = 0;
+        std::vector<Cell> cells;
+        for (const Item& item : items_) cells.push_back(cell_of(item, scale, with_details, letters));
+        if (with_details && letters == 0) return std::nullopt;
+        if (!force && !fit_into(room, cells)) return std::nullopt;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (!finish(cells[i], items_[i], room, with_details, letters)) return std::nullopt;
+        if (!force && !fit_into(room, cells)) return std::nullopt;
+        return set_out(cells, names, room.x, scale);
+    }
+    static double indent_of(const Block& names) { return names.width > 0 ? names.width + 2 : 0; }
+
+    static Cell cell_of(const Item& item, double scale, bool with_details, std::size_t& letters) {
+        Cell cell;
+        const Figure empty = item.drawing.empty_at(scale);
+        cell.parts = item.drawing.parts_of(empty);
+        if (with_details) cell.details = details_of(cell.parts, scale, 1, letters);
+        cell.figure = item.drawing.with_parts(empty, cell.parts, cell.details);
+        cell.size = size_of(item, cell.figure, 0.4 * label_reach);
+        return cell;
+    }
+    /// Letters it and draws its details; false where these find no free place.
+    bool finish(Cell& cell, const Item& item, Spot room, bool with_details, std::size_t& letters) const {
+        const Labelling labelling = with_details ? Labelling::if_all_free : Labelling::free;
+        if (!place_labels(cell.figure, context_.fonts, std::nullopt, labelling)) return false;
+        cell.figure.marks.emplace_back(GroupEnd{});
+        if (!set_details(cell.figure, context_, cell.parts, cell.details, {room.x, room.y - head - bar}, letters)) return false;
+        cell.size = size_of(item, cell.figure, 0);
+        return true;
+    }
+    bool fit_into(Spot room, const std::vector<Cell>& cells) const {
+        return height_of(arranged(cells, room.x), cells) + bar <= room.y &&
+               std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) { return cell.size.x <= room.x; });
+    }
+
+    Figure set_out(std::vector<Cell>& cells, const Block& names, double room, double scale) const {
+        Figure all;
+        all.kind = "forces";
+        all.id = "forces";
+        all.scale = scale;
+        all.unit = context_.solution.mechanism.units.force.symbol;
+        all.caption = one_piece(word(caption(), context_.language));
+        double y = 0;
+        for (const Row& row : arranged(cells, room)) y = set_row(all, row, cells, names, room, y);
+        all.box = box_of(all.marks);
+        set_scale_bar(context_, all, 24, {all.box.min.x, all.box.max.y + 3});
+        return all;
+    }
+    std::string caption() const {
+        const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
+            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat();
+        });
+        return std::string(triangles ? "force triangle" : "force polygon") + (items_.size() == 1 ? "" : "s");
+    }
+    /// Where the next row begins.
+    double set_row(Figure& all, const Row& row, std::vector<Cell>& cells, const Block& names, double room, double y) const {
+        double tallest = 0, used = 0, below = 0;
+        for (const std::size_t i : row) {
+            tallest = std::max(tallest, cells[i].figure.box.height());
+            used += cells[i].size.x;
+            below = std::max(below, items_[i].table.height);
+        }
+        double x = indent_of(names);
+        bool named = names.width <= 0;
+        const double gaps = static_cast<double>(row.size() - 1);
+        const double spread = row.size() < 2 ? between : std::clamp((room - used) / gaps, between, 3 * between);
+        for (const std::size_t i : row) {
+            set_cell(all, items_[i], cells[i], {x, y}, tallest);
+            if (const Block& table = items_[i].table; !table.marks.empty()) {
+                const Spot at{x + 0.5 * (cells[i].size.x - table.width), y + head + tallest + above_table};
+                set_table(all, table, at, statements_.polygon(*items_[i].body));
+                // What the rows are stands before the first of them.
+                if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, -1);
+                named = true;
+            }
+            x += cells[i].size.x + spread;
+        }
+        return y + head + tallest + (below > 0 ? below + above_table : 0) + between;
+    }
+    /// Its name, and the polygon in the middle of what it takes and of the row.
+    void set_cell(Figure& all, const Item& item, Cell& cell, Spot at, double tallest) const {
+        Figure& figure = cell.figure;
+        const std::string words = word(item.body->body >= 0 ? "body" : "pin", context_.language) + " " + body_name(*item.body);
+        const std::size_t first = all.marks.size();
+        set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
+                 {at.x, at.y + 3.2}, context_.theme.colour_of(item.body->body).letter, "text");
+        figure.move(at.x - figure.box.min.x + 0.5 * (cell.size.x - figure.box.width()),
+                    at.y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
+        append(all.marks, figure.marks);
+        all.measured.insert(all.measured.end(), figure.measured.begin(), figure.measured.end());
+        all.details.insert(all.details.end(), figure.details.begin(), figure.details.end());
+        belong(all.marks, first, statements_.polygon(*item.body));
+    }
+    static void set_table(Figure& all, const Block& table, Spot at, int statement) {
+        std::vector<Mark> marks = table.marks;
+        render::move(marks, at.x, at.y);
+        belong(marks, 0, statement);
+        append(all.marks, marks);
+    }
+
     static std::string capital(std::string words) {
         if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
         return words;
     }
     const std::string& body_name(const FreeBody& body) const {
         const Mechanism& m = context_.solution.mechanism;
-        return body.body >= 0 ? m.bodies[at_index(body.body)].name : m.points[at_index(body.pin)].name;
+        return body.body >= 0 ? m.body(body.body).name : m.point(body.pin).name;
     }
-    static Spot size_of(const Item& item, const Figure& figure, double reach, double head) {
+    static Spot size_of(const Item& item, const Figure& figure, double reach) {
         return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}), head + figure.box.height() + 2 * reach};
     }
-    static std::vector<std::vector<std::size_t>> arranged(const std::vector<Spot>& sizes, double room, double between) {
-        std::vector<std::vector<std::size_t>> rows;
+    static std::vector<Row> arranged(const std::vector<Cell>& cells, double room) {
+        std::vector<Row> rows;
         double x = 0;
-        for (std::size_t i = 0; i < sizes.size(); ++i) {
-            if (rows.empty() || x + between + sizes[i].x > room) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const double width = cells[i].size.x;
+            if (rows.empty() || x + between + width > room) {
                 rows.emplace_back();
                 x = -between;
             }
             rows.back().push_back(i);
-            x += between + sizes[i].x;
+            x += between + width;
         }
         return rows;
     }
-    double height_of(const std::vector<std::vector<std::size_t>>& rows, const std::vector<Spot>& sizes, double between) const {
+    double height_of(const std::vector<Row>& rows, const std::vector<Cell>& cells) const {
         double sum = -between;
-        for (const auto& row : rows) {
+        for (const Row& row : rows) {
             double tallest = 0, table = 0;
             for (const std::size_t i : row) {
-                tallest = std::max(tallest, sizes[i].y);
-                if (items_[i].table.height > 0) table = std::max(table, items_[i].table.height + 2.5);
+                tallest = std::max(tallest, cells[i].size.y);
+                if (items_[i].table.height > 0) table = std::max(table, items_[i].table.height + above_table);
             }
             sum += tallest + table + between;
         }
@@ -365,6 +391,7 @@ private:
     }
 
     const DrawingContext& context_;
+    ForceStatements statements_;
     std::vector<Item> items_;
 };
 
@@ -417,25 +444,26 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
                              bool tables) {
     const Rows with_tables(context, tables), plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
-    if (fixed && least) {
-        if (auto figure = with_tables.at(*least, room_x, room_y, false)) return std::move(*figure);
-        if (auto figure = plain_rows.at(*least, room_x, room_y, false)) return std::move(*figure);
-    }
-    double scale = std::max(plain_rows.least_scale(room_x, room_y), fixed ? 0.0 : least.value_or(0));
-    constexpr int most_tries = 14;
-    for (int tries = 0;; ++tries, scale = next_scale(scale)) {
+    const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room_x, room_y, false); };
+    FitPolicy policy{.room = std::nullopt, .first = plain_rows.least_scale(room_x, room_y), .most_trials = 14};
+    if (fixed) policy.asked = least;
+    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        if (trial.asked) {
+            auto figure = fitting(with_tables, trial.scale);
+            return figure ? std::move(figure) : fitting(plain_rows, trial.scale);
+        }
         // A table is worth one step of the scale.
-        auto figure = plain_rows.at(scale, room_x, room_y, tries == most_tries);
-        if (!figure) continue;
-        if (!with_tables.has_tables()) return std::move(*figure);
-        if (auto better = with_tables.at(scale, room_x, room_y, false)) return std::move(*better);
+        auto figure = plain_rows.at(trial.scale, room_x, room_y, trial.last);
+        if (!figure || !with_tables.has_tables()) return figure;
+        if (auto better = fitting(with_tables, trial.scale)) return better;
         // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
         const Box extent = extent_of_forces(context.solution, -1);
-        const double smaller = next_scale(scale);
+        const double smaller = next_scale(trial.scale);
         if (!least && extent.height() / smaller > 35)
-            if (auto better = with_tables.at(smaller, room_x, room_y, false)) return std::move(*better);
-        return std::move(*figure);
-    }
+            if (auto better = fitting(with_tables, smaller)) return better;
+        return figure;
+    });
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
@@ -464,19 +492,16 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         close(figure);
         return figure;
     };
-    if (fixed && least) {
-        Figure figure = finish(*least);
-        if (fits(figure)) return figure;
-    }
-    double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
-    if (!fixed && least) scale = std::max(scale, *least);
-    constexpr int most_tries = 14;
-    for (int tries = 0;; ++tries, scale = next_scale(scale)) {
-        const double reach = 0.5 * label_reach;
-        if (tries < most_tries && (drawing.width() / scale + reach > room_x || drawing.height() / scale + 8 > room_y)) continue;
-        Figure figure = finish(scale);
-        if (tries == most_tries || fits(figure)) return figure;
-    }
+    FitPolicy policy{.room = Spot{room_x, room_y},
+                     .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
+                     .most_trials = 14};
+    if (fixed) policy.asked = least;
+    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        const double width = drawing.width() / trial.scale + 0.5 * label_reach, height = drawing.height() / trial.scale + 8;
+        if (!trial.last && !trial.asked && (width > room_x || height > room_y)) return std::nullopt;
+        return finish(trial.scale);
+    });
 }
 
 }  // namespace kinegraph::render

@@ -9,15 +9,14 @@
 #include <set>
 
 #include "engine/assert.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/figures/fit.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/drawn_by.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {
-
-using drawing::at_index;
 
 constexpr double longest_force = 25;  // mm
 constexpr double least_shown = 12;    // of the longest velocity, mm
@@ -45,6 +44,8 @@ struct Placed {
     const VirtualWork::Entry* entry;
     Spot turned_velocity, force;
     double value;
+    int statement;  // after which the force is known; −1: it is given
+    int motion;     // that draws the velocity of the point it acts at
 };
 
 class Lever {
@@ -54,10 +55,16 @@ public:
           velocity_(context.solution.mechanism.units.velocity),
           force_(context.solution.mechanism.units.force) {
         double most = 0;
+        const ForceStatements statements(context.solution);
         for (const VirtualWork::Entry& entry : work_of(context.solution).entries) {
             if (entry.force.is_zero()) continue;
             const Spot v = in(entry.velocity, velocity_), f = in(entry.force, force_);
-            placed_.push_back({&entry, {v.y, -v.x}, f, kinegraph::length(entry.force) / force_.si.to_double()});
+            placed_.push_back({&entry,
+                               {v.y, -v.x},
+                               f,
+                               kinegraph::length(entry.force) / force_.si.to_double(),
+                               statement_of_force(context.solution, statements, entry.symbol),
+                               statement_of_velocity(context.solution.protocol, point_of(entry))});
             most = std::max(most, placed_.back().value);
         }
         force_scale_ = choose_scale(most, 0, longest_force, 1, std::nullopt);
@@ -98,6 +105,14 @@ private:
     struct Arrow {
         Spot tail, tip;
     };
+
+    /// Name of the body's point that a force acts at; empty: it has none.
+    std::string point_of(const VirtualWork::Entry& entry) const {
+        const Mechanism& mechanism = context_.solution.mechanism;
+        for (const PointIndex p : mechanism.bodies[at_index(entry.body)].points)
+            if ((context_.solution.pose.at(p) - entry.at).is_zero()) return mechanism.points[at_index(p)].name;
+        return "";
+    }
 
     static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }
     static Spot tip_of(const Placed& each, double scale) { return (1 / scale) * each.turned_velocity; }
@@ -174,7 +189,7 @@ private:
             if (length(tip) < coincident) continue;
             if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; })) continue;
             done.push_back(tip);
-            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}});
+            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}, each.motion});
             figure.marks.emplace_back(Axis{{0, 0}, tip});
             figure.marks.emplace_back(line({0, 0}, tip, pen));
             figure.marks.emplace_back(GroupEnd{});
@@ -196,7 +211,8 @@ private:
                                                  {{"data-name", name},
                                                   {"data-value", shortest(placed_[i].value)},
                                                   {"data-scale", shortest(force_scale_)},
-                                                  {"data-unit", force_.symbol}}});
+                                                  {"data-unit", force_.symbol}},
+                                                 placed_[i].statement});
             figure.marks.emplace_back(Axis{arrows[i].tail, arrows[i].tip});
             draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line, colour.dashes);
             figure.marks.emplace_back(GroupEnd{});
@@ -207,6 +223,7 @@ private:
             label.anchor = 0.5 * (arrows[i].tail + arrows[i].tip);
             label.toward = arrows[i].tip;
             label.clearance = 1.5;
+            label.statement = placed_[i].statement;
             figure.labels.push_back(std::move(label));
         }
     }
@@ -218,15 +235,12 @@ private:
             RichText text;
             std::set<std::string> names;
         };
-        const Solution& solution = context_.solution;
         const Symbol pole{Symbol::Letter::pole, "v", ""};
         std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}}};
         for (const Placed& each : placed_) {
-            const auto& points = solution.mechanism.bodies[at_index(each.entry->body)].points;
-            const auto found = std::find_if(points.begin(), points.end(),
-                                            [&](PointIndex p) { return (solution.pose.at(p) - each.entry->at).is_zero(); });
-            if (found == points.end()) continue;
-            const Symbol image{Symbol::Letter::image, solution.mechanism.points[at_index(*found)].name, ""};
+            const std::string point = point_of(*each.entry);
+            if (point.empty()) continue;
+            const Symbol image{Symbol::Letter::image, point, ""};
             const Spot at = tip_of(each, figure.scale);
             const auto same =
                 std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
@@ -329,21 +343,19 @@ Box extent_of_lever(const Solution& solution) {
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y) {
     KG_ASSERT(no_lever(context.solution) == NoLever::none, "a lever needs a force that moves");
     const Lever lever(context);
-    double scale = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt);
-    for (;;) {
-        const double next = choose_scale(scale * 1.01, 0, 1, 1, std::nullopt);
-        const bool last = std::max(lever.width(), lever.height()) / next < least_shown;
-        Figure figure = lever.at(scale);
-        const auto fits = [&](double reach) {
-            return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
-        };
-        scale = next;
-        if (!last && !fits(label_reach)) continue;
-        if (!place_labels(figure, context.fonts, Spot{room_x, room_y}, last ? Labelling::free : Labelling::if_it_fits)) continue;
-        if (!last && !fits(0)) continue;
+    const Spot room{room_x, room_y};
+    const FitPolicy policy{.room = room,
+                           .first = choose_scale(lever.width(), lever.height(), room_x, room_y, std::nullopt),
+                           .extent = std::max(lever.width(), lever.height()),
+                           .least_shown = least_shown};
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        Figure figure = lever.at(trial.scale);
+        const bool has_room = figure.box.width() + 2 * label_reach <= room_x && figure.box.height() + 2 * label_reach <= room_y;
+        if (!trial.last && !has_room) return std::nullopt;
+        if (!place_labels(figure, context.fonts, room, trial.last ? Labelling::free : Labelling::if_it_fits)) return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         return figure;
-    }
+    });
 }
 
 Block joukowsky_block(const DrawingContext& context, double most) {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -387,7 +387,7 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
     const auto finish = [&](Figure& figure, bool whatever_it_takes) {
         if (!place_labels(figure, context.fonts, room, whatever_it_takes ? Labelling::free : Labelling::if_it_fits)) return false;
         figure.marks.emplace_back(GroupEnd{});
-        return whatever_it_takes || fits(figure, 0);
+        return true;
     };
     struct Attempt {
         Figure empty;
@@ -417,37 +417,35 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
         finish(figure, true);
         return figure;
     }
-    if (const auto asked = drawing.asked()) {
-        const Attempt made = attempt(*asked);
-        if (auto figure = detailed(made)) return *std::move(figure);
-        Figure figure = drawing.with_parts(made.empty, made.parts, {});
-        if (fits(figure, 0) && finish(figure, false)) return figure;
-    }
-    double scale = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt);
     // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
     constexpr double least_shown = 12;
     // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
     constexpr double crowded = 0.17;
-    if (coarsest < any_scale && room_of_names(drawing.at(scale), context.fonts) > crowded * room_x * room_y)
-        return Figure::empty_at(any_scale);
     // A polygon smaller than this is worth more than details beside it.
     constexpr double least_with_details = 60;
-    for (;; scale = next_scale(scale)) {
-        const double extent = std::max(drawing.width(), drawing.height());
-        const bool last = extent / next_scale(scale) < least_shown;
-        if (scale > coarsest || (last && coarsest < any_scale)) return Figure::empty_at(any_scale);
-        const Attempt made = attempt(scale);
+    const FitPolicy policy{.room = room,
+                           .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
+                           .asked = drawing.asked(),
+                           .coarsest = coarsest,
+                           .extent = std::max(drawing.width(), drawing.height()),
+                           .least_shown = least_shown};
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        if (trial.number == 0 && !trial.asked && coarsest < any_scale &&
+            room_of_names(drawing.at(trial.scale), context.fonts) > crowded * room_x * room_y)
+            return Figure::empty_at(any_scale);
+        const Attempt made = attempt(trial.scale);
         Figure figure = drawing.with_parts(made.empty, made.parts, {});
-        if (!last && !fits(figure, 0.4 * label_reach)) continue;
-        if (auto with_details = detailed(made)) return *std::move(with_details);
-        if (!finish(figure, last)) continue;
-        if (made.details.empty()) return figure;
+        if (!trial.last && !trial.asked && !fits(figure, 0.4 * label_reach)) return std::nullopt;
+        if (auto with_details = detailed(made)) return with_details;
+        if (trial.asked && !fits(figure, 0)) return std::nullopt;
+        if (!finish(figure, trial.last) || (!trial.last && !fits(figure, 0))) return std::nullopt;
+        if (trial.asked || made.details.empty()) return figure;
         // One step smaller with its details is better than without.
-        if (const double smaller = next_scale(scale); extent / smaller > least_with_details && smaller <= coarsest)
-            if (auto with_details = detailed(attempt(smaller))) return *std::move(with_details);
+        if (const double smaller = next_scale(trial.scale); policy.extent / smaller > least_with_details && smaller <= coarsest)
+            if (auto with_details = detailed(attempt(smaller))) return with_details;
         figure.lacks_details = true;
         return figure;
-    }
+    });
 }
 
 }  // namespace kinegraph::render

@@ -11,7 +11,6 @@
 #include "render/figures/caption.hpp"
 #include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -213,6 +212,7 @@ private:
                                       vector.name + " = " + shortest(vector.value) + " " + figure_.unit,
                                       {{"data-name", vector.name}, {"data-value", shortest(vector.value)}}});
         marks.emplace_back(Axis{vector.tail, vector.tip});
+        figure_.measured.push_back({vector.name, length(vector.tip - vector.tail), ""});
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
             draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, width_of(vector));
         marks.emplace_back(GroupEnd{});
@@ -309,6 +309,7 @@ private:
             figure_.marks.emplace_back(GroupEnd{});
             belong(figure_.marks, first, statement);
             ask_label(one_piece(detail.letter), theme_.label, theme_.text, detail.centre, radius + 0.8, statement);
+            figure_.details.push_back({"", detail.letter, detail.centre, radius});
         }
     }
 
@@ -417,8 +418,8 @@ public:
             const PolygonParts larger = magnified(parts, detail);
             // Nested once: what is too short in the detail too.
             const std::vector<Detail> inner = details_of(larger, detail.scale, detail.magnification, letters_);
-            const Spot at = place(inset(larger, detail, inner), detail.centre);
-            for (const Detail& each : inner) place(inset(magnified(larger, each), each, {}), at + each.centre);
+            const Spot at = place(inset(larger, detail, inner), detail, detail.centre);
+            for (const Detail& each : inner) place(inset(magnified(larger, each), each, {}), each, at + each.centre);
         }
         return all_free_;
     }
@@ -444,6 +445,7 @@ private:
                        statement});
         inset.marks.emplace_back(circle({0, 0}, radius, {theme.thin, theme.text, {}, false}));
         draw_parts(inset, context_, parts, inner);
+        for (Measured& each : inset.measured) each.detail = detail.letter;
         inset.box = {{-radius, -radius}, {radius, radius}};
         all_free_ =
             place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free) && all_free_;
@@ -463,7 +465,7 @@ private:
     }
 
     /// Where nothing is drawn yet: as little outside of the figure and as near to what it shows as can be. The centre it got.
-    Spot place(Figure inset, Spot of) {
+    Spot place(Figure inset, const Detail& shown, Spot of) {
         const Box box = figure_.box;
         // What may be inked after all: the room about the figure as it stands, wherever the inset goes.
         const Spot reach{std::max(room_.x - box.width(), inset.box.width() + apart_from_figure),
@@ -495,7 +497,11 @@ private:
             }
         inset.move(best.x - inset.box.min.x, best.y - inset.box.min.y);
         const Spot centre = 0.5 * (inset.box.min + inset.box.max);
+        for (DetailOn& each : figure_.details)
+            if (each.letter == shown.letter) each.id = inset.id;
         figure_.marks.insert(figure_.marks.end(), inset.marks.begin(), inset.marks.end());
+        figure_.measured.insert(figure_.measured.end(), inset.measured.begin(), inset.measured.end());
+        figure_.details.insert(figure_.details.end(), inset.details.begin(), inset.details.end());
         figure_.box = {{std::min(box.min.x, inset.box.min.x), std::min(box.min.y, inset.box.min.y)},
                        {std::max(box.max.x, inset.box.max.x), std::max(box.max.y, inset.box.max.y)}};
         return centre;
@@ -570,111 +576,118 @@ bool set_details(Figure& figure, const DrawingContext& context, const PolygonPar
     return Insets(figure, context, room, letters).set(parts, details);
 }
 
-std::size_t details_on(const Figure& figure) {
-    return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
-        const auto* group = std::get_if<GroupBegin>(&mark);
-        return group && is_detail(*group);
-    }));
+namespace {
+
+/// The details of a figure with the letters that they get, `before` being given already. Those within others come last.
+std::vector<DetailOn> lettered_anew(const std::vector<DetailOn>& details, std::size_t before) {
+    std::vector<DetailOn> anew = details;
+    for (DetailOn& each : anew)
+        for (std::size_t k = 0; k < details.size(); ++k)
+            if (each.letter == roman(k + 1)) {
+                each.id.resize(each.id.size() - each.letter.size());
+                each.letter = roman(before + k + 1);
+                each.id += each.letter;
+                break;
+            }
+    return anew;
 }
+
+/// Details of a figure as they were and as they are called from now on.
+class Lettering {
+public:
+    Lettering(Figure& figure, const DrawingContext& context, std::size_t before)
+        : figure_(figure),
+          context_(context),
+          heading_(word("detail", context.language) + " "),
+          was_(figure.details),
+          is_(lettered_anew(figure.details, before)) {}
+
+    void change() {
+        for (Measured& each : figure_.measured)
+            if (const auto detail = lettered(each.detail)) each.detail = is_[*detail].letter;
+        figure_.details = is_;
+        for (Mark& mark : figure_.marks)
+            if (auto* group = std::get_if<GroupBegin>(&mark)) rename(*group);
+        set_letters_anew();
+    }
+
+private:
+    std::optional<std::size_t> lettered(const std::string& letter) const {
+        const auto found = std::find_if(was_.begin(), was_.end(), [&](const DetailOn& each) { return each.letter == letter; });
+        return found == was_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - was_.begin()));
+    }
+    std::optional<std::size_t> headed(const std::string& words) const {
+        return words.starts_with(heading_) ? lettered(words.substr(heading_.size())) : std::nullopt;
+    }
+
+    void rename(GroupBegin& group) const {
+        if (group.cls == "detail" || is_detail(group))
+            if (const auto detail = headed(group.title)) group.title = heading_ + is_[*detail].letter;
+        for (std::size_t i = 0; i < was_.size(); ++i)
+            if (group.id == was_[i].id || group.id.starts_with(was_[i].id + "-")) {
+                group.id.replace(0, was_[i].id.size(), is_[i].id);
+                break;
+            }
+    }
+
+    /// A longer letter may want another place beside its circle, and no leader or another one; a heading stays in the middle.
+    void set_letters_anew() {
+        std::vector<Mark> kept;
+        for (Mark& mark : figure_.marks) {
+            const auto* text = std::get_if<TextMark>(&mark);
+            const bool label = text && text->cls == "label" && text->names.empty();
+            if (const auto detail = text ? headed(text->words) : std::nullopt) {
+                set_heading(kept, *text, *detail);
+            } else if (const auto circled = label ? lettered(text->words) : std::nullopt) {
+                const auto* leader = kept.empty() ? nullptr : std::get_if<Path>(&kept.back());
+                const bool leads = leader && leader->stroked && leader->segments.size() == 2;
+                if (leads && leader->pen.colour == text->colour) kept.pop_back();
+                ask_letter(*circled, text->statement);
+            } else {
+                kept.push_back(std::move(mark));
+            }
+        }
+        figure_.marks = std::move(kept);
+        // Outside of all groups, so that none of the details takes them in: what ends with no group has none open.
+        const auto end = static_cast<std::ptrdiff_t>(figure_.marks.size());
+        figure_.marks.emplace_back(Path{});
+        figure_.labels = std::move(letters_);
+        place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()});
+        figure_.marks.erase(figure_.marks.begin() + end);
+        const Box drawn = box_of(figure_.marks);
+        figure_.box = {{std::min(figure_.box.min.x, drawn.min.x), std::min(figure_.box.min.y, drawn.min.y)},
+                       {std::max(figure_.box.max.x, drawn.max.x), std::max(figure_.box.max.y, drawn.max.y)}};
+    }
+    void set_heading(std::vector<Mark>& marks, const TextMark& text, std::size_t detail) const {
+        const auto shaped = [&](const std::string& letter) {
+            return context_.fonts.shape(one_piece(heading_ + letter), context_.theme.label);
+        };
+        const ShapedLine old = shaped(was_[detail].letter), now = shaped(is_[detail].letter);
+        const Spot at = text.glyphs.front().origin + Spot{0.5 * (old.width - now.width), 0};
+        set_text(marks, now, at, text.colour, text.cls);
+        belong(marks, marks.size() - 1, text.statement);
+    }
+    void ask_letter(std::size_t detail, int statement) {
+        LabelRequest& letter = letters_.emplace_back();
+        letter.text = one_piece(is_[detail].letter);
+        letter.size = context_.theme.label;
+        letter.colour = context_.theme.text;
+        letter.anchor = is_[detail].circle;
+        letter.clearance = is_[detail].radius + 0.8;
+        letter.statement = statement;
+    }
+
+    Figure& figure_;
+    const DrawingContext& context_;
+    std::string heading_;
+    std::vector<DetailOn> was_, is_;
+    std::vector<LabelRequest> letters_;
+};
+
+}  // namespace
 
 void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before) {
-    struct Lettered {
-        std::string id, letter;
-        std::string new_id, new_letter;
-        Spot circle;
-        double radius = 0;
-    };
-    std::vector<Lettered> details;
-    for (const Mark& mark : figure.marks)
-        if (const auto* group = std::get_if<GroupBegin>(&mark); group && is_detail(*group)) {
-            const std::size_t at = group->id.rfind('-') + 1;
-            details.push_back({group->id, group->id.substr(at), group->id.substr(0, at), "", {}, 0});
-        }
-    if (details.empty() || before == 0) return;
-    const auto lettered = [&](const std::string& letter) {
-        return std::find_if(details.begin(), details.end(), [&](const Lettered& each) { return each.letter == letter; });
-    };
-    // They stand in the order in which they were lettered, those within others last.
-    for (std::size_t k = 0; k < details.size(); ++k)
-        if (const auto detail = lettered(roman(k + 1)); detail != details.end()) {
-            detail->new_letter = roman(before + k + 1);
-            detail->new_id += detail->new_letter;
-        }
-    const std::string heading = word("detail", context.language) + " ";
-    const auto is_heading = [&](const std::string& words) { return words.starts_with(heading); };
-    for (std::size_t i = 0; i < figure.marks.size(); ++i)
-        if (auto* group = std::get_if<GroupBegin>(&figure.marks[i])) {
-            if (is_heading(group->title) && (group->cls == "detail" || is_detail(*group)))
-                if (const auto detail = lettered(group->title.substr(heading.size())); detail != details.end()) {
-                    group->title = heading + detail->new_letter;
-                    const auto* path = std::get_if<Path>(&figure.marks[i + 1]);
-                    const auto* arc = path && path->segments.size() > 1 ? std::get_if<ArcTo>(&path->segments[1]) : nullptr;
-                    if (group->cls == "detail" && arc) detail->circle = arc->centre, detail->radius = arc->radius;
-                }
-            for (const Lettered& detail : details)
-                if (group->id == detail.id || group->id.starts_with(detail.id + "-")) {
-                    group->id.replace(0, detail.id.size(), detail.new_id);
-                    break;
-                }
-        }
-    std::vector<LabelRequest> circles;
-    std::vector<Mark> kept;
-    for (Mark& mark : figure.marks) {
-        auto* text = std::get_if<TextMark>(&mark);
-        const bool headed = text && is_heading(text->words);
-        const bool label = text && text->cls == "label" && text->names.empty();
-        const auto detail = headed ? lettered(text->words.substr(heading.size())) : label ? lettered(text->words) : details.end();
-        if (detail == details.end()) {
-            kept.push_back(std::move(mark));
-        } else if (headed) {
-            // A heading stays in the middle.
-            const auto shaped = [&](const std::string& letter) {
-                return context.fonts.shape(one_piece(heading + letter), context.theme.label);
-            };
-            const ShapedLine old = shaped(detail->letter), now = shaped(detail->new_letter);
-            const Spot at = text->glyphs.front().origin + Spot{0.5 * (old.width - now.width), 0};
-            set_text(kept, now, at, text->colour, text->cls);
-            belong(kept, kept.size() - 1, text->statement);
-        } else {
-            // A longer letter may want another place, and no leader or another one.
-            const auto* leader = kept.empty() ? nullptr : std::get_if<Path>(&kept.back());
-            if (leader && leader->stroked && leader->segments.size() == 2 && leader->pen.colour == text->colour) kept.pop_back();
-            LabelRequest& again = circles.emplace_back();
-            again.text = one_piece(detail->new_letter);
-            again.size = context.theme.label;
-            again.colour = context.theme.text;
-            again.anchor = detail->circle;
-            again.clearance = detail->radius + 0.8;
-            again.statement = text->statement;
-        }
-    }
-    figure.marks = std::move(kept);
-    // Outside of all groups, so that none of the details takes them in: what ends with no group has none open.
-    const auto end = static_cast<std::ptrdiff_t>(figure.marks.size());
-    figure.marks.emplace_back(Path{});
-    figure.labels = std::move(circles);
-    place_labels(figure, context.fonts, Spot{figure.box.width(), figure.box.height()});
-    figure.marks.erase(figure.marks.begin() + end);
-    const Box drawn = box_of(figure.marks);
-    figure.box = {{std::min(figure.box.min.x, drawn.min.x), std::min(figure.box.min.y, drawn.min.y)},
-                  {std::max(figure.box.max.x, drawn.max.x), std::max(figure.box.max.y, drawn.max.y)}};
-}
-
-std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {
-    std::optional<Measured> longest;
-    std::string detail;
-    for (std::size_t i = 0; i + 1 < figure.marks.size(); ++i) {
-        const auto* group = std::get_if<GroupBegin>(&figure.marks[i]);
-        if (!group) continue;
-        if (const std::string* kind = group->attribute("data-figure"))
-            detail = *kind == "detail" ? group->id.substr(group->id.rfind('-') + 1) : "";
-        const std::string* own = group->cls == "vector" ? group->attribute("data-name") : nullptr;
-        if (!own || *own != name) continue;
-        if (const auto* axis = std::get_if<Axis>(&figure.marks[i + 1]))
-            if (const double whole = length(axis->tip - axis->tail); !longest || whole > longest->millimetres)
-                longest = {whole, detail};
-    }
-    return longest;
+    if (!figure.details.empty() && before > 0) Lettering(figure, context, before).change();
 }
 
 }  // namespace kinegraph::render

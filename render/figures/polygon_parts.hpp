@@ -81,17 +81,7 @@ void draw_parts(Figure& figure, const DrawingContext& context, const PolygonPart
 bool set_details(Figure& figure, const DrawingContext& context, const PolygonParts& parts, const std::vector<Detail>& details,
                  Spot room, std::size_t& letters);
 
-/// How many details a finished figure has.
-std::size_t details_on(const Figure& figure);
 /// Letters the details of a finished figure anew, from the `before` that the sheet has already.
 void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before);
-
-/// A vector's length on paper, in a detail where it has one.
-struct Measured {
-    double millimetres = 0;
-    std::string detail;  ///< its letter; empty: the figure itself
-};
-/// Nothing where the figure has no such vector (by its data-name).
-std::optional<Measured> measured_on(const Figure& figure, const std::string& name);
 
 }  // namespace kinegraph::render

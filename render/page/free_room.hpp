@@ -1,14 +1,14 @@
-// Free room: where a page or a figure is inked, to about a millimetre, and where a block may stand beside a figure. Knows marks
-// and boxes only.
+// Free room: where a page or a figure is inked, to about a millimetre. Knows marks and boxes only.
 #pragma once
 
-#include <array>
 #include <utility>
 #include <vector>
 
-#include "render/page/sheet_parts.hpp"
+#include "render/page/page.hpp"
 
 namespace kinegraph::render {
+
+constexpr double clear = 3.5;  ///< round everything that text is set beside
 
 /// Where a page is inked, to a millimetre.
 class Occupancy {
@@ -42,12 +42,5 @@ private:
 
 /// Places that marks cover, about one each millimetre; text and filled areas as their boxes.
 std::vector<Spot> covered(const std::vector<Mark>& marks);
-
-/// Blocks one under the other, or side by side.
-Block arranged(const std::vector<Block>& blocks, bool in_a_row);
-/// A figure into the middle of a room across, and under its caption: what is left stays in one piece.
-void centre(Figure& figure, const Box& room);
-/// The first of the blocks that finds a corner of the room which the figure leaves free: the figure is moved, the block set.
-bool set_beside(std::vector<Mark>& marks, Figure& figure, const std::array<Block, 2>& blocks, const Box& room);
 
 }  // namespace kinegraph::render

@@ -6,22 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "render/figures/figure.hpp"
 #include "render/page/page.hpp"
-#include "render/text/text.hpp"
+#include "render/page/theme.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::render {
-
-inline Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
-inline Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
-inline Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
-inline double dot(Spot a, Spot b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Spot a, Spot b) { return a.x * b.y - a.y * b.x; }
-double length(Spot a);
-/// a / |a|; (1, 0) for the zero vector.
-Spot unit(Spot a);
-/// A quarter turn clockwise on paper.
-inline Spot turned(Spot a) { return {-a.y, a.x}; }
 
 /// Line kinds of the drawing: dash-dot axes and lines of action, dashed auxiliary sides.
 const std::vector<double>& dash_dot();
@@ -34,7 +23,12 @@ Path line(Spot from, Spot to, Pen pen);
 Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed = false);
 /// A filled polygon with no edge.
 Path filled(const std::vector<Spot>& spots, Colour fill);
+/// The same filled with a body's tint or the paper, and stroked: blocks, slots, grounds.
+Path panel(const std::vector<Spot>& spots, Colour tint, Pen pen);
+/// The corners at ± u ± w about a middle.
+std::vector<Spot> corners_about(Spot middle, Spot u, Spot w);
 Path circle(Spot centre, double radius, Pen pen);
+Path arc(Spot centre, double radius, double from, double to, Pen pen);
 Path disc(Spot centre, double radius, Colour fill);
 /// The same, its fill a body's tint or the paper.
 Path tinted(Path path);
@@ -44,18 +38,16 @@ Path ring(Spot centre, double radius, Colour tint, Pen pen);
 /// one: an edge in its colour, dashes in it on the paper's ground.
 void draw_line_kind(std::vector<Mark>& marks, std::size_t first, double least, const BodyColour& body, const Theme& theme);
 
+/// A filled slender arrow from tail to tip (VISUAL measures): the shaft stops inside the head, the tip is exactly on the vertex.
+/// Appended to `marks`; a vector shorter than its head gets a smaller head.
+/// `dashes` (mm) are those of its shaft.
+void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour,
+                const std::vector<double>& dashes = {});
+
 /// An arc with an arrowhead at its end `to` (radians, clockwise on paper), head 3.2 × 1.15.
 void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour);
 
-/// One stretch of text in one face.
-inline RichText one_piece(std::string text, Face face = Face::regular) {
-    Piece piece;
-    piece.text = std::move(text);
-    piece.face = face;
-    return {piece};
-}
-inline void append(RichText& to, const std::string& more) { append(to, one_piece(more)); }
-/// Text on a baseline starting at `origin`; one TextMark for each colour, the words on the first.
+/// Text on a baseline starting at `origin`; one TextMark for each colour, the words and the rich text on the first.
 void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls);
 
 /// A two-tone scale bar of a round length, `target` mm or less, its top left at `origin`, with its end values: copies keep it
@@ -67,7 +59,8 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
 void belong(std::vector<Mark>& marks, std::size_t first, int statement);
 /// Everything drawn, strokes with their width, text with its ink; an empty list gives an empty box at the origin.
 Box box_of(const std::vector<Mark>& marks);
-/// Moves marks; coordinates are snapped to 1e-8 mm.
+/// Moves marks, or one spot; coordinates are snapped to 1e-8 mm.
 void move(std::vector<Mark>& marks, double dx, double dy);
+void move(Spot& spot, double dx, double dy);
 
 }  // namespace kinegraph::render

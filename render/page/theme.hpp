@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/error.hpp"
-#include "render/page/page.hpp"
+#include "render/ink/path.hpp"
 
 namespace kinegraph::render {
 

@@ -11,6 +11,7 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/beside.hpp"
 #include "render/sheet/page_split.hpp"
 
 namespace kinegraph::render {
@@ -269,7 +270,7 @@ private:
             centre(figure, room);
         }
         std::size_t details = 0;
-        for (const Figure& before : result_.drawn) details += details_on(before);
+        for (const Figure& before : result_.drawn) details += before.details.size();
         letter_details_on(figure, context_, details);
         set_caption(sheet.marks, context_, figure, number, cell.min, cell.width());
         sheet.marks.insert(sheet.marks.end(), figure.marks.begin(), figure.marks.end());

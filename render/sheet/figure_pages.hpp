@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "render/page/sheet_parts.hpp"
+#include "render/sheet/sheet_parts.hpp"
 #include "render/sheet/wanted_figures.hpp"
 
 namespace kinegraph::render {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/page/sheet_parts.hpp"
+#include "render/sheet/sheet_parts.hpp"
 #include "render/sheet/wanted_figures.hpp"
 
 namespace kinegraph::render {

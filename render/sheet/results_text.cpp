@@ -68,7 +68,7 @@ private:
     std::string length_of(const Vector& v, const Unit& unit) const {
         return value(length(Spot{(v.x / unit.si).to_double(), (v.y / unit.si).to_double()}));
     }
-    const std::string& body(BodyIndex index) const { return solution_.mechanism.bodies[static_cast<std::size_t>(index)].name; }
+    const std::string& body(BodyIndex index) const { return solution_.mechanism.body(index).name; }
 
     std::string mobility() const {
         const Mobility& m = solution_.mobility;
@@ -104,7 +104,7 @@ private:
         for (const PointMotion& motion : solution_.points) {
             const auto& vector = velocity ? motion.velocity : motion.acceleration;
             if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), 0) != motion.bodies.end()) continue;
-            const std::string& name = solution_.mechanism.points[static_cast<std::size_t>(motion.point)].name;
+            const std::string& name = solution_.mechanism.point(motion.point).name;
             std::string label = name;
             const auto twins = std::count_if(solution_.points.begin(), solution_.points.end(),
                                              [&](const PointMotion& other) { return other.point == motion.point; });
@@ -123,7 +123,7 @@ private:
                                  "|a| [" + units.acceleration.symbol + "]",
                                  word("coriolis", language_) + " [" + units.acceleration.symbol + "]"}};
         for (const Sliding& each : solution_.sliding) {
-            const Joint& joint = solution_.mechanism.joints[static_cast<std::size_t>(each.joint)];
+            const Joint& joint = solution_.mechanism.joint(each.joint);
             std::string label = joint.name;
             if (joint.bodies.size() == 2)
                 label += ": " + body(joint.bodies[0]) + " " + word("on", language_) + " " + body(joint.bodies[1]);
@@ -139,7 +139,7 @@ private:
         std::vector<Cells> rows{
             {word("point", language_), "|v| [" + units.velocity.symbol + "]", "|a| [" + units.acceleration.symbol + "]"}};
         for (const RelativeMotion& each : solution_.relative_motion) {
-            const auto point = [&](PointIndex p) { return solution_.mechanism.points[static_cast<std::size_t>(p)].name; };
+            const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
             const std::string observer =
                 each.query.translating_with >= 0
                     ? word("seen from axes translating with", language_) + " " + point(each.query.translating_with)
@@ -161,8 +161,7 @@ private:
         for (const JointForce& each : solution_.forces) {
             const std::string from = each.from < 0 ? word("pin", language_) : body(each.from);
             const std::string on = each.on < 0 ? word("pin", language_) : body(each.on);
-            rows.push_back({solution_.mechanism.joints[static_cast<std::size_t>(each.joint)].name + ": " + from + " " +
-                                word("on", language_) + " " + on,
+            rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
                             each.force ? value(each.force->x, force) : "–", each.force ? value(each.force->y, force) : "–",
                             each.force ? length_of(*each.force, force) : "–"});
             if (couples) rows.back().push_back(each.couple ? value(*each.couple, moment) : "–");

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "render/page/sheet_parts.hpp"
 #include "render/sheet/figure_pages.hpp"
+#include "render/sheet/sheet_parts.hpp"
 #include "render/sheet/wanted_figures.hpp"
 
 namespace kinegraph::render {

@@ -8,7 +8,7 @@
 #include "engine/solution.hpp"
 #include "render/figures/figure.hpp"
 #include "render/page/page.hpp"
-#include "render/page/sheet_parts.hpp"
+#include "render/sheet/sheet_parts.hpp"
 #include "render/text/text.hpp"
 #include "render/text/words.hpp"
 

@@ -9,14 +9,14 @@
 #include <string>
 
 #include "render/figures/caption.hpp"
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/force_statements.hpp"
+#include "render/scene/sentences.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
-#include "render/tables/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
-#include "render/tables/sentences.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
@@ -232,6 +232,7 @@ private:
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
         for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
         for (const RichText& found : values_found(index)) rows.push_back(paragraph(found, 4));
+        for (Block& row : rows) belong(row.marks, 0, static_cast<int>(index));
         double height = 0;
         for (const Block& row : rows) height += row.height;
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
@@ -432,7 +433,10 @@ private:
         std::vector<Mark> marks = placed.caption;
         std::optional<double> scale_of_mechanism;
         for (const Figure* figure : {&placed.figure, &beside}) {
-            std::vector<Mark> shown = revealed(figure->marks, page_of_, index, theme, names);
+            // Polygons joined are no statement's: all of the figure is new there.
+            const bool all_new = figure == &placed.figure && step.statements.empty();
+            std::vector<Mark> shown =
+                revealed(figure->marks, all_new ? std::vector<std::size_t>{} : page_of_, index, theme, names);
             marks.insert(marks.end(), std::make_move_iterator(shown.begin()), std::make_move_iterator(shown.end()));
             if (figure->kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = figure->scale;
         }

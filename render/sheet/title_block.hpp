@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/figures/figure.hpp"
-#include "render/page/sheet_parts.hpp"
+#include "render/sheet/sheet_parts.hpp"
 
 namespace kinegraph::render {
 

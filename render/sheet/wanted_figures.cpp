@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "render/page/free_room.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/beside.hpp"
 
 namespace kinegraph::render {
 
@@ -106,38 +106,65 @@ WantedFigures::WantedFigures(const DrawingContext& context, double measure, bool
     if (has_circle(context.solution)) add_late("circle-diagram", circle_diagram);
 }
 
+namespace {
+
+/// What never measures nothing.
+void measures(Wanted& wanted, const Box& extent) {
+    wanted.extent_x = std::max(extent.width(), 1e-30);
+    wanted.extent_y = std::max(extent.height(), 1e-30);
+}
+
+Spot spot_of(const Vector& at) { return {at.x.to_double(), at.y.to_double()}; }
+
+/// All points of the drawing, m.
+Box box_of(const Pose& pose) {
+    if (pose.points.empty()) return {};
+    Box box{spot_of(pose.points.front()), spot_of(pose.points.front())};
+    for (const Vector& at : pose.points) box.include(spot_of(at));
+    return box;
+}
+
+}  // namespace
+
+/// The mechanism itself, with what is drawn on it; at a scale of ours where the one that the file asks for is too large for the
+/// paper.
+Wanted WantedFigures::mechanism(const std::string& name, const Box& extent, Spot rim, OnMechanism draw) {
+    Wanted mechanism;
+    mechanism.name = name;
+    measures(mechanism, extent);
+    mechanism.asked = asked("mechanism", 1);
+    mechanism.rim_x = rim.x;
+    mechanism.rim_y = rim.y;
+    mechanism.caption_width = 95;
+    // Its symbols and letters do not shrink with it: drawn small, it is crowded.
+    mechanism.weight = context_.solution.act_of_motion ? 2.6 : 1.7;
+    mechanism.draw = [this, draw, refuses = mechanism.asked.has_value()](double x, double y, double coarsest) {
+        Figure figure = draw(context_, x, y, coarsest);
+        if (!refuses || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        return draw(unscaled(), x, y, coarsest);
+    };
+    return mechanism;
+}
+
 void WantedFigures::collect_forces(bool joukowsky) {
     const Solution& s = context_.solution;
-    const double si = s.mechanism.units.force.si.to_double();
     first_of_forces = list.size();
-    Wanted mechanism;
-    mechanism.name = "lines-of-action";
-    double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
-    const auto reach = [&](const Vector& at) {
-        const double x = at.x.to_double(), y = at.y.to_double();
-        left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
-    };
-    for (const Vector& at : s.pose.points) reach(at);
-    mechanism.extent_x = std::max(right - left, 1e-30);
-    mechanism.extent_y = std::max(high - low, 1e-30);
-    mechanism.asked = asked("mechanism", 1);
-    mechanism.rim_x = 34;
-    mechanism.rim_y = 40;
-    mechanism.caption_width = 95;
-    mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
-    mechanism.starts_page = true;
-    mechanism.draw = [this](double x, double y, double) {
-        Figure figure = mechanism_with_forces(context_, x, y);
-        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        return mechanism_with_forces(unscaled(), x, y);
-    };
-    list.push_back(std::move(mechanism));
+    list.push_back(mechanism(
+        "lines-of-action", box_of(s.pose), {34, 40},
+        [](const DrawingContext& context, double x, double y, double) { return mechanism_with_forces(context, x, y); }));
+    list.back().starts_page = true;
+    add_force_polygons();
+    add_free_bodies();
+    if (joukowsky && no_lever(s) == NoLever::none) add_lever();
+}
+
+void WantedFigures::add_force_polygons() {
+    const Solution& s = context_.solution;
+    const double si = s.mechanism.units.force.si.to_double();
     const auto add = [&](int polygon, const std::string& name, auto draw) {
         Wanted wanted;
-        wanted.name = polygon < 0 ? name : s.protocol.polygons[static_cast<std::size_t>(polygon)].id;
-        const Box extent = extent_of_forces(s, polygon);
-        wanted.extent_x = std::max(extent.width(), 1e-30);
-        wanted.extent_y = std::max(extent.height(), 1e-30);
+        wanted.name = polygon < 0 ? name : s.protocol.polygons[at_index(polygon)].id;
+        measures(wanted, extent_of_forces(s, polygon));
         wanted.asked = asked(name, si);
         for (const char* other : {"forces", "closure"})
             if (!wanted.asked) wanted.asked = asked(other, si);
@@ -161,7 +188,11 @@ void WantedFigures::collect_forces(bool joukowsky) {
         add(p, "closure", [this, p](double x, double y, std::optional<double> scale, bool fixed) {
             return closed_polygon_figure(context_, p, x, y, scale, fixed);
         });
-    bool first = true;
+}
+
+/// In the order of bodies, pins after them.
+void WantedFigures::add_free_bodies() {
+    const Solution& s = context_.solution;
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -171,8 +202,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
     for (const std::size_t i : order) {
         Wanted body;
         const FreeBody& free = s.free_bodies[i];
-        body.name = free.body >= 0 ? "body-" + s.mechanism.bodies[static_cast<std::size_t>(free.body)].name
-                                   : "pin-" + s.mechanism.points[static_cast<std::size_t>(free.pin)].name;
+        body.name = free.body >= 0 ? "body-" + s.mechanism.body(free.body).name : "pin-" + s.mechanism.point(free.pin).name;
         const Box box = extent_of_free_body(s, i);
         body.extent_x = std::max(box.width(), 0.3 * box.height());
         body.extent_y = std::max(box.height(), 0.3 * box.width());
@@ -180,25 +210,23 @@ void WantedFigures::collect_forces(bool joukowsky) {
         body.rim_x = body.rim_y = 38;
         body.fills = true;
         body.weight = box.width() + box.height() > 0 ? 1 : 0.4;
-        body.starts_page = first;
+        body.starts_page = i == order.front();
         body.draw = [this, i](double x, double y, double) { return free_body_figure(context_, i, x, y); };
-        first = false;
         list.push_back(std::move(body));
     }
-    if (joukowsky && no_lever(s) == NoLever::none) {
-        Wanted wanted;
-        wanted.name = "joukowsky";
-        lever_table = joukowsky_block(context_, measure_);
-        const Box extent = extent_of_lever(s);
-        wanted.extent_x = std::max(extent.width(), 1e-30);
-        wanted.extent_y = std::max(extent.height(), 1e-30);
-        wanted.rim_x = 40;  // forces on either side
-        wanted.rim_y = 40 + 0.6 * lever_table.height;
-        wanted.weight = 1.3;
-        wanted.draw = [this](double x, double y, double) { return lever_with_table(x, y); };
-        lever = list.size();
-        list.push_back(std::move(wanted));
-    }
+}
+
+void WantedFigures::add_lever() {
+    Wanted wanted;
+    wanted.name = "joukowsky";
+    lever_table = joukowsky_block(context_, measure_);
+    measures(wanted, extent_of_lever(context_.solution));
+    wanted.rim_x = 40;  // forces on either side
+    wanted.rim_y = 40 + 0.6 * lever_table.height;
+    wanted.weight = 1.3;
+    wanted.draw = [this](double x, double y, double) { return lever_with_table(x, y); };
+    lever = list.size();
+    list.push_back(std::move(wanted));
 }
 
 /// The table in a corner that the lever leaves free, beside it or above it, whichever leaves the figure largest; the lever
@@ -242,88 +270,80 @@ const DrawingContext& WantedFigures::unscaled() {
     return *unscaled_context_;
 }
 
-void WantedFigures::collect_motion() {
-    const Solution& s = context_.solution;
-    Wanted mechanism;
-    mechanism.name = s.centres.empty() || s.act_of_motion ? "mechanism" : "centres";
-    double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
-    const auto reach = [&](const Vector& at) {
-        const double x = at.x.to_double(), y = at.y.to_double();
-        left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
-    };
-    for (const Vector& at : s.pose.points) reach(at);
-    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({right - left, high - low, 1e-30});
-    const Box body = rectangle(left - near, low - near, right + near, high + near);
+namespace {
+
+/// The points and those centres that are not far, m.
+Box extent_with_centres(const Solution& s) {
+    Box extent = box_of(s.pose);
+    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({extent.width(), extent.height(), 1e-30});
+    const Box body = rectangle(extent.min.x - near, extent.min.y - near, extent.max.x + near, extent.max.y + near);
     for (const InstantCentre& centre : s.centres) {
         if (!centre.at || centre.at->at_infinity()) continue;
-        const Vector at = centre.at->place();
-        const double x = at.x.to_double(), y = at.y.to_double();
-        if (x > body.min.x && x < body.max.x && y > body.min.y && y < body.max.y) reach(at);
+        const Spot at = spot_of(centre.at->place());
+        if (at.x > body.min.x && at.x < body.max.x && at.y > body.min.y && at.y < body.max.y) extent.include(at);
     }
-    mechanism.extent_x = std::max(right - left, 1e-30);
-    mechanism.extent_y = std::max(high - low, 1e-30);
-    mechanism.asked = asked("mechanism", 1);
-    mechanism.rim_x = 22;
-    mechanism.rim_y = 26;
-    mechanism.caption_width = 95;
-    // Its symbols and letters do not shrink with it: drawn small, it is crowded.
-    mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
-    const auto draw = [](const DrawingContext& context, double x, double y, double coarsest) {
-        if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
-        return mechanism_figure(context, x, y, !context.solution.centres.empty(), coarsest);
-    };
-    mechanism.draw = [this, draw](double x, double y, double coarsest) {
-        Figure figure = draw(context_, x, y, coarsest);
-        if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        // The scale that the file asks for is too large for the paper: ours, then.
-        return draw(unscaled(), x, y, coarsest);
-    };
-    list.push_back(std::move(mechanism));
+    return extent;
+}
 
-    const Protocol& protocol = s.protocol;
-    std::map<int, int> polygon_of;  // by statement
+/// What its vectors span with the pole, in a unit.
+Box extent_of(const Protocol& protocol, const Polygon& polygon, double si) {
+    Box box;
+    for (const int v : polygon.vectors)
+        for (const int end : {protocol.vectors[at_index(v)].tail, protocol.vectors[at_index(v)].tip}) {
+            const ProjectivePoint& at = protocol.point(end);
+            if (!at.at_infinity()) box.include(Spot{at.x.to_double() / si, at.y.to_double() / si});
+        }
+    return box;
+}
+
+/// By statement.
+std::map<int, int> polygons_drawn(const Protocol& protocol) {
+    std::map<int, int> polygon_of;
     for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
     for (const DrawnLine& drawn : protocol.lines)
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
-    for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
-        const Polygon& polygon = protocol.polygons[p];
-        const bool acceleration = polygon.plane == Plane::acceleration;
-        if (polygon.plane == Plane::force) continue;
-        const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
-        Wanted wanted;
-        wanted.name = polygon.id;
-        const double si = unit.si.to_double();
-        double min_x = 0, max_x = 0, min_y = 0, max_y = 0;
-        const auto add = [&](int element) {
-            if (protocol.point(element).at_infinity()) return;
-            const ProjectivePoint& at = protocol.point(element);
-            const double x = at.x.to_double() / si, y = at.y.to_double() / si;
-            min_x = std::min(min_x, x), max_x = std::max(max_x, x), min_y = std::min(min_y, y), max_y = std::max(max_y, y);
-        };
-        for (const int v : polygon.vectors) {
-            add(protocol.vectors[static_cast<std::size_t>(v)].tail);
-            add(protocol.vectors[static_cast<std::size_t>(v)].tip);
-        }
-        wanted.empty = !(std::max(max_x - min_x, max_y - min_y) > 0);
-        wanted.extent_x = std::max(max_x - min_x, 1e-30);
-        wanted.extent_y = std::max(max_y - min_y, 1e-30);
-        wanted.asked = asked(polygon.id, si);
-        if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
-        wanted.draw = [this, p](double x, double y, double coarsest) {
-            return polygon_figure(context_, static_cast<int>(p), x, y, coarsest);
-        };
-        std::vector<Block> equations;
-        for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
-            const auto& equation = protocol.statements[i].equation;
-            const auto found = polygon_of.find(static_cast<int>(i));
-            if (!equation || found == polygon_of.end() || found->second != static_cast<int>(p)) continue;
-            equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
-            equation_polygon[i] = list.size();
-        }
-        wanted.has_equations = !equations.empty();
-        wanted.equations = {arranged(equations, false), arranged(equations, true)};
-        list.push_back(std::move(wanted));
+    return polygon_of;
+}
+
+}  // namespace
+
+void WantedFigures::collect_motion() {
+    const Solution& s = context_.solution;
+    list.push_back(mechanism(s.centres.empty() || s.act_of_motion ? "mechanism" : "centres", extent_with_centres(s), {22, 26},
+                             [](const DrawingContext& context, double x, double y, double coarsest) {
+                                 if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
+                                 return mechanism_figure(context, x, y, !context.solution.centres.empty(), coarsest);
+                             }));
+    const std::map<int, int> polygon_of = polygons_drawn(s.protocol);
+    for (std::size_t p = 0; p < s.protocol.polygons.size(); ++p)
+        if (s.protocol.polygons[p].plane != Plane::force) add_polygon(static_cast<int>(p), polygon_of);
+}
+
+/// One polygon of motion, with the equations of the statements that draw in it.
+void WantedFigures::add_polygon(int index, const std::map<int, int>& polygon_of) {
+    const Solution& s = context_.solution;
+    const Polygon& polygon = s.protocol.polygons[at_index(index)];
+    const bool acceleration = polygon.plane == Plane::acceleration;
+    const double si = (acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity).si.to_double();
+    Wanted wanted;
+    wanted.name = polygon.id;
+    const Box extent = extent_of(s.protocol, polygon, si);
+    measures(wanted, extent);
+    wanted.empty = !(std::max(extent.width(), extent.height()) > 0);
+    wanted.asked = asked(polygon.id, si);
+    if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
+    wanted.draw = [this, index](double x, double y, double coarsest) { return polygon_figure(context_, index, x, y, coarsest); };
+    std::vector<Block> equations;
+    for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
+        const auto& equation = s.protocol.statements[i].equation;
+        const auto found = polygon_of.find(static_cast<int>(i));
+        if (!equation || found == polygon_of.end() || found->second != index) continue;
+        equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
+        equation_polygon[i] = list.size();
     }
+    wanted.has_equations = !equations.empty();
+    wanted.equations = {arranged(equations, false), arranged(equations, true)};
+    list.push_back(std::move(wanted));
 }
 
 std::optional<double> WantedFigures::asked(const std::string& figure, double si) const {

@@ -89,8 +89,14 @@ public:
     std::optional<double> force_scale;  ///< common to triangles and closed polygon, once one could not be drawn larger
 
 private:
+    using OnMechanism = Figure (*)(const DrawingContext&, double room_x, double room_y, double coarsest);
+    Wanted mechanism(const std::string& name, const Box& extent, Spot rim, OnMechanism draw);
     void collect_motion();
+    void add_polygon(int index, const std::map<int, int>& polygon_of);
     void collect_forces(bool joukowsky);
+    void add_force_polygons();
+    void add_free_bodies();
+    void add_lever();
     Figure lever_with_table(double room_x, double room_y) const;
     std::optional<double> asked(const std::string& figure, double si) const;
     const DrawingContext& unscaled();

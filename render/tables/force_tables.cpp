@@ -8,7 +8,6 @@
 #include <set>
 
 #include "engine/assert.hpp"
-#include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
 

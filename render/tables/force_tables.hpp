@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "render/figures/figure.hpp"
+#include "render/page/figure.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "render/figures/figure.hpp"
-#include "render/tables/tables.hpp"
+#include "render/page/block.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render {
 

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "engine/assert.hpp"
-#include "render/figures/polygon_parts.hpp"
+#include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
 
@@ -60,28 +59,6 @@ double negligible_turn(const Solution& solution, const std::string& group) {
             largest = std::max(largest, length(*vector));
     return 1e-9 * largest / solution.pose.size.to_double();
 }
-
-}  // namespace
-
-std::string shortest(double value) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);
-    return {buffer, end.ptr};
-}
-
-std::string shortest(double value, Language language) {
-    for (int digits = 1; digits < 17; ++digits) {
-        const std::string text = number(value, digits, Language::en);
-        char buffer[64];
-        const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
-        double back = 0;
-        std::from_chars(buffer, end.ptr, back);
-        if (back == value) return number(value, digits, language);
-    }
-    return number(value, 17, language);
-}
-
-namespace {
 
 /// An equation in the making: its terms as columns, what stands before each, and how it is set.
 class EquationTable {
@@ -561,6 +538,7 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
         }
         set_right(block.marks, where, width, baseline, theme.text);
         baseline += 4.1;
+        belong(block.marks, 0, centre.statement);
         block.width = width;
         block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
         lines.push_back(std::move(block));

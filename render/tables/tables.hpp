@@ -7,21 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "render/figures/figure.hpp"
-#include "render/page/page.hpp"
+#include "render/page/block.hpp"
+#include "render/page/figure.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render {
-
-/// Something set and measured, mm, its top left at the origin; to be moved, never scaled.
-struct Block {
-    std::vector<Mark> marks;
-    double width = 0, height = 0;
-};
-
-/// The shortest decimal that reads back as this double, with a point: data attributes.
-std::string shortest(double value);
-/// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
-std::string shortest(double value, Language language);
 
 /// One vector equation above its table: magnitude and direction (✓ or ?), and the line of each term. Not wider than `most` mm:
 /// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.

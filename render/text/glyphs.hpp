@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/page/page.hpp"
+#include "render/ink/path.hpp"
 
 namespace kinegraph::render {
 

@@ -390,6 +390,7 @@ public:
     ShapedLine finish(const RichText& text) {
         line_.width = x_;
         line_.words = plain(text);
+        line_.text = text;
         return std::move(line_);
     }
 

@@ -9,40 +9,27 @@
 
 #include <tl/expected.hpp>
 
-#include "render/page/page.hpp"
 #include "render/text/glyphs.hpp"
+#include "render/ink/path.hpp"
+#include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
 
-enum class Face : std::uint8_t { regular, italic, bold, bold_italic };
-
-/// A stretch of text with optional scripts, stacked: a_{BA}^t, the dots of a derivative over the last letter of `text`.
-/// Text, subscript and superscript are plain UTF-8 from any file; nothing in them is markup.
-struct Piece {
-    std::string text;
-    Face face = Face::regular;
-    std::string sub;
-    Face sub_face = Face::italic;
-    std::string sup;
-    Face sup_face = Face::regular;
-    int dots = 0;
-    bool coloured = false;  ///< true: `colour` instead of the line's
-    Colour colour;
+/// One glyph of a face (an index into Fonts), its origin on the baseline; size in mm (em).
+struct Glyph {
+    std::uint8_t face = 0;
+    std::uint32_t index = 0;
+    double size = 0;
+    Spot origin;
 };
-using RichText = std::vector<Piece>;
-inline void append(RichText& to, const RichText& more) { to.insert(to.end(), more.begin(), more.end()); }
-
-/// A unit or number with its powers as superscripts: "m/s²", "5 × 10⁻³".
-RichText with_powers(const std::string& text);
-/// What the rich text says without its setting: "v_B", "a_BA^t".
-std::string plain(const RichText& text);
 
 /// A shaped line, its origin at the left of the baseline, mm, y downwards.
 struct ShapedLine {
     double width = 0;    ///< advance
     double ascent = 0;   ///< ink above the baseline (positive upwards)
     double descent = 0;  ///< ink below the baseline (positive downwards)
-    std::string words;
+    std::string words;   ///< what the line says, whole
+    RichText text;       ///< as it stands there
     /// One part for each colour used; glyph origins relative to the line's origin.
     struct Part {
         std::vector<Glyph> glyphs;

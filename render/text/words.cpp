@@ -1019,6 +1019,24 @@ std::string fixed(double value, int decimals, Language language) {
     return dressed(text, language);
 }
 
+std::string shortest(double value) {
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);
+    return {buffer, end.ptr};
+}
+
+std::string shortest(double value, Language language) {
+    for (int digits = 1; digits < 17; ++digits) {
+        const std::string text = number(value, digits, Language::en);
+        char buffer[64];
+        const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, digits - 1);
+        double back = 0;
+        std::from_chars(buffer, end.ptr, back);
+        if (back == value) return number(value, digits, language);
+    }
+    return number(value, 17, language);
+}
+
 const std::string& in(const Words& words, Language language) {
     if (language == Language::it) return words.it.empty() ? words.en : words.it;
     return words.en.empty() ? words.it : words.en;

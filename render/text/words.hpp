@@ -25,6 +25,10 @@ RichText typeset(const LineReason& reason, Language language);
 std::string number(double value, int digits, Language language);
 /// A fixed number of decimals, for columns.
 std::string fixed(double value, int decimals, Language language);
+/// The shortest decimal that reads back as this double, with a point: data attributes.
+std::string shortest(double value);
+/// The same for readers: decimal comma in Italian, true minus, powers of ten where it is long.
+std::string shortest(double value, Language language);
 const std::string& in(const Words& words, Language language);
 
 /// "mechanism", "hyperstatic, 2 times", …: what the rank says of the structure at this pose.

@@ -1,5 +1,5 @@
 // Sentences, by kind.
-#include "render/tables/sentences.hpp"
+#include "render/scene/sentences.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/figures/mechanism_sketch.hpp"
-#include "render/tables/tables.hpp"
+#include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
+
+namespace {
 
 class CentresDrawing {
 public:
     explicit CentresDrawing(Sketch& sketch)
         : sketch_(sketch),
-          all_(sketch.s_.solution.centres),
+          all_(sketch.subject.solution.centres),
           where_(all_.size(), Where::nowhere),
           place_(all_.size()),
           drawn_(all_.size(), true),
@@ -29,7 +30,7 @@ public:
             const Interval seen = within(grown(view_, 12), ray.at, ray.along);
             const double from = std::max(ray.from, seen.from), to = std::min(ray.to, seen.to);
             if (to <= from) continue;
-            sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, thin()));
+            sketch_.construction.emplace_back(line(ray.at + from * ray.along, ray.at + to * ray.along, sketch_.thin()));
             belong(sketch_.construction, sketch_.construction.size() - 1, ray.statement);
         }
         // Centres at one place are one dot with one label. Bodies that do not move against each other have none to show.
@@ -64,11 +65,11 @@ private:
     static constexpr double broken_end = 10;  // of a line to a far centre, mm
 
     bool is_primary(std::size_t c) const { return all_[c].how == InstantCentre::How::primary; }
-    Pen thin() const { return {sketch_.theme_.thin, sketch_.theme_.secondary, {}, false}; }
-    RichText name_of_centre(std::size_t c) const { return typeset(sketch_.symbol_of(all_[c]), sketch_.context_.language); }
+    Symbol symbol(std::size_t c) const { return symbol_of(sketch_.mechanism, all_[c]); }
+    RichText name_of_centre(std::size_t c) const { return typeset(symbol(c), sketch_.context.language); }
     GroupBegin group(std::size_t c) const {
-        const std::string& i = sketch_.m_.bodies[at_index(all_[c].first)].name;
-        const std::string& j = sketch_.m_.bodies[at_index(all_[c].second)].name;
+        const std::string& i = sketch_.mechanism.body(all_[c].first).name;
+        const std::string& j = sketch_.mechanism.body(all_[c].second).name;
         return GroupBegin{"centre", sketch_.id("centre", i + "." + j), plain(name_of_centre(c)), {}, all_[c].statement};
     }
 
@@ -87,8 +88,7 @@ private:
             if (!std::isfinite(place_[c].x) || !std::isfinite(place_[c].y)) continue;  // past the range of doubles
             where_[c] = contains(near, place_[c]) ? Where::here : Where::far;
             if (where_[c] != Where::here) continue;
-            view_.min = {std::min(view_.min.x, place_[c].x), std::min(view_.min.y, place_[c].y)};
-            view_.max = {std::max(view_.max.x, place_[c].x), std::max(view_.max.y, place_[c].y)};
+            view_.include(place_[c]);
         }
         view_ = grown(view_, 9);
     }
@@ -192,8 +192,8 @@ private:
         for (int step = 1; step <= 6; ++step) {
             const Spot at = ray.at + (end + sense * 3.0 * step) * ray.along;
             sum += 2 * sketch_.crowding(at, at);
-            for (const Joint& joint : sketch_.m_.joints)
-                if (Subject::is_fixed_pin(joint) && length(sketch_.spot(joint.point) + Spot{0, 5} - at) < 6) sum += 3;
+            for (const Joint& joint : sketch_.mechanism.joints)
+                if (is_fixed_pin(joint) && length(sketch_.spot(joint) + Spot{0, 5} - at) < 6) sum += 3;
         }
         return sum;
     }
@@ -211,58 +211,56 @@ private:
     }
 
     std::optional<Named> name_at(Spot at) const {
-        if (const auto name = sketch_.name_of_point_at(at)) return Named{*name, at};
+        if (const auto name = name_of_point_at(sketch_, at)) return Named{*name, at};
         for (std::size_t c = 0; c < all_.size(); ++c)
-            if (where_[c] == Where::here && length(place_[c] - at) < same_place) return Named{name_of_centre(c), at};
+            if (where_[c] == Where::here && coincide(place_[c], at)) return Named{name_of_centre(c), at};
         return std::nullopt;
     }
 
     bool together(std::size_t c, std::size_t d) const {
         if (where_[c] != where_[d]) return false;
-        if (where_[c] == Where::here) return length(place_[d] - place_[c]) < same_place;
+        if (where_[c] == Where::here) return coincide(place_[d], place_[c]);
         if (where_[c] == Where::far) return length(place_[d] - place_[c]) < 1e-6 * length(place_[c]) + same_place;
         return !is_primary(d) && !arrows_[c].empty() && !arrows_[d].empty() &&
                length(arrows_[c].front().base - arrows_[d].front().base) < 2;
     }
 
     LabelRequest label_of(const std::vector<std::size_t>& cluster, bool at_pin) const {
-        LabelRequest label;
-        label.size = sketch_.theme_.label;
-        label.colour = sketch_.theme_.text;
-        label.statement = all_[cluster.front()].statement;
+        LabelRequest label{
+            .size = sketch_.theme.label, .colour = sketch_.theme.text, .statement = all_[cluster.front()].statement};
         for (const std::size_t d : cluster) {
             // A pin has its own name; the centre there is for the reader who points at it.
             if (at_pin && is_primary(d)) continue;
             if (!label.text.empty()) append(label.text, one_piece(" ≡ "));
             append(label.text, name_of_centre(d));
-            label.names.push_back(name_of(sketch_.symbol_of(all_[d])));
+            label.names.push_back(name_of(symbol(d)));
         }
         return label;
     }
 
     LabelRequest draw_dots(const std::vector<std::size_t>& cluster) {
         const Spot at = place_[cluster.front()];
-        const std::vector<Joint>& joints = sketch_.m_.joints;
+        const std::vector<Joint>& joints = sketch_.mechanism.joints;
         const bool pin_there = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
-            return (joint.pair().has_pin() || joint.pair().is_clamp()) && length(sketch_.spot(joint.point) - at) < same_place;
+            return (joint.pair().has_pin() || joint.pair().is_clamp()) && coincide(sketch_.spot(joint), at);
         });
         const bool at_pin =
             pin_there && std::any_of(cluster.begin(), cluster.end(), [&](std::size_t d) { return is_primary(d); });
-        const Theme& theme = sketch_.theme_;
+        const Theme& theme = sketch_.theme;
         for (const std::size_t d : cluster) {
             std::vector<Mark>& marks = sketch_.centres;
             marks.emplace_back(group(d));
             // On a stroke the dot stands in a white ring, or a dark link would swallow it.
             if (!pin_there && sketch_.crowding(at, at) > 0) marks.emplace_back(tinted(disc(at, 1.15, theme.paper)));
             if (at_pin && is_primary(d))
-                marks.emplace_back(tinted(disc(at, 0.6 * sketch_.pin_radius_, theme.paper)));
+                marks.emplace_back(tinted(disc(at, 0.6 * sketch_.measures.pin_radius, theme.paper)));
             else
                 marks.emplace_back(disc(at, at_pin ? 0.55 : 0.8, theme.text));
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, at_pin);
         label.anchor = at;
-        label.clearance = at_pin ? sketch_.pin_radius_ + 0.8 : 1.7;
+        label.clearance = at_pin ? sketch_.measures.pin_radius + 0.8 : 1.7;
         return label;
     }
 
@@ -273,25 +271,10 @@ private:
         bool broken = false;
     };
     Shaft shaft_of(std::size_t c) const {
-        if (where_[c] == Where::infinity && is_primary(c)) {
-            // ⟂ to the guide, from the slider, on the side that its links leave free.
-            for (const Joint& joint : sketch_.m_.joints) {
-                const auto has = [&](BodyIndex body) {
-                    return std::find(joint.bodies.begin(), joint.bodies.end(), body) != joint.bodies.end();
-                };
-                if (!joint.pair().is_sleeve() || !has(all_[c].first) || !has(all_[c].second)) continue;
-                const Spot at = sketch_.spot(joint.point);
-                double up = 0, down = 0;
-                for (const Spot link : sketch_.leaving(joint.point)) {
-                    up = std::max(up, dot(link, place_[c]));
-                    down = std::max(down, -dot(link, place_[c]));
-                }
-                const Box mechanism = sketch_.mechanism_box();
-                const bool inward = dot(place_[c], at - 0.5 * (mechanism.min + mechanism.max)) < 0;
-                const bool flip = up > down + 0.05 || (std::abs(up - down) <= 0.05 && inward);
-                return {at, (flip ? -1.0 : 1.0) * place_[c], sketch_.slider_side_ + 15};
-            }
-        }
+        if (where_[c] == Where::infinity && is_primary(c))
+            for (const Joint& joint : sketch_.mechanism.joints)
+                if (joint.pair().is_sleeve() && joint.connects(all_[c].first) && joint.connects(all_[c].second))
+                    return shaft_from_slide(joint.point, place_[c]);
         if (!arrows_[c].empty()) {
             const auto& [base, along] = arrows_[c].front();
             return where_[c] == Where::far ? Shaft{base, along, broken_end, true} : Shaft{base, along};
@@ -299,12 +282,24 @@ private:
         const Spot start = sketch_.shape(all_[c].second).middle;
         return {start, where_[c] == Where::infinity ? place_[c] : unit(place_[c] - start), 18};
     }
+    /// ⟂ to the guide, from the slider, on the side that its links leave free.
+    Shaft shaft_from_slide(PointIndex slider, Spot across) const {
+        const Spot at = sketch_.spot(slider);
+        double up = 0, down = 0;
+        for (const Spot link : sketch_.leaving(slider)) {
+            up = std::max(up, dot(link, across));
+            down = std::max(down, -dot(link, across));
+        }
+        const bool inward = dot(across, at - sketch_.mechanism_box().middle()) < 0;
+        const bool flip = up > down + 0.05 || (std::abs(up - down) <= 0.05 && inward);
+        return {at, (flip ? -1.0 : 1.0) * across, sketch_.measures.slider_side + 15};
+    }
 
     LabelRequest draw_arrows(const std::vector<std::size_t>& cluster) {
         const std::size_t c = cluster.front();
         const Shaft shaft = shaft_of(c);
         const Spot tip = shaft.base + shaft.length * shaft.along;
-        const Theme& theme = sketch_.theme_;
+        const Theme& theme = sketch_.theme;
         // The arrow lies under the blocks, its head beyond them.
         std::vector<Mark>& marks = sketch_.construction;
         for (const std::size_t d : cluster) {
@@ -319,13 +314,8 @@ private:
         LabelRequest label = label_of(cluster, false);
         if (where_[c] == Where::far && counted_from_[c] && all_[c].first == 0) {
             // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
-            const Unit& unit_of_length = sketch_.m_.units.length;
-            const double metres = length(place_[c] - counted_from_[c]->at) * sketch_.scale_;
-            const std::string value = number(metres / unit_of_length.si.to_double(), 3, sketch_.context_.language);
-            append(label.text, one_piece("  ("));
-            append(label.text, counted_from_[c]->name);
-            append(label.text, name_of_centre(c));
-            append(label.text, with_powers(" = " + value + " " + unit_of_length.symbol + ")"));
+            append(label.text,
+                   how_far(sketch_, counted_from_[c]->name, name_of_centre(c), length(place_[c] - counted_from_[c]->at)));
         }
         label.anchor = tip;
         label.clearance = 1.2;
@@ -344,43 +334,31 @@ private:
     std::vector<std::optional<Named>> counted_from_;  // what the distance of a far centre is counted from
 };
 
-Symbol Sketch::symbol_of(const InstantCentre& centre) const {
-    const std::string& i = m_.bodies[at_index(centre.first)].name;
-    const std::string& j = m_.bodies[at_index(centre.second)].name;
+}  // namespace
+
+Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre) {
+    const std::string &i = mechanism.body(centre.first).name, &j = mechanism.body(centre.second).name;
     const bool short_names = i.size() == 1 && j.size() == 1;
     return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j, centre.at && centre.at->at_infinity() ? "∞" : ""};
 }
 
-std::optional<RichText> Sketch::name_of_point_at(Spot at) const {
-    for (std::size_t p = 0; p < spots_.size(); ++p)
-        if (s_.shown[p] && length(spots_[p] - at) < same_place)
-            return typeset(Symbol{Symbol::Letter::point, m_.points[p].name, ""}, context_.language);
-    return std::nullopt;
-}
-
-/// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
-void Sketch::draw_pole(const InstantCentre& centre) {
-    const Spot at = spot(centre.at->place());
-    for (const Joint& joint : m_.joints)
-        if (length(spot(joint.point) - at) < same_place) return;
-    const RichText name = typeset(symbol_of(centre), context_.language);
-    for (LabelRequest& label : labels)
-        if (!label.toward && length(label.anchor - at) < same_place) {
+void draw_pole(Sketch& sketch, const InstantCentre& centre) {
+    const Spot at = sketch.spot(centre.at->place());
+    for (const Joint& joint : sketch.mechanism.joints)
+        if (coincide(sketch.spot(joint), at)) return;
+    const RichText name = typeset(symbol_of(sketch.mechanism, centre), sketch.context.language);
+    for (LabelRequest& label : sketch.labels)
+        if (!label.toward && coincide(label.anchor, at)) {
             const bool said = plain(label.text).find(plain(name)) != std::string::npos;
             if (!said) append(label.text, one_piece(" ≡ "));
             if (!said) append(label.text, name);
             return;
         }
-    centres.emplace_back(disc(at, 0.8, theme_.text));
-    LabelRequest request;
-    request.text = name;
-    request.size = theme_.label;
-    request.colour = theme_.text;
-    request.anchor = at;
-    request.clearance = 1.7;
-    labels.push_back(std::move(request));
+    sketch.centres.emplace_back(disc(at, 0.8, sketch.theme.text));
+    belong(sketch.centres, sketch.centres.size() - 1, centre.statement);
+    sketch.add_label(name, sketch.theme.text, at, 1.7, centre.statement);
 }
 
-void Sketch::draw_centres() { CentresDrawing(*this).draw(); }
+void draw_centres(Sketch& sketch) { CentresDrawing(sketch).draw(); }
 
 }  // namespace kinegraph::render::drawing

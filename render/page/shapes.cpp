@@ -1,5 +1,5 @@
-// Figure: what every figure shares: moving, choosing a scale, ids, arrows and the simple shapes. Knows no mechanics and no sheet.
-#include "render/figures/figure.hpp"
+// Shapes: lines, discs, arrows, text, the scale bar, and what they cover.
+#include "render/page/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "engine/assert.hpp"
-#include "render/page/shapes.hpp"
-#include "render/tables/tables.hpp"
+#include "render/page/scale.hpp"
 
 namespace kinegraph::render {
 
@@ -94,16 +93,6 @@ struct Bounds {
     }
 };
 
-/// The numbers a scale may have, within one decade.
-constexpr double steps[] = {1, 2, 2.5, 5};
-
-/// m · 10^exponent, the double nearest to the decimal (10^-3 is not 1/1000 by repeated products).
-double decimal(double mantissa, int exponent) {
-    double power = 1;
-    for (int i = 0; i < std::abs(exponent); ++i) power *= 10;
-    return exponent < 0 ? mantissa / power : mantissa * power;
-}
-
 struct Head {
     double length, width;
 };
@@ -121,13 +110,6 @@ void draw_head(std::vector<Mark>& marks, Spot tip, Spot along, Head head, Colour
 }
 
 }  // namespace
-
-// A root is rounded alike on every machine, hypot is not.
-double length(Spot a) { return std::sqrt(a.x * a.x + a.y * a.y); }
-Spot unit(Spot a) {
-    const double l = length(a);
-    return l > 0 ? Spot{a.x / l, a.y / l} : Spot{1, 0};
-}
 
 const std::vector<double>& dash_dot() {
     static const std::vector<double> pattern{5, 0.9, 0.6, 0.9};
@@ -170,6 +152,25 @@ Path filled(const std::vector<Spot>& spots, Colour fill) {
     path.stroked = false;
     path.filled = true;
     path.fill = fill;
+    return path;
+}
+
+Path panel(const std::vector<Spot>& spots, Colour tint, Pen pen) {
+    Path path = polyline(spots, std::move(pen), true);
+    path.filled = path.tinted = true;
+    path.fill = tint;
+    return path;
+}
+
+std::vector<Spot> corners_about(Spot middle, Spot u, Spot w) {
+    return {middle + u + w, middle + u - w, middle - u - w, middle - u + w};
+}
+
+Path arc(Spot centre, double radius, double from, double to, Pen pen) {
+    Path path;
+    path.segments = {MoveTo{centre + radius * polar_spot(from)}, ArcTo{centre, radius, from, to}};
+    path.stroked = true;
+    path.pen = std::move(pen);
     return path;
 }
 
@@ -243,7 +244,7 @@ void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, C
         text.glyphs = part.glyphs;
         text.extras = part.extras;
         text.colour = part.coloured ? part.colour : colour;
-        if (first) text.words = shaped.words;
+        if (first) text.words = shaped.words, text.text = shaped.text;
         text.cls = cls;
         text.pivot = origin;
         const Shift shift{origin.x, origin.y};
@@ -306,56 +307,10 @@ void belong(std::vector<Mark>& marks, std::size_t first, int statement) {
                    marks[i]);
 }
 
+void move(Spot& spot, double dx, double dy) { Shift{dx, dy}(spot); }
+
 void move(std::vector<Mark>& marks, double dx, double dy) {
     for (Mark& mark : marks) Shift{dx, dy}(mark);
-}
-
-Figure Figure::empty_at(double scale) {
-    Figure figure;
-    figure.scale = scale;
-    return figure;
-}
-
-void Figure::move(double dx, double dy) {
-    const Shift shift{dx, dy};
-    render::move(marks, dx, dy);
-    for (LabelRequest& label : labels) {
-        shift(label.anchor);
-        if (label.toward) shift(*label.toward);
-    }
-    shift(box.min);
-    shift(box.max);
-    shift(origin);
-}
-
-double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked) {
-    KG_ASSERT(room_x > 0 && room_y > 0, "a figure needs room");
-    if (asked) return *asked;
-    const double least = std::max(extent_x / room_x, extent_y / room_y);
-    if (!(least > 0) || !std::isfinite(least)) return 1;
-    const int exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
-    for (int e = exponent;; ++e)
-        for (const double step : steps)
-            if (decimal(step, e) >= least * (1 - 1e-12)) return decimal(step, e);
-}
-
-std::string legal_id(std::string_view name) {
-    constexpr char hex[] = "0123456789ABCDEF";
-    std::string id;
-    for (const char c : name) {
-        const bool plain_character =
-            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
-        if (plain_character) {
-            id += c;
-        } else {
-            const auto byte = static_cast<unsigned char>(c);
-            id += "_x";
-            id += hex[byte >> 4];
-            id += hex[byte & 15];
-            id += '_';
-        }
-    }
-    return id;
 }
 
 void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Colour colour, const std::vector<double>& dashes) {

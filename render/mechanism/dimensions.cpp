@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 #include "render/page/ink_map.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render::drawing {
+
+namespace {
 
 class DimensionsDrawing {
 public:
@@ -20,7 +21,7 @@ public:
         add(sketch.construction, light_);
         for (const std::vector<Mark>* layer :
              {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.construction})
-            if (!layer->empty()) include(box_of(*layer));
+            if (!layer->empty()) box_.include(box_of(*layer));
         gather();
     }
 
@@ -61,14 +62,7 @@ private:
         double price = 0;
     };
 
-    const Sketch& s() const { return sketch_; }
-    const Mechanism& m() const { return sketch_.m_; }
-    Pen thin() const { return {sketch_.theme_.thin, sketch_.theme_.text, {}, false}; }
-
-    void include(const Box& box) {
-        box_.min = {std::min(box_.min.x, box.min.x), std::min(box_.min.y, box.min.y)};
-        box_.max = {std::max(box_.max.x, box.max.x), std::max(box_.max.y, box.max.y)};
-    }
+    Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 
     static void add(const std::vector<Mark>& marks, std::vector<Bar>& to) {
         for (const Mark& mark : marks) {
@@ -99,44 +93,45 @@ private:
 
     // ---- which data ----
 
-    std::string name_of(PointIndex point) const { return m().points[at_index(point)].name; }
+    std::string name_of(PointIndex point) const { return sketch_.mechanism.point(point).name; }
 
     void add_length(PointIndex from, PointIndex to, double value) {
-        const Spot a = s().spot(from), b = s().spot(to);
-        if (length(b - a) < 1 || !sketch_.s_.shown[at_index(to)]) return;
+        const Spot a = sketch_.spot(from), b = sketch_.spot(to);
+        if (length(b - a) < 1 || !sketch_.subject.shows(to)) return;
         add_length({a, b, unit(b - a), value, name_of(from) + "." + name_of(to)});
     }
     void add_length(Length added) {
         for (const Length& known : lengths_) {
-            const bool same = length(known.from - added.from) < same_place && length(known.to - added.to) < same_place;
-            const bool turned_about = length(known.from - added.to) < same_place && length(known.to - added.from) < same_place;
+            const bool same = coincide(known.from, added.from) && coincide(known.to, added.to);
+            const bool turned_about = coincide(known.from, added.to) && coincide(known.to, added.from);
             if (same || turned_about) return;
         }
         lengths_.push_back(std::move(added));
     }
 
     void add_angle(PointIndex vertex, PointIndex to, const Angle& angle, std::optional<Spot> reference) {
-        if (!sketch_.s_.shown[at_index(vertex)] || !sketch_.s_.shown[at_index(to)]) return;
+        if (!sketch_.subject.shows(vertex) || !sketch_.subject.shows(to)) return;
         const Spot base = reference.value_or(Spot{1, 0});
         const double value = angle.value.to_double();
         const double sweep = -(angle.in_degrees ? value * pi_number / 180 : value);
         if (std::abs(sweep) < 0.12 || std::abs(sweep) > 3.5) return;
-        const std::string figure = given_number(value, sketch_.context_.language);
-        angles_.push_back({s().spot(vertex), std::atan2(base.y, base.x), sweep, figure + (angle.in_degrees ? "°" : " rad"),
+        const std::string figure = given_number(value, sketch_.context.language);
+        angles_.push_back({sketch_.spot(vertex), angle_of(base), sweep, figure + (angle.in_degrees ? "°" : " rad"),
                            name_of(vertex) + "." + name_of(to)});
     }
 
     void gather() {
-        for (std::size_t p = 0; p < m().points.size(); ++p) {
+        for (std::size_t p = 0; p < sketch_.mechanism.points.size(); ++p) {
             const auto point = static_cast<PointIndex>(p);
-            if (!sketch_.s_.shown[p]) continue;
-            const Placement& placement = m().points[p].placement;
+            if (!sketch_.subject.shows(point)) continue;
+            const Placement& placement = sketch_.mechanism.points[p].placement;
             if (const auto* polar = std::get_if<Polar>(&placement)) {
                 add_length(polar->from, point, polar->distance.to_double());
                 if (!polar->relative_to)
                     add_angle(polar->from, point, polar->angle, std::nullopt);
                 else if (polar->relative_to->from == polar->from)
-                    add_angle(polar->from, point, polar->angle, unit(s().spot(polar->relative_to->to) - s().spot(polar->from)));
+                    add_angle(polar->from, point, polar->angle,
+                              unit(sketch_.spot(polar->relative_to->to) - sketch_.spot(polar->from)));
             } else if (const auto* on = std::get_if<Along>(&placement)) {
                 if (!on->is_ratio) add_length(on->from, point, std::abs(on->amount.to_double()));
             } else if (const auto* meet = std::get_if<Meet>(&placement)) {
@@ -147,24 +142,23 @@ private:
             }
         }
         gather_coordinates();
-        for (const Body& body : m().bodies)
+        for (const Body& body : sketch_.mechanism.bodies)
             if (body.circle)
-                radii_.push_back({s().spot(body.circle->centre), body.circle->radius.to_double() / sketch_.scale_,
+                radii_.push_back({sketch_.spot(body.circle->centre), body.circle->radius.to_double() / sketch_.scale(),
                                   body.circle->radius.to_double(), body.name});
     }
 
     /// Fixed pins given by coordinates: how far each stands from the first, across and up.
     void gather_coordinates() {
         std::vector<PointIndex> fixed;
-        for (const Joint& joint : m().joints)
-            if (Subject::is_fixed_pin(joint) &&
-                std::holds_alternative<Coordinates>(m().points[at_index(joint.point)].placement) &&
+        for (const Joint& joint : sketch_.mechanism.joints)
+            if (is_fixed_pin(joint) && std::holds_alternative<Coordinates>(sketch_.mechanism.point(joint.point).placement) &&
                 std::find(fixed.begin(), fixed.end(), joint.point) == fixed.end())
                 fixed.push_back(joint.point);
         for (std::size_t i = 1; i < fixed.size(); ++i) {
-            const Spot a = s().spot(fixed[0]), b = s().spot(fixed[i]);
-            const Vector& first = std::get<Coordinates>(m().points[at_index(fixed[0])].placement).at;
-            const Vector& other = std::get<Coordinates>(m().points[at_index(fixed[i])].placement).at;
+            const Spot a = sketch_.spot(fixed[0]), b = sketch_.spot(fixed[i]);
+            const Vector& first = std::get<Coordinates>(sketch_.mechanism.point(fixed[0]).placement).at;
+            const Vector& other = std::get<Coordinates>(sketch_.mechanism.point(fixed[i]).placement).at;
             const std::string name = name_of(fixed[0]) + "." + name_of(fixed[i]);
             if (const double across = (other.x - first.x).to_double(); across != 0)
                 add_length({a, b, {b.x > a.x ? 1.0 : -1.0, 0}, std::abs(across), name});
@@ -212,14 +206,15 @@ private:
         double width() const { return shaped.width; }
     };
     Text text_of(const std::string& words) const {
-        const double size = sketch_.theme_.small;
-        return {sketch_.context_.fonts.shape(with_powers(words), size), size};
+        const double size = sketch_.theme.small;
+        return {sketch_.context.fonts.shape(with_powers(words), size), size};
     }
     static double readable(double angle) {
         double a = std::remainder(angle, pi_number);      // within ±90°
         if (a >= 0.5 * pi_number - 1e-6) a -= pi_number;  // upright ones are read from the right
         return a;
     }
+    static constexpr std::array<Spot, 2> nowhere{{{1e9, 1e9}, {1e9, 1e9}}};
     static constexpr double cap_height = 2.1, text_gap = 1.0;
 
     /// The text's outline as bars about its middle.
@@ -230,36 +225,32 @@ private:
                 Bar{left + cap_height * up, right + cap_height * up}};
     }
 
+    /// The box grown by what a trial draws.
+    static Box with(Box box, const Trial& trial, double width) {
+        const auto take = [&](const Bar& bar) {
+            box.include(bar.from);
+            box.include(bar.to);
+        };
+        for (const Bar& stroke : trial.strokes) take(stroke);
+        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, width)) take(bar);
+        return box;
+    }
+    /// What each thing costs that is nearer than a distance.
+    struct Rate {
+        double price, distance;
+    };
+    double toll(const Bar& bar, Rate heavy, Rate light, Rate taken, const std::array<Spot, 2>& ends) const {
+        return heavy.price * count_near(bar, heavy_, heavy.distance, ends) +
+               light.price * count_near(bar, light_, light.distance, ends) +
+               taken.price * count_near(bar, taken_, taken.distance, nowhere);
+    }
     double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends) const {
         double price = trial.price;
-        for (const Bar& stroke : trial.strokes) {
-            price += 3 * count_near(stroke, heavy_, 1.2, ends);
-            price += 0.6 * count_near(stroke, light_, 0.3, ends);
-            price += 3 * count_near(stroke, taken_, 1.0, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
-        }
-        for (const Bar& extension : trial.extensions) {
-            price += 1.5 * count_near(extension, heavy_, 0.4, ends);
-            price += 0.3 * count_near(extension, light_, 0.2, ends);
-            price += 1.5 * count_near(extension, taken_, 0.4, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
-        }
-        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width())) {
-            price += 4 * count_near(bar, heavy_, 1.5, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
-            price += 4 * count_near(bar, light_, 0.6, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
-            price += 4 * count_near(bar, taken_, 0.6, {Spot{1e9, 1e9}, Spot{1e9, 1e9}});
-        }
-        Box box = box_;
-        const auto take = [&](Spot spot) {
-            box.min = {std::min(box.min.x, spot.x), std::min(box.min.y, spot.y)};
-            box.max = {std::max(box.max.x, spot.x), std::max(box.max.y, spot.y)};
-        };
-        for (const Bar& stroke : trial.strokes) {
-            take(stroke.from);
-            take(stroke.to);
-        }
-        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width())) {
-            take(bar.from);
-            take(bar.to);
-        }
+        for (const Bar& stroke : trial.strokes) price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends);
+        for (const Bar& extension : trial.extensions) price += toll(extension, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
+        for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
+            price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
+        const Box box = with(box_, trial, text.width());
         // Names need a rim, the scale bar its place below.
         if (box.width() > std::max(room_.x - 10, box_.width()) || box.height() > std::max(room_.y - 18, box_.height()))
             price += 10;
@@ -285,30 +276,23 @@ private:
         for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
         for (Mark& mark : best->marks) marks.push_back(std::move(mark));
         const std::size_t before = marks.size();
-        const Spot along = polar_spot(best->text_angle);
-        set_text(marks, text.shaped, best->text_at - Spot{text.width() / 2, 0}, sketch_.theme_.text, "label");
+        set_text(marks, text.shaped, best->text_at - Spot{text.width() / 2, 0}, sketch_.theme.text, "label");
         for (std::size_t i = before; i < marks.size(); ++i)
             if (auto* set = std::get_if<TextMark>(&marks[i])) {
-                set->angle = std::atan2(along.y, along.x);
+                set->angle = angle_of(polar_spot(best->text_angle));
                 set->pivot = best->text_at;
             }
         marks.emplace_back(GroupEnd{});
         taken_.insert(taken_.end(), best->strokes.begin(), best->strokes.end());
         taken_.insert(taken_.end(), best->extensions.begin(), best->extensions.end());
-        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) {
-            taken_.push_back(bar);
-            include({{std::min(bar.from.x, bar.to.x), std::min(bar.from.y, bar.to.y)},
-                     {std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)}});
-        }
-        for (const Bar& bar : best->strokes)
-            include({{std::min(bar.from.x, bar.to.x), std::min(bar.from.y, bar.to.y)},
-                     {std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)}});
+        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) taken_.push_back(bar);
+        box_ = with(box_, *best, text.width());
         return true;
     }
 
     std::string with_unit(double metres) const {
-        const Unit& unit_of_length = m().units.length;
-        return given_number(metres / unit_of_length.si.to_double(), sketch_.context_.language) + " " + unit_of_length.symbol;
+        const Unit& unit_of_length = sketch_.mechanism.units.length;
+        return given_number(metres / unit_of_length.si.to_double(), sketch_.context.language) + " " + unit_of_length.symbol;
     }
 
     bool draw(const Length& datum, bool all) {
@@ -324,19 +308,19 @@ private:
                 const double level = side > 0 ? far + reach : near - reach;
                 Trial trial;
                 const Spot a = datum.from + level * across, b = a + run * along;
-                draw_arrow(trial.marks, 0.5 * (a + b), b, sketch_.theme_.thin, sketch_.theme_.text);
-                draw_arrow(trial.marks, 0.5 * (a + b), a, sketch_.theme_.thin, sketch_.theme_.text);
+                draw_arrow(trial.marks, 0.5 * (a + b), b, sketch_.theme.thin, sketch_.theme.text);
+                draw_arrow(trial.marks, 0.5 * (a + b), a, sketch_.theme.thin, sketch_.theme.text);
                 trial.strokes = {{a, b}};
-                const double clear = sketch_.pin_radius_ + 0.7;
+                const double clear = sketch_.measures.pin_radius + 0.7;
                 for (const auto& [point, foot] : {std::pair{datum.from, a}, std::pair{datum.to, b}}) {
                     const Spot out = unit(foot - point);
                     if (length(foot - point) > clear) trial.extensions.push_back({point + clear * out, foot + 1.4 * out});
                 }
-                trial.text_angle = readable(std::atan2(along.y, along.x));
+                trial.text_angle = readable(angle_of(along));
                 trial.text_at = 0.5 * (a + b) + text_gap * Spot{std::sin(trial.text_angle), -std::cos(trial.text_angle)};
                 // Nearer is better, outside of the mechanism, too.
-                const Box inner = s().mechanism_box();
-                trial.price = 0.06 * reach + (dot(0.5 * (a + b) - 0.5 * (inner.min + inner.max), side * across) < 0 ? 0.35 : 0);
+                const bool inside = dot(0.5 * (a + b) - sketch_.mechanism_box().middle(), side * across) < 0;
+                trial.price = 0.06 * reach + (inside ? 0.35 : 0);
                 trials.push_back(std::move(trial));
             }
         return draw_best(trials, text, {datum.from, datum.to}, datum.name, words, all);
@@ -353,7 +337,7 @@ private:
             // From outside onto the rim, the figure beyond on a shelf.
             const Spot rim = datum.centre + datum.radius * out, knee = rim + 6.5 * out;
             const Spot shelf{out.x >= 0 ? 1.0 : -1.0, 0};
-            draw_arrow(trial.marks, knee, rim, sketch_.theme_.thin, sketch_.theme_.text);
+            draw_arrow(trial.marks, knee, rim, sketch_.theme.thin, sketch_.theme.text);
             const Spot end = knee + (text.width() + 0.8) * shelf;
             trial.marks.emplace_back(line(knee, end, thin()));
             trial.strokes = {{rim + 1.6 * out, knee}, {knee, end}};
@@ -370,8 +354,8 @@ private:
         for (const double radius : {9.0, 12.0, 15.0, 18.5, 22.0}) {
             if (std::abs(datum.sweep) * radius < 4) continue;
             Trial trial;
-            draw_arc_arrow(trial.marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme_.thin,
-                           sketch_.theme_.text);
+            draw_arc_arrow(trial.marks, datum.vertex, radius, datum.from, datum.from + datum.sweep, sketch_.theme.thin,
+                           sketch_.theme.text);
             const int parts = 6;
             const double turn = datum.sweep > 0 ? 1 : -1;
             // Where arc and link meet is meant: it ends a little before.
@@ -380,7 +364,8 @@ private:
                 trial.strokes.push_back({datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * i / parts),
                                          datum.vertex + radius * polar_spot(datum.from + (datum.sweep - shy) * (i + 1) / parts)});
             const Spot base = polar_spot(datum.from);
-            trial.extensions = {{datum.vertex + (sketch_.pin_radius_ + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
+            trial.extensions = {
+                {datum.vertex + (sketch_.measures.pin_radius + 0.7) * base, datum.vertex + (radius + 2.5) * base}};
             for (const double share : {0.5, 0.35, 0.65}) {
                 Trial one = trial;
                 const double middle = datum.from + share * datum.sweep;
@@ -404,12 +389,6 @@ private:
     std::vector<AngleOf> angles_;
 };
 
-void Sketch::draw_dimensions(Spot room, bool all, const std::set<std::string>& left_out) {
-    DimensionsDrawing(*this, room, left_out).draw(all);
-}
-
-namespace {
-
 struct DimensionText {
     InkBox box;
     std::string dimension;  // its group's id
@@ -420,6 +399,10 @@ struct DimensionPath {
 };
 
 }  // namespace
+
+void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out) {
+    DimensionsDrawing(sketch, room, left_out).draw(all);
+}
 
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {
     InkMap others(figure.box);

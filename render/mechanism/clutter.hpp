@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/figures/mechanism_sketch.hpp"
+#include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -11,6 +11,7 @@ class Clutter {
 public:
     void add(const std::vector<Mark>& marks);
     void add(Spot from, Spot to) { strokes_.push_back({{from, to}, 1.0}); }
+    void add_arc(Spot centre, double radius, double from, double sweep);
     /// The share of the stretch that lies near strokes.
     double along(Spot from, Spot to) const;
     /// The mean of that over the pieces of an arc, `sweep` radians clockwise on paper.

@@ -5,16 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "render/figures/figure.hpp"
-#include "render/tables/tables.hpp"
+#include "render/page/block.hpp"
+#include "render/page/free_room.hpp"
 
 namespace kinegraph::render {
 
 enum class Paper { a4, a3, letter };
 enum class Orientation { landscape, portrait };
 
-constexpr double gap = 7;      ///< between cells and between columns
-constexpr double clear = 3.5;  ///< round everything that text is set beside
+constexpr double gap = 7;  ///< between cells and between columns
 constexpr double section_gap = 5.5;
 
 /// A paper with what is fixed on it: the frame, what may be filled, the title block in the frame's corner, the text columns.
@@ -43,9 +42,9 @@ struct Run {
 
 /// What stands together: a heading and what is below it; split only where it is longer than any column.
 struct Section {
-    std::vector<Block> rows;
-    std::vector<std::size_t> spare_rows;  ///< of rows, ascending: those that may be left out
-    Block heading_again;                  ///< stands above what is left of the rows where they go on below something else
+    std::vector<Block> rows{};
+    std::vector<std::size_t> spare_rows{};  ///< of rows, ascending: those that may be left out
+    Block heading_again{};                ///< stands above what is left of the rows where they go on below something else
     int home = -1;                        ///< the figure it explains; −1: none
     bool continued = false;               ///< its first rows stand already: the rest comes after them
     bool of_forces = false;               ///< not before the pages of forces
@@ -63,9 +62,5 @@ struct Sheet {
     std::vector<Run> runs;
     std::optional<double> scale_of_mechanism;  ///< m per mm, of the first drawing of it here
 };
-
-inline Box rectangle(double left, double top, double right, double bottom) { return {{left, top}, {right, bottom}}; }
-/// A block with its top left at a place.
-void set(std::vector<Mark>& marks, const Block& block, Spot at);
 
 }  // namespace kinegraph::render

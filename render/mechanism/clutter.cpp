@@ -1,5 +1,5 @@
 // Clutter: strokes kept as bars with half their width.
-#include "render/figures/clutter.hpp"
+#include "render/mechanism/clutter.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -23,6 +23,13 @@ void Clutter::add(const std::vector<Mark>& marks) {
             }
         }
     }
+}
+
+void Clutter::add_arc(Spot centre, double radius, double from, double sweep) {
+    constexpr int pieces = 6;
+    for (int i = 0; i < pieces; ++i)
+        add(centre + radius * polar_spot(from + sweep * i / pieces),
+            centre + radius * polar_spot(from + sweep * (i + 1) / pieces));
 }
 
 double Clutter::along(Spot from, Spot to) const {

@@ -1,10 +1,10 @@
 // Force statements, by the bodies, symbols and points that they name.
-#include "render/tables/force_statements.hpp"
+#include "render/scene/force_statements.hpp"
 
 #include <algorithm>
 
 #include "engine/exact.hpp"
-#include "render/tables/sentences.hpp"
+#include "render/scene/sentences.hpp"
 
 namespace kinegraph::render {
 namespace {

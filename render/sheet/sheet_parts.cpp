@@ -1,8 +1,7 @@
 // The papers: their frames, columns and title blocks.
-#include "render/page/sheet_parts.hpp"
+#include "render/sheet/sheet_parts.hpp"
 
 #include "engine/assert.hpp"
-#include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -45,12 +44,6 @@ Box SheetFormat::column(int k) const {
     const double left = content.min.x + k * (measure + gap);
     const double bottom = left + measure > block.min.x - 2 ? block.min.y - 4 : content.max.y;
     return rectangle(left, content.min.y, left + measure, bottom);
-}
-
-void set(std::vector<Mark>& marks, const Block& block, Spot at) {
-    std::vector<Mark> moved = block.marks;
-    move(moved, at.x, at.y);
-    marks.insert(marks.end(), moved.begin(), moved.end());
 }
 
 }  // namespace kinegraph::render

@@ -1,0 +1,39 @@
+// Fit: see fit.hpp.
+#include "render/figures/fit.hpp"
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+bool holds(const FitPolicy& policy, const Figure& figure) {
+    return !policy.room || (figure.box.width() <= policy.room->x && figure.box.height() <= policy.room->y);
+}
+bool is_last(const FitPolicy& policy, const Trial& trial) {
+    if (policy.extent > 0) return policy.extent / next_scale(trial.scale) < policy.least_shown;
+    return trial.number == policy.most_trials;
+}
+
+}  // namespace
+
+Figure fit(const FitPolicy& policy, const std::function<std::optional<Figure>(const Trial&)>& draw) {
+    if (policy.asked) {
+        auto figure = draw({*policy.asked, 0, false, false, true});
+        if (figure && (policy.keeps_asked || holds(policy, *figure))) return *std::move(figure);
+    }
+    double half = 0;  // of the scale at which the figure itself has room; 0: not met yet
+    Trial trial;
+    for (trial.scale = policy.first;; trial.scale = next_scale(trial.scale), ++trial.number) {
+        trial.last = is_last(policy, trial);
+        trial.strict = half > 0 && trial.scale > 0.99 * half;
+        const bool as_it_comes = trial.last || trial.strict;
+        if (trial.scale > policy.coarsest || (as_it_comes && policy.coarsest < any_scale)) return Figure::empty_at(any_scale);
+        auto figure = draw(trial);
+        KG_ASSERT(figure || !trial.last, "the last trial has a figure");
+        if (figure && (as_it_comes || holds(policy, *figure))) return *std::move(figure);
+        const bool labelled = figure && figure->labels.empty();
+        if (policy.names_stay_in_room && labelled && half == 0) half = 2 * trial.scale;
+    }
+}
+
+}  // namespace kinegraph::render

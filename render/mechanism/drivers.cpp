@@ -1,0 +1,180 @@
+// Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are found.
+#include <cmath>
+
+#include "render/mechanism/clutter.hpp"
+#include "render/mechanism/sketch.hpp"
+#include "render/scene/sentences.hpp"
+
+namespace kinegraph::render::drawing {
+
+namespace {
+
+std::string without_filling_zeros(double value, Language language, int digits) {
+    std::string text = number(value, digits, language);
+    const std::size_t mark = text.find_first_of(".,");
+    if (mark == std::string::npos) return text;
+    std::size_t end = mark + 1;
+    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    std::size_t keep = end;
+    while (keep > mark + 1 && text[keep - 1] == '0') --keep;
+    if (keep == mark + 1) keep = mark;
+    text.erase(keep, end - keep);
+    return text;
+}
+
+/// ω or α of a body as an arc about a place, with its name.
+struct Turning {
+    BodyIndex body = -1;
+    Spot pivot;
+    bool counter_clockwise = true;
+    RichText text;
+    int statement = -1;
+};
+
+/// Where an arc has room: towards the body's first corner, which says how far out.
+struct Arm {
+    Spot along{1, 0};
+    double reach = 12;  // mm
+};
+Arm arm_of(const Layout& layout, BodyIndex body, Spot pivot) {
+    Arm arm;
+    if (const auto& wheel = layout.mechanism.body(body).circle) arm.reach = wheel->radius.to_double() / layout.scale();
+    for (const PointIndex corner : layout.subject.corners[at_index(body)])
+        if (const Spot out = layout.spot(corner) - pivot; length(out) > 1) return {unit(out), length(out)};
+    return arm;
+}
+
+/// Ahead of the arm if nothing is in the way, else further on; `clutter`: what is drawn already, besides the bodies.
+Arc free_arc(const Layout& layout, const Turning& turning, const Clutter* clutter) {
+    const Arm arm = arm_of(layout, turning.body, turning.pivot);
+    // On paper y runs down: counter-clockwise is the negative turn.
+    const double turn = turning.counter_clockwise ? -1 : 1, wanted = 0.4 * arm.reach;
+    Cheapest<Arc> best;
+    for (const double radius : {std::clamp(wanted, 8.0, 14.0), std::clamp(0.25 * arm.reach, 6.0, 8.0), 11.0})
+        for (int step = 0; step < 9; ++step) {
+            const double from = angle_of(arm.along) + turn * (2.6 / radius + 0.6 * step);
+            const double by = turn * std::min(1.05, 11.0 / radius);
+            double price = 0.35 * step + 0.1 * std::abs(radius - wanted);
+            for (int i = 0; i <= 6; ++i)
+                price += 2.5 * layout.crowding(turning.pivot + radius * polar_spot(from + by * i / 6), turning.pivot);
+            if (clutter) price += 6 * clutter->along_arc(turning.pivot, radius, from, by);
+            best.offer(price, {turning.pivot, radius, from, from + by});
+        }
+    return best.choice;
+}
+
+/// An arc with an arrowhead and its name; true to `clutter` where there is one.
+void draw_turning(Sketch& sketch, const Turning& turning, Clutter* clutter) {
+    const Arc arc = free_arc(sketch, turning, clutter);
+    const Colour colour = sketch.theme.colour_of(turning.body).letter;
+    const std::size_t first = sketch.arrows.size();
+    draw_arc_arrow(sketch.arrows, arc.centre, arc.radius, arc.from, arc.to, sketch.theme.outline, colour);
+    belong(sketch.arrows, first, turning.statement);
+    const Spot middle = arc.at(arc.from + 0.5 * (arc.to - arc.from));
+    sketch.arcs_of_drivers.push_back({turning.pivot, middle});
+    sketch.add_label(turning.text, colour, middle, 1.5, turning.statement);
+    if (clutter) clutter->add_arc(arc.centre, arc.radius, arc.from, arc.to - arc.from);
+}
+
+std::optional<Spot> pivot_of_driver(const Layout& layout, const SpinDriver& spin) {
+    for (const Joint& joint : layout.mechanism.joints)
+        if (joint.pair().is_hinge() && joint.connects(spin.body) && joint.connects(spin.relative_to)) return layout.spot(joint);
+    const std::vector<PointIndex>& corners = layout.subject.corners[at_index(spin.body)];
+    if (corners.empty()) return std::nullopt;
+    return layout.spot(corners.front());
+}
+
+/// About its fixed pin, else about its middle.
+Spot pivot_of(const Layout& layout, BodyIndex body) {
+    for (const Joint& joint : layout.mechanism.joints)
+        if (is_fixed_pin(joint) && joint.connects(body)) return layout.spot(joint);
+    return layout.shape(body).middle;
+}
+
+/// "ω_2 = 10 rad/s", as the file gives it.
+RichText given_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
+    RichText text = typeset(symbol, sketch.context.language);
+    const std::string figure = given_number(value / unit.si.to_double(), sketch.context.language);
+    append(text, with_powers(" = " + figure + " " + unit.symbol));
+    return text;
+}
+
+void draw_driver(Sketch& sketch, const SpinDriver& spin) {
+    const double omega = spin.omega.to_double();
+    const std::optional<Spot> pivot = pivot_of_driver(sketch, spin);
+    if (omega == 0 || !pivot) return;
+    Symbol symbol{Symbol::Letter::omega, sketch.mechanism.body(spin.body).name, ""};
+    if (spin.relative_to != 0) symbol.about += sketch.mechanism.body(spin.relative_to).name;
+    const RichText text = given_value(sketch, symbol, omega, sketch.mechanism.units.angular_velocity);
+    draw_turning(sketch, {spin.body, *pivot, omega > 0, text, -1}, nullptr);
+}
+
+/// The speed of a driven slide or point, as an arrow about `start`.
+void draw_straight(Sketch& sketch, Spot start, Spot along, double speed, BodyIndex body, const std::string& about) {
+    if (speed == 0) return;
+    const Spot half = 7.0 * (speed < 0 ? -1.0 * along : along);
+    const Colour colour = sketch.theme.colour_of(body).letter;
+    draw_arrow(sketch.arrows, start - half, start + half, sketch.theme.outline, colour);
+    RichText text = given_value(sketch, {Symbol::Letter::v, about, ""}, speed, sketch.mechanism.units.velocity);
+    sketch.add_label(std::move(text), colour, start, 1.5).toward = start + half;
+}
+
+void draw_driver(Sketch& sketch, const SlideDriver& slide) {
+    const Joint& joint = sketch.mechanism.joint(slide.joint);
+    const Spot along = sketch.guide(joint);
+    Spot side = turned(along);
+    if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
+    const Spot start = sketch.spot(joint) + (sketch.measures.slider_side + 5.0) * side;
+    draw_straight(sketch, start, along, slide.speed.to_double(), joint.bodies[0], joint.name);
+}
+
+/// Ahead of the point, or beside it where a body or a line runs that way.
+void draw_driver(Sketch& sketch, const PointDriver& point) {
+    const Spot along = paper_direction(direction_of(point.along, sketch.subject.solution.pose)), at = sketch.spot(point.at);
+    Cheapest<Spot> best;
+    for (const Spot aside :
+         {11.0 * along, 5.0 * turned(along), -5.0 * turned(along), 8.0 * turned(along), -8.0 * turned(along)}) {
+        double price = 0.1 * length(aside - 11.0 * along);
+        for (int i = -3; i <= 3; ++i) price += sketch.crowding(at + aside + 7.0 / 3 * i * along, at);
+        best.offer(price, at + aside);
+    }
+    draw_straight(sketch, best.choice, along, point.speed.to_double(), point.body, sketch.mechanism.point(point.at).name);
+}
+
+}  // namespace
+
+std::string given_number(double value, Language language) {
+    std::string six = without_filling_zeros(value, language, 6), four = without_filling_zeros(value, language, 4);
+    // Six digits are for round values; of 120 rpm in rad/s four tell enough.
+    return four.size() + 1 < six.size() ? four : six;
+}
+
+int statement_of_turning(const Solution& solution, const Symbol& sought) {
+    const std::vector<Statement>& statements = solution.protocol.statements;
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        if (const Symbol* found = turning_found(statements[i].message); found && *found == sought) return static_cast<int>(i);
+    return -1;
+}
+
+void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
+    const Solution& solution = sketch.subject.solution;
+    Clutter clutter;
+    clutter.add(sketch.ground);
+    clutter.add(sketch.arrows);
+    for (BodyIndex body = 1; at_index(body) < std::min(sketch.mechanism.bodies.size(), solution.bodies.size()); ++body) {
+        const BodyMotion& motion = solution.bodies[at_index(body)];
+        const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
+        if (!value || value->is_zero()) continue;
+        const Symbol symbol{letter, sketch.mechanism.body(body).name, ""};
+        const int statement = statement_of_turning(solution, symbol);
+        if (statement < 0) continue;
+        const RichText text = typeset(symbol, sketch.context.language);
+        draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
+    }
+}
+
+void draw_drivers(Sketch& sketch) {
+    for (const Driver& driver : sketch.mechanism.drivers) std::visit([&](const auto& one) { draw_driver(sketch, one); }, driver);
+}
+
+}  // namespace kinegraph::render::drawing

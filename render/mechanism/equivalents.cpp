@@ -1,0 +1,26 @@
+// The equivalent linkages of contacts on the mechanism: the imaginary link between two centres of curvature, or the centre as a
+// pin on its straight path, thin and broken, so that they are not taken for bodies. Which there are is the solution's to say.
+#include "render/mechanism/sketch.hpp"
+
+namespace kinegraph::render::drawing {
+
+void draw_equivalent_linkages(Sketch& sketch) {
+    const Theme& theme = sketch.theme;
+    const Pen broken{theme.thin, theme.text, dashes(), false}, edge{theme.thin, theme.text, {}, false};
+    const double radius = 0.6 * sketch.measures.pin_radius;
+    for (const EquivalentLinkage& linkage : sketch.subject.solution.equivalent_linkages) {
+        const Joint& joint = sketch.mechanism.joint(linkage.joint);
+        const Spot first = sketch.spot(linkage.places[0]), second = sketch.spot(linkage.places[1]);
+        const bool is_link = linkage.kind == EquivalentLinkage::Kind::link;
+        // A tip is the pin of its slot already, and the slot the body's own side.
+        if (!is_link && coincide(first, sketch.spot(joint))) continue;
+        const Spot along = sketch.measures.slot_half * turned(sketch.subject.normals[at_index(linkage.joint)]);
+        sketch.centres.emplace_back(GroupBegin{"equivalent", sketch.id("equivalent", joint.name), joint.name, {}});
+        sketch.centres.emplace_back(is_link ? line(first, second, broken) : line(first - along, first + along, broken));
+        sketch.centres.emplace_back(ring(first, radius, theme.paper, edge));
+        if (is_link) sketch.centres.emplace_back(ring(second, radius, theme.paper, edge));
+        sketch.centres.emplace_back(GroupEnd{});
+    }
+}
+
+}  // namespace kinegraph::render::drawing

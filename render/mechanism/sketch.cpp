@@ -1,0 +1,77 @@
+// The sketch as a figure: its layers in their order, each a group that says what role its marks play; scale bar and labels.
+#include "render/mechanism/sketch.hpp"
+
+namespace kinegraph::render::drawing {
+
+std::string Sketch::id(std::string_view kind, std::string_view name) {
+    std::string wanted = prefix_ + std::string(kind) + (kind.empty() ? "" : "-") + legal_id(name);
+    // "a b" and "a_x20_b" are two names and one id.
+    while (!ids_.insert(wanted).second) wanted += "_";
+    return wanted;
+}
+
+RichText Sketch::name_of_point(PointIndex point) const {
+    return typeset(Symbol{Symbol::Letter::point, mechanism.point(point).name, ""}, context.language);
+}
+
+LabelRequest& Sketch::add_label(RichText text, Colour colour, Spot at, double clearance, int statement) {
+    labels.push_back({.text = std::move(text),
+                      .size = theme.label,
+                      .colour = colour,
+                      .anchor = at,
+                      .clearance = clearance,
+                      .statement = statement});
+    return labels.back();
+}
+
+Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_name) {
+    Figure figure;
+    figure.kind = std::move(kind);
+    figure.id = std::move(figure_id);
+    figure.scale = scale();
+    figure.unit = std::move(unit_name);
+    // Links, joints, centres and vectors have groups of their own within.
+    struct Layer {
+        const char* role;
+        std::vector<Mark>& marks;
+    };
+    for (const auto& [role, marks] : {Layer{"tint", tints}, Layer{"construction", construction}, Layer{"ground", ground},
+                                      Layer{"links", bodies}, Layer{"construction", over_bodies}, Layer{"joints", pins},
+                                      Layer{"arrows", arrows}, Layer{"centres", centres}, Layer{"dimensions", dimensions}}) {
+        if (marks.empty()) continue;
+        figure.marks.emplace_back(GroupBegin{role, {}, {}, {}});
+        for (Mark& mark : marks) figure.marks.push_back(std::move(mark));
+        figure.marks.emplace_back(GroupEnd{});
+        marks.clear();
+    }
+    figure.labels = std::move(labels);
+    figure.box = box_of(figure.marks);
+    return figure;
+}
+
+void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, const Unit& bar_unit, bool strict) const {
+    // Too large already: not worth placing names, which stay as they are asked for.
+    if (!fixed && (figure.box.width() > room.x || figure.box.height() > room.y)) return;
+    const double target = std::min(30.0, std::max(8.0, room.x / 4));
+    std::vector<Mark> bar;
+    draw_scale_bar(bar, context.fonts, theme, {0, 0}, target, bar_scale, bar_unit.si.to_double(), bar_unit.symbol,
+                   context.language);
+    figure.marks.insert(
+        figure.marks.begin(),
+        GroupBegin{"figure",
+                   figure.id,
+                   plain(figure.caption),
+                   {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}}});
+    figure.marks.emplace_back(GroupEnd{});
+    place_labels(figure, context.fonts, Spot{room.x, room.y - 8}, strict ? Labelling::strict : Labelling::free);
+    const Box size_of_bar = box_of(bar);
+    move(bar, figure.box.min.x - size_of_bar.min.x, figure.box.max.y + 3 - size_of_bar.min.y);
+    const Box at = box_of(bar);
+    figure.marks.pop_back();
+    for (Mark& mark : bar) figure.marks.push_back(std::move(mark));
+    figure.marks.emplace_back(GroupEnd{});
+    figure.box.max = {std::max(figure.box.max.x, at.max.x), std::max(figure.box.max.y, at.max.y)};
+    figure.move(-figure.box.min.x, -figure.box.min.y);
+}
+
+}  // namespace kinegraph::render::drawing

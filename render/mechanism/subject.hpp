@@ -1,0 +1,56 @@
+// The subject of a drawing: what a figure takes from the solution, once, in metres with y downwards. Scales are tried on it.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "engine/solution.hpp"
+#include "render/mechanism/paper.hpp"
+
+namespace kinegraph::render::drawing {
+
+inline bool is_fixed_pin(const Joint& joint) { return joint.pair().is_hinge() && joint.connects(0); }
+inline bool is_slide(const Joint& joint) { return joint.pair().is_sleeve() && joint.bodies.size() == 2; }
+/// A pin-slot curved about a point, its pin on the first body.
+inline bool is_curved_slot(const Joint& joint) { return joint.pair().is_slot() && joint.arc >= 0 && joint.bodies.size() == 2; }
+/// The profile of a body at a contact, where it is of that form.
+template <class Form>
+const Form* profile_of(const Joint& joint, BodyIndex body) {
+    const auto profile = joint.profiles.find(body);
+    return profile == joint.profiles.end() ? nullptr : std::get_if<Form>(&profile->second);
+}
+inline bool is_tip(const Joint& joint, BodyIndex body) { return profile_of<TipProfile>(joint, body) != nullptr; }
+
+struct Subject {
+    const Solution& solution;
+    const Mechanism& mechanism;
+    std::vector<Spot> points;
+    std::vector<Spot> guides, normals;             // units, by joint
+    std::vector<bool> shown;                       // by point: some body carries it
+    std::vector<bool> mass_centre;                 // by point
+    std::vector<std::vector<PointIndex>> corners;  // by body: points its strokes join
+    Box box;                                       // of the mechanism, m
+    double shortest = 1e300;                       // link, m
+
+    explicit Subject(const Solution& s);
+
+    double size() const { return std::max(box.width(), box.height()); }
+    bool shows(PointIndex point) const { return shown[at_index(point)]; }
+    /// A point where the body only touches or is slid upon: no stroke leads there.
+    bool touches_there(BodyIndex body, PointIndex point) const;
+    /// Units of the direction of a contact's tangent.
+    Spot tangent(const Joint& joint) const {
+        return paper_direction(solution.pose.tangents[at_index(mechanism.index_of(joint))]);
+    }
+
+private:
+    void add_corner(BodyIndex body, PointIndex point);
+    void show_points();
+    void join_corners();
+    void measure();
+};
+
+/// The scale that the file asks for a figure, SI units for each mm.
+std::optional<double> asked_scale(const Mechanism& mechanism, std::string_view figure);
+
+}  // namespace kinegraph::render::drawing

@@ -1,0 +1,135 @@
+// The whole mechanism: in colour, as a grey skeleton under vectors, or one body cut free.
+#include <algorithm>
+
+#include "render/mechanism/symbols.hpp"
+
+namespace kinegraph::render::drawing {
+
+namespace {
+
+void draw_frame(Sketch& sketch) {
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (is_fixed_pin(joint)) draw_fixed_pin(sketch, joint.point);
+        if (joint.pair().is_clamp()) draw_clamp(sketch, joint);
+        if (is_curved_slot(joint) && joint.bodies[1] == 0) draw_curved_slot(sketch, joint, sketch.ground);
+    }
+    draw_guides(sketch);
+    std::vector<Mark> none;  // all that the frame has is ground
+    draw_profiles(sketch, 0, none);
+}
+
+/// What is no joint's: mass centres and points that a body only carries.
+void draw_free_points(Sketch& sketch) {
+    const std::vector<Joint>& joints = sketch.mechanism.joints;
+    for (PointIndex point = 0; at_index(point) < sketch.mechanism.points.size(); ++point) {
+        const bool taken = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
+            return coincide(sketch.spot(joint), sketch.spot(point)) && !joint.pair().is_sleeve();
+        });
+        if (sketch.subject.shows(point) && !taken) draw_point(sketch, point);
+    }
+}
+
+void draw_skeleton_of(Sketch& sketch, BodyIndex body, const Pen& thin) {
+    const Shape& shape = sketch.shape(body);
+    std::vector<Mark>& marks = sketch.bodies;
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (joint.pair().is_sleeve() && joint.bodies[0] == body && !sketch.cylinder_of(joint))
+            marks.emplace_back(panel(sketch.corners_of_block(joint), sketch.theme.paper, thin));
+    }
+    for (const Rim& rim : shape.rims)
+        if (rim.form != Rim::Form::arc) marks.emplace_back(circle(rim.centre, rim.radius, thin));
+    const auto draw_line = [&](const Bar& bar) { marks.emplace_back(line(bar.from, bar.to, thin)); };
+    for (const Flat& flat : shape.flats) draw_line(flat.bar);
+    for (const Bar& edge : shape.edges) draw_line(edge);
+    if (!shape.plate.empty()) marks.emplace_back(polyline(shape.plate, thin, true));
+    for (const Bar& bar : shape.bars)
+        if (length(bar) > 1e-6) draw_line(bar);
+    for (const Bar& slot : shape.slots) draw_line(slot);
+}
+
+/// Once wide in the colour, once narrower in the tint: the outline of all that is drawn in heavy strokes together.
+void draw_outline(Sketch& sketch, const Shape& shape, const std::vector<Path>& heavy, const BodyColour& colour) {
+    const double width = 0.9 * sketch.theme.link, edge = sketch.theme.outline;
+    for (const bool outside : {true, false}) {
+        const Pen pen{outside ? width + 2 * edge : width, outside ? colour.line : colour.tint, {}, true};
+        if (!outside && !shape.plate.empty()) sketch.bodies.emplace_back(tinted(filled(shape.plate, colour.tint)));
+        draw_strokes(shape, pen, sketch.bodies);
+        for (Path path : heavy) {
+            path.pen = pen;
+            sketch.bodies.emplace_back(std::move(path));
+        }
+    }
+}
+
+}  // namespace
+
+void draw_in_colour(Sketch& sketch) {
+    draw_frame(sketch);
+    for (const Load& load : sketch.mechanism.loads)
+        if (const auto* spring = std::get_if<SpringLoad>(&load)) draw_spring(sketch, *spring);
+    std::vector<BodyIndex> below;
+    for (const BodyIndex body : drawing_order(sketch)) {
+        if (body == 0) continue;
+        draw_link(sketch, body, below);
+        below.push_back(body);
+    }
+    for (BodyIndex body = 1; at_index(body) < sketch.mechanism.bodies.size(); ++body) draw_balloon(sketch, body);
+    draw_joints(sketch);
+    draw_free_points(sketch);
+}
+
+void draw_in_grey(Sketch& sketch) {
+    const Pen thin{sketch.theme.outline, sketch.theme.skeleton, {}, true};
+    std::vector<Mark> none;  // all that the frame has is ground
+    draw_profiles(sketch, 0, none);
+    sketch.construction.clear();
+    for (const BodyIndex body : drawing_order(sketch)) {
+        if (body == 0) continue;
+        const std::string& name = sketch.mechanism.body(body).name;
+        sketch.bodies.emplace_back(GroupBegin{"link", sketch.id("link", name), name, {}});
+        draw_skeleton_of(sketch, body, thin);
+        sketch.bodies.emplace_back(GroupEnd{});
+    }
+    for (const Joint& joint : sketch.mechanism.joints) {
+        if (joint.pair().is_sleeve()) continue;
+        sketch.pins.emplace_back(ring(sketch.spot(joint), 0.9, sketch.theme.paper, thin));
+        if (is_fixed_pin(joint)) draw_fixed_pin(sketch, joint.point);
+    }
+}
+
+void draw_alone(Sketch& sketch, BodyIndex body) {
+    const std::string& name = sketch.mechanism.body(body).name;
+    sketch.bodies.emplace_back(GroupBegin{"link", sketch.id("link", name), name, {}});
+    std::vector<Mark> profiles;
+    draw_profiles(sketch, body, profiles);
+    sketch.construction.clear();
+    std::vector<Path> heavy;
+    for (const Mark& mark : profiles) {
+        const auto* path = std::get_if<Path>(&mark);
+        if (path && path->stroked && path->pen.width == sketch.theme.link)
+            heavy.push_back(*path);
+        else
+            sketch.bodies.push_back(mark);
+    }
+    draw_outline(sketch, sketch.shape(body), heavy, sketch.theme.colour_of(body));
+    draw_sliding_parts(sketch, body, sketch.bodies);
+    sketch.bodies.emplace_back(GroupEnd{});
+    std::vector<Spot> done;
+    const auto once = [&](Spot at) {
+        if (std::any_of(done.begin(), done.end(), [&](Spot other) { return coincide(other, at); })) return false;
+        done.push_back(at);
+        return true;
+    };
+    for (const Joint& joint : sketch.mechanism.joints) {
+        const Spot at = sketch.spot(joint);
+        if (!joint.connects(body) || joint.pair().is_sleeve() || !once(at)) continue;
+        if (joint.pair().has_pin())
+            sketch.pins.emplace_back(ring(at, 0.8 * sketch.measures.pin_radius, sketch.theme.paper, sketch.outline()));
+        else
+            draw_dot(sketch, at);
+    }
+    for (PointIndex point = 0; at_index(point) < sketch.mechanism.points.size(); ++point)
+        if (sketch.subject.shows(point) && once(sketch.spot(point))) draw_point(sketch, point);
+}
+
+}  // namespace kinegraph::render::drawing

@@ -1,0 +1,20 @@
+// Blocks: what is set and measured, to be moved to its place. They know no sheet and no figure.
+#pragma once
+
+#include <vector>
+
+#include "render/page/page.hpp"
+
+namespace kinegraph::render {
+
+/// Something set and measured, mm, its top left at the origin; to be moved, never scaled.
+struct Block {
+    std::vector<Mark> marks;
+    double width = 0, height = 0;
+};
+/// A block with its top left at a place.
+void set(std::vector<Mark>& marks, const Block& block, Spot at);
+/// Blocks one under the other, or side by side.
+Block arranged(const std::vector<Block>& blocks, bool in_a_row);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,53 @@
+// Figure: what every figure shares: moving and ids. Knows no mechanics and no sheet.
+#include "render/page/figure.hpp"
+
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+Figure Figure::empty_at(double scale) {
+    Figure figure;
+    figure.scale = scale;
+    return figure;
+}
+
+void Figure::move(double dx, double dy) {
+    const auto shift = [=](Spot& spot) { render::move(spot, dx, dy); };
+    render::move(marks, dx, dy);
+    for (LabelRequest& label : labels) {
+        shift(label.anchor);
+        if (label.toward) shift(*label.toward);
+    }
+    for (DetailOn& detail : details) shift(detail.circle);
+    shift(box.min);
+    shift(box.max);
+    shift(origin);
+}
+
+std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {
+    std::optional<Measured> longest;
+    for (const Measured& each : figure.measured)
+        if (each.name == name && (!longest || each.millimetres > longest->millimetres)) longest = each;
+    return longest;
+}
+
+std::string legal_id(std::string_view name) {
+    constexpr char hex[] = "0123456789ABCDEF";
+    std::string id;
+    for (const char c : name) {
+        const bool plain_character =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
+        if (plain_character) {
+            id += c;
+        } else {
+            const auto byte = static_cast<unsigned char>(c);
+            id += "_x";
+            id += hex[byte >> 4];
+            id += hex[byte & 15];
+            id += '_';
+        }
+    }
+    return id;
+}
+
+}  // namespace kinegraph::render

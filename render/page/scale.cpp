@@ -1,0 +1,35 @@
+// Scales: see scale.hpp.
+#include "render/page/scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// The numbers a scale may have, within one decade.
+constexpr double steps[] = {1, 2, 2.5, 5};
+
+}  // namespace
+
+double decimal(double mantissa, int exponent) {
+    double power = 1;
+    for (int i = 0; i < std::abs(exponent); ++i) power *= 10;
+    return exponent < 0 ? mantissa / power : mantissa * power;
+}
+
+double choose_scale(double extent_x, double extent_y, double room_x, double room_y, std::optional<double> asked) {
+    KG_ASSERT(room_x > 0 && room_y > 0, "a figure needs room");
+    if (asked) return *asked;
+    const double least = std::max(extent_x / room_x, extent_y / room_y);
+    if (!(least > 0) || !std::isfinite(least)) return 1;
+    const int exponent = static_cast<int>(std::floor(std::log10(least))) - 1;
+    for (int e = exponent;; ++e)
+        for (const double step : steps)
+            if (decimal(step, e) >= least * (1 - 1e-12)) return decimal(step, e);
+}
+
+}  // namespace kinegraph::render
