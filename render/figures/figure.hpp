@@ -7,6 +7,7 @@
 #include "render/page/figure.hpp"
 #include "render/page/scale.hpp"
 #include "render/scene/drawing_context.hpp"
+#include "render/scene/polygon_scene.hpp"
 
 namespace kinegraph::render {
 
@@ -41,7 +42,9 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
 Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y);
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
-/// One polygon of the protocol (by index): pole, vectors, images, construction lines.
+/// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.
+Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
+                      double coarsest = any_scale);
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest = any_scale);
 
 // Forces. Triangles and closed polygon share one scale: `least` is the smallest that the other could be drawn at (units per mm),
@@ -51,8 +54,8 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 bool has_force_polygons(const Solution& solution);
 std::vector<int> closed_polygons(const Solution& solution);
 int force_polygon_count(const Solution& solution);
-/// What a force polygon spans, in the file's unit; −1: those of the bodies, one beside the other.
-Box extent_of_forces(const Solution& solution, int polygon);
+/// What the force polygons of the bodies span one beside the other, in the file's unit.
+Box extent_of_forces(const Solution& solution);
 /// What a free body spans with its places of attack and near points of concurrency, m.
 Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.

@@ -135,9 +135,15 @@ void WantedFigures::collect_forces(bool joukowsky) {
     const auto add = [&](int polygon, const std::string& name, auto draw) {
         Wanted wanted;
         wanted.name = polygon < 0 ? name : s.protocol.polygons[static_cast<std::size_t>(polygon)].id;
-        const Box extent = extent_of_forces(s, polygon);
-        wanted.extent_x = std::max(extent.width(), 1e-30);
-        wanted.extent_y = std::max(extent.height(), 1e-30);
+        if (polygon < 0) {
+            const Box extent = extent_of_forces(s);
+            wanted.extent_x = extent.width(), wanted.extent_y = extent.height();
+        } else {
+            const PolygonScene scene = polygon_scene(s, polygon);
+            wanted.extent_x = scene.width(), wanted.extent_y = scene.height();
+        }
+        wanted.extent_x = std::max(wanted.extent_x, 1e-30);
+        wanted.extent_y = std::max(wanted.extent_y, 1e-30);
         wanted.asked = asked(name, si);
         for (const char* other : {"forces", "closure"})
             if (!wanted.asked) wanted.asked = asked(other, si);
@@ -287,30 +293,18 @@ void WantedFigures::collect_motion() {
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
     for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
         const Polygon& polygon = protocol.polygons[p];
-        const bool acceleration = polygon.plane == Plane::acceleration;
         if (polygon.plane == Plane::force) continue;
-        const Unit& unit = acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity;
+        const PolygonScene& scene = scenes_.emplace_back(polygon_scene(s, static_cast<int>(p)));
         Wanted wanted;
         wanted.name = polygon.id;
-        const double si = unit.si.to_double();
-        double min_x = 0, max_x = 0, min_y = 0, max_y = 0;
-        const auto add = [&](int element) {
-            if (protocol.point(element).at_infinity()) return;
-            const ProjectivePoint& at = protocol.point(element);
-            const double x = at.x.to_double() / si, y = at.y.to_double() / si;
-            min_x = std::min(min_x, x), max_x = std::max(max_x, x), min_y = std::min(min_y, y), max_y = std::max(max_y, y);
-        };
-        for (const int v : polygon.vectors) {
-            add(protocol.vectors[static_cast<std::size_t>(v)].tail);
-            add(protocol.vectors[static_cast<std::size_t>(v)].tip);
-        }
-        wanted.empty = !(std::max(max_x - min_x, max_y - min_y) > 0);
-        wanted.extent_x = std::max(max_x - min_x, 1e-30);
-        wanted.extent_y = std::max(max_y - min_y, 1e-30);
+        wanted.empty = scene.empty();
+        wanted.extent_x = std::max(scene.width(), 1e-30);
+        wanted.extent_y = std::max(scene.height(), 1e-30);
+        const double si = scene.unit.si.to_double();
         wanted.asked = asked(polygon.id, si);
-        if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
-        wanted.draw = [this, p](double x, double y, double coarsest) {
-            return polygon_figure(context_, static_cast<int>(p), x, y, coarsest);
+        if (!wanted.asked) wanted.asked = asked(polygon.plane == Plane::acceleration ? "acceleration" : "velocity", si);
+        wanted.draw = [this, &scene](double x, double y, double coarsest) {
+            return polygon_figure(context_, scene, x, y, coarsest);
         };
         std::vector<Block> equations;
         for (std::size_t i = 0; i < protocol.statements.size(); ++i) {

@@ -97,6 +97,7 @@ private:
 
     const DrawingContext& context_;
     double measure_;
+    std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::optional<DrawingContext> unscaled_context_;
 };
