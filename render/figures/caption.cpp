@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "render/page/shapes.hpp"
-#include "render/sheet/sheet_parts.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {

@@ -342,15 +342,6 @@ bool has_force_polygon(const Solution& solution, const FreeBody& body) {
 }
 int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
 
-std::vector<int> closed_polygons(const Solution& solution) {
-    std::vector<int> found;
-    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
-        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
-            solution.protocol.polygons[p].faces.size() > 1)
-            found.push_back(static_cast<int>(p));
-    return found;
-}
-
 Box extent_of_forces(const Solution& solution) {
     Box all;
     for (const int p : shown_polygons(solution)) {

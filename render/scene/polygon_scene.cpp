@@ -140,7 +140,7 @@ private:
     }
 
     void add_faces() {
-        for (const Face& face : polygon_.faces) {
+        for (const kinegraph::Face& face : polygon_.faces) {
             SceneFace& shown = scene_.faces.emplace_back();
             shown.body = face.body;
             for (const int corner : face.corners) shown.corners.push_back(place(corner));
@@ -222,6 +222,15 @@ private:
 PolygonScene polygon_scene(const Solution& solution, int polygon) {
     KG_ASSERT(polygon >= 0 && at(polygon) < solution.protocol.polygons.size(), "a polygon of the protocol");
     return Reading(solution, polygon).scene();
+}
+
+std::vector<int> closed_polygons(const Solution& solution) {
+    std::vector<int> found;
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
+        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
+            solution.protocol.polygons[p].faces.size() > 1)
+            found.push_back(static_cast<int>(p));
+    return found;
 }
 
 }  // namespace kinegraph::render

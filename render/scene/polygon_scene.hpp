@@ -73,5 +73,7 @@ struct PolygonScene {
 
 /// One polygon of the protocol, by its index.
 PolygonScene polygon_scene(const Solution& solution, int polygon);
+/// Indices of the force polygons in which those of several bodies are joined.
+std::vector<int> closed_polygons(const Solution& solution);
 
 }  // namespace kinegraph::render

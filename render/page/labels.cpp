@@ -12,9 +12,9 @@
 #include <numbers>
 #include <optional>
 
-#include "render/figures/figure.hpp"
-#include "render/figures/label_key.hpp"
 #include "render/page/ink_map.hpp"
+#include "render/page/label_key.hpp"
+#include "render/page/labels.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/figures/figure.hpp"
+#include "render/page/figure.hpp"
 
 namespace kinegraph::render {
 

@@ -1,4 +1,4 @@
-#include "render/figures/label_key.hpp"
+#include "render/page/label_key.hpp"
 
 #include <algorithm>
 
