@@ -47,6 +47,7 @@ public:
         figure.id = legal_id(scene_.id);
         figure.caption = caption();
         figure.scale = scale;
+        figure.has_scale = !scene_.vectors.empty();
         figure.unit = scene_.unit.symbol;
         figure.marks.emplace_back(
             GroupBegin{"figure",
@@ -239,6 +240,104 @@ private:
     const PolygonScene& scene_;
 };
 
+// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
+constexpr double least_shown = 12;
+// Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
+constexpr double crowded = 0.17;
+// A polygon smaller than this is worth more than details beside it.
+constexpr double least_with_details = 60;
+
+/// The drawing in a room, lettered, with details where they have places.
+class Fitting {
+public:
+    Fitting(const Drawing& drawing, const DrawingContext& context, Spot room, double coarsest)
+        : drawing_(drawing), context_(context), room_(room), coarsest_(coarsest) {}
+
+    Figure fitted() const {
+        if (drawing_.empty()) {
+            Figure figure = drawing_.at(1);
+            finish(figure, true);
+            return figure;
+        }
+        const FitPolicy policy{.room = room_,
+                               .first = choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt),
+                               .asked = drawing_.asked(),
+                               .coarsest = coarsest_,
+                               .extent = std::max(drawing_.width(), drawing_.height()),
+                               .least_shown = least_shown};
+        return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+            if (trial.asked) return as_asked(trial.scale);
+            if (trial.number == 0 && coarsest_ < any_scale && is_crowded(trial.scale)) return Figure::empty_at(any_scale);
+            return tried(trial);
+        });
+    }
+
+private:
+    struct Attempt {
+        Figure empty;
+        PolygonParts parts;
+        std::size_t letters = 0;
+        std::vector<Detail> details;
+    };
+    Attempt attempt(double scale) const {
+        Attempt made;
+        made.empty = drawing_.empty_at(scale);
+        made.parts = drawing_.parts_of(made.empty);
+        made.details = details_of(made.parts, scale, 1, made.letters);
+        return made;
+    }
+    /// `reach`: what is added on each side.
+    bool fits(const Figure& figure, double reach = 0) const {
+        return figure.box.width() + 2 * reach <= room_.x && figure.box.height() + 2 * reach <= room_.y;
+    }
+    bool is_crowded(double scale) const {
+        return room_of_names(drawing_.at(scale), context_.fonts) > crowded * room_.x * room_.y;
+    }
+    /// Whether the labels have places; the group is closed then.
+    bool finish(Figure& figure, bool whatever_it_takes) const {
+        const Labelling labelling = whatever_it_takes ? Labelling::free : Labelling::if_it_fits;
+        if (!place_labels(figure, context_.fonts, room_, labelling)) return false;
+        figure.marks.emplace_back(GroupEnd{});
+        return true;
+    }
+    /// With its details; nothing where it wants none, or they have no room or leave the letters none.
+    std::optional<Figure> detailed(const Attempt& made) const {
+        if (made.details.empty()) return std::nullopt;
+        Figure figure = drawing_.with_parts(made.empty, made.parts, made.details);
+        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free) || !fits(figure)) return std::nullopt;
+        figure.marks.emplace_back(GroupEnd{});
+        std::size_t letters = made.letters;
+        if (!set_details(figure, context_, made.parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;
+        return figure;
+    }
+    std::optional<Figure> as_asked(double scale) const {
+        const Attempt made = attempt(scale);
+        if (auto with_details = detailed(made)) return with_details;
+        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        if (!fits(figure) || !finish(figure, false)) return std::nullopt;
+        return figure;
+    }
+    std::optional<Figure> tried(const Trial& trial) const {
+        const Attempt made = attempt(trial.scale);
+        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        if (!trial.last && !fits(figure, 0.4 * label_reach)) return std::nullopt;
+        if (auto with_details = detailed(made)) return with_details;
+        if (!finish(figure, trial.last) || (!trial.last && !fits(figure))) return std::nullopt;
+        if (made.details.empty()) return figure;
+        // One step smaller with its details is better than without.
+        const double smaller = next_scale(trial.scale), extent = std::max(drawing_.width(), drawing_.height());
+        if (extent / smaller > least_with_details && smaller <= coarsest_)
+            if (auto with_details = detailed(attempt(smaller))) return with_details;
+        figure.lacks_details = true;
+        return figure;
+    }
+
+    const Drawing& drawing_;
+    const DrawingContext& context_;
+    Spot room_;
+    double coarsest_;
+};
+
 }  // namespace
 
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest) {
@@ -246,74 +345,7 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
 }
 
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y, double coarsest) {
-    const Drawing drawing(context, scene);
-    const Spot room{room_x, room_y};
-    const auto fits = [&](const Figure& figure, double reach) {
-        return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
-    };
-    /// Whether the figure is done.
-    const auto finish = [&](Figure& figure, bool whatever_it_takes) {
-        if (!place_labels(figure, context.fonts, room, whatever_it_takes ? Labelling::free : Labelling::if_it_fits)) return false;
-        figure.marks.emplace_back(GroupEnd{});
-        return true;
-    };
-    struct Attempt {
-        Figure empty;
-        PolygonParts parts;
-        std::size_t letters = 0;
-        std::vector<Detail> details;
-    };
-    const auto attempt = [&](double scale) {
-        Attempt made;
-        made.empty = drawing.empty_at(scale);
-        made.parts = drawing.parts_of(made.empty);
-        made.details = details_of(made.parts, scale, 1, made.letters);
-        return made;
-    };
-    // With its details; nothing where it wants none, or they have no room or leave the letters none.
-    const auto detailed = [&](const Attempt& made) -> std::optional<Figure> {
-        if (made.details.empty()) return std::nullopt;
-        Figure figure = drawing.with_parts(made.empty, made.parts, made.details);
-        if (!place_labels(figure, context.fonts, room, Labelling::if_all_free) || !fits(figure, 0)) return std::nullopt;
-        figure.marks.emplace_back(GroupEnd{});
-        std::size_t letters = made.letters;
-        if (!set_details(figure, context, made.parts, made.details, room, letters) || !fits(figure, 0)) return std::nullopt;
-        return figure;
-    };
-    if (drawing.empty()) {
-        Figure figure = drawing.at(1);
-        finish(figure, true);
-        return figure;
-    }
-    // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
-    constexpr double least_shown = 12;
-    // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
-    constexpr double crowded = 0.17;
-    // A polygon smaller than this is worth more than details beside it.
-    constexpr double least_with_details = 60;
-    const FitPolicy policy{.room = room,
-                           .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
-                           .asked = drawing.asked(),
-                           .coarsest = coarsest,
-                           .extent = std::max(drawing.width(), drawing.height()),
-                           .least_shown = least_shown};
-    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
-        if (trial.number == 0 && !trial.asked && coarsest < any_scale &&
-            room_of_names(drawing.at(trial.scale), context.fonts) > crowded * room_x * room_y)
-            return Figure::empty_at(any_scale);
-        const Attempt made = attempt(trial.scale);
-        Figure figure = drawing.with_parts(made.empty, made.parts, {});
-        if (!trial.last && !trial.asked && !fits(figure, 0.4 * label_reach)) return std::nullopt;
-        if (auto with_details = detailed(made)) return with_details;
-        if (trial.asked && !fits(figure, 0)) return std::nullopt;
-        if (!finish(figure, trial.last) || (!trial.last && !fits(figure, 0))) return std::nullopt;
-        if (trial.asked || made.details.empty()) return figure;
-        // One step smaller with its details is better than without.
-        if (const double smaller = next_scale(trial.scale); policy.extent / smaller > least_with_details && smaller <= coarsest)
-            if (auto with_details = detailed(attempt(smaller))) return with_details;
-        figure.lacks_details = true;
-        return figure;
-    });
+    return Fitting(Drawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
 }
 
 }  // namespace kinegraph::render

@@ -52,47 +52,60 @@ private:
     }
 
     void write_sections() {
-        const Solution& s = solution_;
-        const auto add = [&](Section section) {
-            if (!section.rows.empty()) sections_.push_back(std::move(section));
-        };
+        write_results();
+        write_unsolved();
+        write_steps();
+        write_bodies();
+        write_forces();
+        write_centres();
+        write_conventions();
+        write_remarks();
+    }
 
+    void add(Section section) {
+        if (!section.rows.empty()) sections_.push_back(std::move(section));
+    }
+
+    void write_results() {
         std::vector<ResultRow> rows = result_rows(context_, pages_.drawn);
         for (ResultRow& row : force_rows(context_, pages_.drawn)) rows.push_back(std::move(row));
-        if (!rows.empty()) {
-            const double longest = format_.content.height() - format_.block.height() - 8;
-            const auto fit = static_cast<std::size_t>(std::max(8.0, (longest - 14) / 4.5));
-            const std::string title = word("results", context_.language);
-            for (std::size_t from = 0; from < rows.size();) {
-                std::size_t to = std::min(rows.size(), from + fit);
-                // A table is divided between groups where it can.
-                if (to < rows.size())
-                    for (std::size_t k = to; k > from + 4; --k)
-                        if (rows[k].group != rows[k - 1].group) {
-                            to = k;
-                            break;
-                        }
-                const std::vector<ResultRow> part(rows.begin() + static_cast<std::ptrdiff_t>(from),
-                                                  rows.begin() + static_cast<std::ptrdiff_t>(to));
-                Section table;
-                table.rows.push_back(results_block(context_, part, format_.measure, from == 0 ? title : continued(title)));
-                add(std::move(table));
-                from = to;
-            }
+        if (rows.empty()) return;
+        const double longest = format_.content.height() - format_.block.height() - 8;
+        const auto fit = static_cast<std::size_t>(std::max(8.0, (longest - 14) / 4.5));
+        const std::string title = word("results", context_.language);
+        for (std::size_t from = 0; from < rows.size();) {
+            std::size_t to = std::min(rows.size(), from + fit);
+            // A table is divided between groups where it can.
+            if (to < rows.size())
+                for (std::size_t k = to; k > from + 4; --k)
+                    if (rows[k].group != rows[k - 1].group) {
+                        to = k;
+                        break;
+                    }
+            const std::vector<ResultRow> part(rows.begin() + static_cast<std::ptrdiff_t>(from),
+                                              rows.begin() + static_cast<std::ptrdiff_t>(to));
+            Section table;
+            table.rows.push_back(results_block(context_, part, format_.measure, from == 0 ? title : continued(title)));
+            add(std::move(table));
+            from = to;
         }
+    }
 
-        if (!s.unsolved.empty()) {
-            Section section;
-            set_heading(section, word("unsolved", context_.language));
-            for (const Unsolved& each : s.unsolved) {
-                RichText text = say(each.what, context_.language);
-                append(text, one_piece(": "));
-                append(text, say(each.why, context_.language));
-                section.rows.push_back(paragraph(text));
-            }
-            add(std::move(section));
+    void write_unsolved() {
+        if (solution_.unsolved.empty()) return;
+        Section section;
+        set_heading(section, word("unsolved", context_.language));
+        for (const Unsolved& each : solution_.unsolved) {
+            RichText text = say(each.what, context_.language);
+            append(text, one_piece(": "));
+            append(text, say(each.why, context_.language));
+            section.rows.push_back(paragraph(text));
         }
+        add(std::move(section));
+    }
 
+    void write_steps() {
+        const Solution& s = solution_;
         int step = 0;
         std::vector<std::string> order{"velocity", "acceleration", "relative motion", "centres"};
         // An angular velocity found a second time belongs to the velocities.
@@ -141,14 +154,17 @@ private:
             }
             add(std::move(section));
         }
+    }
 
-        {
-            Section section;
-            section.home = 0;
-            section.rows = body_lines(context_, format_.measure);
-            if (!section.rows.empty()) set_heading(section, word("bodies", context_.language));
-            add(std::move(section));
-        }
+    void write_bodies() {
+        Section section;
+        section.home = 0;
+        section.rows = body_lines(context_, format_.measure);
+        if (!section.rows.empty()) set_heading(section, word("bodies", context_.language));
+        add(std::move(section));
+    }
+
+    void write_forces() {
         if (has_forces(solution_)) {
             Section section;
             section.of_forces = true;
@@ -164,23 +180,30 @@ private:
             set_heading(section, word("lever", context_.language));
             add(std::move(section));
         }
-        if (!s.centres.empty()) {
-            Section section;
-            section.home = 0;
-            section.rows = centre_lines(context_, format_.measure);
-            set_heading(section, word("instant centres", context_.language), one_piece(s.mechanism.units.length.symbol));
-            add(std::move(section));
-        }
-        {
-            Section section;
-            // Of a body alone there is nothing to count.
-            set_heading(section, word(s.act_of_motion ? "conventions" : "mobility", context_.language));
-            if (!s.act_of_motion) section.rows.push_back(paragraph(mobility_words()));
-            section.rows.push_back(paragraph(axes_words()));
-            if (s.protocol.polygons.empty() && s.mechanism.drivers.empty() && !s.mechanism.motion)
-                section.rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
-            add(std::move(section));
-        }
+    }
+
+    void write_centres() {
+        if (solution_.centres.empty()) return;
+        Section section;
+        section.home = 0;
+        section.rows = centre_lines(context_, format_.measure);
+        set_heading(section, word("instant centres", context_.language), one_piece(solution_.mechanism.units.length.symbol));
+        add(std::move(section));
+    }
+
+    void write_conventions() {
+        const Solution& s = solution_;
+        Section section;
+        // Of a body alone there is nothing to count.
+        set_heading(section, word(s.act_of_motion ? "conventions" : "mobility", context_.language));
+        if (!s.act_of_motion) section.rows.push_back(paragraph(mobility_words()));
+        section.rows.push_back(paragraph(axes_words()));
+        if (s.protocol.polygons.empty() && s.mechanism.drivers.empty() && !s.mechanism.motion)
+            section.rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
+        add(std::move(section));
+    }
+
+    void write_remarks() {
         std::vector<RichText> refused;
         for (std::size_t i = 0; i < wanted_.list.size() && i < pages_.drawn.size(); ++i)
             if (misses(wanted_.list[i], pages_.drawn[i])) {
@@ -188,13 +211,12 @@ private:
                 append(text, one_piece(": " + word("scale refused", context_.language)));
                 refused.push_back(std::move(text));
             }
-        if (!s.remarks.empty() || !refused.empty()) {
-            Section section;
-            set_heading(section, word("remarks", context_.language));
-            for (const RichText& each : refused) section.rows.push_back(paragraph(each));
-            for (const Message& each : s.remarks) section.rows.push_back(paragraph(say(each, context_.language)));
-            add(std::move(section));
-        }
+        if (solution_.remarks.empty() && refused.empty()) return;
+        Section section;
+        set_heading(section, word("remarks", context_.language));
+        for (const RichText& each : refused) section.rows.push_back(paragraph(each));
+        for (const Message& each : solution_.remarks) section.rows.push_back(paragraph(say(each, context_.language)));
+        add(std::move(section));
     }
 
     /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.

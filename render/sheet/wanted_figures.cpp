@@ -106,68 +106,96 @@ WantedFigures::WantedFigures(const DrawingContext& context, double measure, bool
     if (has_circle(context.solution)) add_late("circle-diagram", circle_diagram);
 }
 
-void WantedFigures::collect_forces(bool joukowsky) {
-    const Solution& s = context_.solution;
-    const double si = s.mechanism.units.force.si.to_double();
-    first_of_forces = list.size();
-    Wanted mechanism;
-    mechanism.name = "lines-of-action";
+namespace {
+
+/// What places span, m.
+struct Span {
     double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
-    const auto reach = [&](const Vector& at) {
+    void add(const Vector& at) {
         const double x = at.x.to_double(), y = at.y.to_double();
         left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
-    };
-    for (const Vector& at : s.pose.points) reach(at);
-    mechanism.extent_x = std::max(right - left, 1e-30);
-    mechanism.extent_y = std::max(high - low, 1e-30);
+    }
+    explicit Span(const std::vector<Vector>& points) {
+        for (const Vector& at : points) add(at);
+    }
+    double width() const { return std::max(right - left, 1e-30); }
+    double height() const { return std::max(high - low, 1e-30); }
+};
+
+}  // namespace
+
+/// Its symbols and letters do not shrink with the mechanism: drawn small, it is crowded.
+Wanted WantedFigures::mechanism(const std::string& name, double extent_x, double extent_y) const {
+    Wanted mechanism;
+    mechanism.name = name;
+    mechanism.extent_x = extent_x;
+    mechanism.extent_y = extent_y;
     mechanism.asked = asked("mechanism", 1);
-    mechanism.rim_x = 34;
-    mechanism.rim_y = 40;
     mechanism.caption_width = 95;
-    mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
-    mechanism.starts_page = true;
-    mechanism.draw = [this](double x, double y, double) {
-        Figure figure = mechanism_with_forces(context_, x, y);
-        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        return mechanism_with_forces(unscaled(), x, y);
-    };
-    list.push_back(std::move(mechanism));
-    const auto add = [&](int polygon, const std::string& name, auto draw) {
-        Wanted wanted;
-        wanted.name = polygon < 0 ? name : s.protocol.polygons[static_cast<std::size_t>(polygon)].id;
-        if (polygon < 0) {
-            const Box extent = extent_of_forces(s);
-            wanted.extent_x = extent.width(), wanted.extent_y = extent.height();
-        } else {
-            const PolygonScene scene = polygon_scene(s, polygon);
-            wanted.extent_x = scene.width(), wanted.extent_y = scene.height();
-        }
-        wanted.extent_x = std::max(wanted.extent_x, 1e-30);
-        wanted.extent_y = std::max(wanted.extent_y, 1e-30);
-        wanted.asked = asked(name, si);
-        for (const char* other : {"forces", "closure"})
-            if (!wanted.asked) wanted.asked = asked(other, si);
-        wanted.to_force_scale = true;
-        const std::optional<double> scale = wanted.asked;
-        wanted.draw = [this, draw, scale](double x, double y, double) {
-            const bool fixed = scale && !force_scale;
-            return draw(x, y, fixed ? scale : force_scale, fixed);
-        };
-        list.push_back(std::move(wanted));
-    };
+    mechanism.weight = context_.solution.act_of_motion ? 2.6 : 1.7;
+    return mechanism;
+}
+
+void WantedFigures::collect_forces(bool joukowsky) {
+    const Solution& s = context_.solution;
+    first_of_forces = list.size();
+    add_lines_of_action();
     if (has_force_polygons(s)) {
-        add(-1, "forces", [this](double x, double y, std::optional<double> scale, bool fixed) {
-            return force_polygons_figure(context_, x, y, scale, fixed);
-        });
+        const Box extent = extent_of_forces(s);
+        add_force_polygons("forces", "forces", extent.width(), extent.height(),
+                           [this](double x, double y, std::optional<double> scale, bool fixed) {
+                               return force_polygons_figure(context_, x, y, scale, fixed);
+                           });
         list.back().items = force_polygon_count(s);
         list.back().rim_x = 14;
         list.back().rim_y = 16;
     }
-    for (const int p : closed_polygons(s))
-        add(p, "closure", [this, p](double x, double y, std::optional<double> scale, bool fixed) {
-            return closed_polygon_figure(context_, p, x, y, scale, fixed);
-        });
-    bool first = true;
+    for (const int p : closed_polygons(s)) {
+        const PolygonScene scene = polygon_scene(s, p);
+        add_force_polygons("closure", scene.id, scene.width(), scene.height(),
+                           [this, p](double x, double y, std::optional<double> scale, bool fixed) {
+                               return closed_polygon_figure(context_, p, x, y, scale, fixed);
+                           });
+    }
+    add_free_bodies();
+    if (joukowsky && no_lever(s) == NoLever::none) add_lever();
+}
+
+void WantedFigures::add_lines_of_action() {
+    const Span span(context_.solution.pose.points);
+    Wanted wanted = mechanism("lines-of-action", span.width(), span.height());
+    wanted.rim_x = 34;
+    wanted.rim_y = 40;
+    wanted.starts_page = true;
+    wanted.draw = [this](double x, double y, double) {
+        Figure figure = mechanism_with_forces(context_, x, y);
+        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        return mechanism_with_forces(unscaled(), x, y);
+    };
+    list.push_back(std::move(wanted));
+}
+
+/// `kind`: by which the file asks for a scale; where it does not, that of the others holds.
+void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, double extent_x, double extent_y,
+                                       DrawForces draw) {
+    const double si = context_.solution.mechanism.units.force.si.to_double();
+    Wanted wanted;
+    wanted.name = name;
+    wanted.extent_x = std::max(extent_x, 1e-30);
+    wanted.extent_y = std::max(extent_y, 1e-30);
+    for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
+        if (!wanted.asked) wanted.asked = asked(figure, si);
+    wanted.to_force_scale = true;
+    wanted.draw = [this, draw = std::move(draw), scale = wanted.asked](double x, double y, double) {
+        const bool fixed = scale && !force_scale;
+        return draw(x, y, fixed ? scale : force_scale, fixed);
+    };
+    list.push_back(std::move(wanted));
+}
+
+/// In the order of the bodies, pins after them.
+void WantedFigures::add_free_bodies() {
+    const Solution& s = context_.solution;
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -186,25 +214,25 @@ void WantedFigures::collect_forces(bool joukowsky) {
         body.rim_x = body.rim_y = 38;
         body.fills = true;
         body.weight = box.width() + box.height() > 0 ? 1 : 0.4;
-        body.starts_page = first;
+        body.starts_page = i == order.front();
         body.draw = [this, i](double x, double y, double) { return free_body_figure(context_, i, x, y); };
-        first = false;
         list.push_back(std::move(body));
     }
-    if (joukowsky && no_lever(s) == NoLever::none) {
-        Wanted wanted;
-        wanted.name = "joukowsky";
-        lever_table = joukowsky_block(context_, measure_);
-        const Box extent = extent_of_lever(s);
-        wanted.extent_x = std::max(extent.width(), 1e-30);
-        wanted.extent_y = std::max(extent.height(), 1e-30);
-        wanted.rim_x = 40;  // forces on either side
-        wanted.rim_y = 40 + 0.6 * lever_table.height;
-        wanted.weight = 1.3;
-        wanted.draw = [this](double x, double y, double) { return lever_with_table(x, y); };
-        lever = list.size();
-        list.push_back(std::move(wanted));
-    }
+}
+
+void WantedFigures::add_lever() {
+    Wanted wanted;
+    wanted.name = "joukowsky";
+    lever_table = joukowsky_block(context_, measure_);
+    const Box extent = extent_of_lever(context_.solution);
+    wanted.extent_x = std::max(extent.width(), 1e-30);
+    wanted.extent_y = std::max(extent.height(), 1e-30);
+    wanted.rim_x = 40;  // forces on either side
+    wanted.rim_y = 40 + 0.6 * lever_table.height;
+    wanted.weight = 1.3;
+    wanted.draw = [this](double x, double y, double) { return lever_with_table(x, y); };
+    lever = list.size();
+    list.push_back(std::move(wanted));
 }
 
 /// The table in a corner that the lever leaves free, beside it or above it, whichever leaves the figure largest; the lever
@@ -249,76 +277,68 @@ const DrawingContext& WantedFigures::unscaled() {
 }
 
 void WantedFigures::collect_motion() {
+    add_mechanism();
+    const Protocol& protocol = context_.solution.protocol;
+    std::map<int, int> polygon_of;  // by statement
+    for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
+    for (const DrawnLine& drawn : protocol.lines)
+        if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
+    for (std::size_t p = 0; p < protocol.polygons.size(); ++p)
+        if (protocol.polygons[p].plane != Plane::force) add_polygon(static_cast<int>(p), polygon_of);
+}
+
+void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
-    Wanted mechanism;
-    mechanism.name = s.centres.empty() || s.act_of_motion ? "mechanism" : "centres";
-    double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
-    const auto reach = [&](const Vector& at) {
-        const double x = at.x.to_double(), y = at.y.to_double();
-        left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
-    };
-    for (const Vector& at : s.pose.points) reach(at);
-    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({right - left, high - low, 1e-30});
-    const Box body = rectangle(left - near, low - near, right + near, high + near);
+    Span span(s.pose.points);
+    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({span.right - span.left, span.high - span.low, 1e-30});
+    const Box body = rectangle(span.left - near, span.low - near, span.right + near, span.high + near);
     for (const InstantCentre& centre : s.centres) {
         if (!centre.at || centre.at->at_infinity()) continue;
         const Vector at = centre.at->place();
         const double x = at.x.to_double(), y = at.y.to_double();
-        if (x > body.min.x && x < body.max.x && y > body.min.y && y < body.max.y) reach(at);
+        if (x > body.min.x && x < body.max.x && y > body.min.y && y < body.max.y) span.add(at);
     }
-    mechanism.extent_x = std::max(right - left, 1e-30);
-    mechanism.extent_y = std::max(high - low, 1e-30);
-    mechanism.asked = asked("mechanism", 1);
-    mechanism.rim_x = 22;
-    mechanism.rim_y = 26;
-    mechanism.caption_width = 95;
-    // Its symbols and letters do not shrink with it: drawn small, it is crowded.
-    mechanism.weight = s.act_of_motion ? 2.6 : 1.7;
+    Wanted wanted = mechanism(s.centres.empty() || s.act_of_motion ? "mechanism" : "centres", span.width(), span.height());
+    wanted.rim_x = 22;
+    wanted.rim_y = 26;
     const auto draw = [](const DrawingContext& context, double x, double y, double coarsest) {
         if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
         return mechanism_figure(context, x, y, !context.solution.centres.empty(), coarsest);
     };
-    mechanism.draw = [this, draw](double x, double y, double coarsest) {
+    wanted.draw = [this, draw](double x, double y, double coarsest) {
         Figure figure = draw(context_, x, y, coarsest);
         if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
         // The scale that the file asks for is too large for the paper: ours, then.
         return draw(unscaled(), x, y, coarsest);
     };
-    list.push_back(std::move(mechanism));
+    list.push_back(std::move(wanted));
+}
 
-    const Protocol& protocol = s.protocol;
-    std::map<int, int> polygon_of;  // by statement
-    for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
-    for (const DrawnLine& drawn : protocol.lines)
-        if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
-    for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
-        const Polygon& polygon = protocol.polygons[p];
-        if (polygon.plane == Plane::force) continue;
-        const PolygonScene& scene = scenes_.emplace_back(polygon_scene(s, static_cast<int>(p)));
-        Wanted wanted;
-        wanted.name = polygon.id;
-        wanted.empty = scene.empty();
-        wanted.extent_x = std::max(scene.width(), 1e-30);
-        wanted.extent_y = std::max(scene.height(), 1e-30);
-        const double si = scene.unit.si.to_double();
-        wanted.asked = asked(polygon.id, si);
-        if (!wanted.asked) wanted.asked = asked(polygon.plane == Plane::acceleration ? "acceleration" : "velocity", si);
-        wanted.draw = [this, &scene](double x, double y, double coarsest) {
-            return polygon_figure(context_, scene, x, y, coarsest);
-        };
-        std::vector<Block> equations;
-        for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
-            const auto& equation = protocol.statements[i].equation;
-            const auto found = polygon_of.find(static_cast<int>(i));
-            if (!equation || found == polygon_of.end() || found->second != static_cast<int>(p)) continue;
-            equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
-            belong(equations.back().marks, 0, static_cast<int>(i));
-            equation_polygon[i] = list.size();
-        }
-        wanted.has_equations = !equations.empty();
-        wanted.equations = {arranged(equations, false), arranged(equations, true)};
-        list.push_back(std::move(wanted));
+/// `polygon_of`: by statement, the polygon that it draws in.
+void WantedFigures::add_polygon(int polygon, const std::map<int, int>& polygon_of) {
+    const Protocol& protocol = context_.solution.protocol;
+    const PolygonScene& scene = scenes_.emplace_back(polygon_scene(context_.solution, polygon));
+    Wanted wanted;
+    wanted.name = scene.id;
+    wanted.empty = scene.empty();
+    wanted.extent_x = std::max(scene.width(), 1e-30);
+    wanted.extent_y = std::max(scene.height(), 1e-30);
+    const double si = scene.unit.si.to_double();
+    wanted.asked = asked(scene.id, si);
+    if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
+    wanted.draw = [this, &scene](double x, double y, double coarsest) { return polygon_figure(context_, scene, x, y, coarsest); };
+    std::vector<Block> equations;
+    for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
+        const auto& equation = protocol.statements[i].equation;
+        const auto found = polygon_of.find(static_cast<int>(i));
+        if (!equation || found == polygon_of.end() || found->second != polygon) continue;
+        equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
+        belong(equations.back().marks, 0, static_cast<int>(i));
+        equation_polygon[i] = list.size();
     }
+    wanted.has_equations = !equations.empty();
+    wanted.equations = {arranged(equations, false), arranged(equations, true)};
+    list.push_back(std::move(wanted));
 }
 
 std::optional<double> WantedFigures::asked(const std::string& figure, double si) const {
