@@ -1,6 +1,7 @@
 #!/bin/sh
-# Holds the walls between the rooms: app → render → constructions → engine, CGAL in at most two files of the engine, Eigen
-# in the two checks alone, cairo in its backend alone; the kinds of joint known by name to the table of pairs and the check alone.
+# Holds the walls between the rooms: app → render → engine, app → constructions → engine; the floors of render, each of which
+# knows those below it; CGAL in at most two files of the engine, Eigen in the two checks alone, cairo in its backend alone; the
+# kinds of joint known by name to the table of pairs and the check alone.
 #   boundaries_test.sh ROOT         every breach in the tree, one a line; status 1 if there is one
 #   boundaries_test.sh --self-test  that each kind of breach is seen
 set -u
@@ -15,6 +16,15 @@ includes() {
 
 breach() { sed "s|\$|   <- $1|"; }
 
+# floor ROOM BELOW…: the includes by which a room of render knows another one than those below it.
+floor() {
+    room=$1
+    known=$(printf '|%s' "$@")
+    shift
+    includes '["<]render/' "render/$room" | grep -vE "include[[:space:]]*[\"<]render/(${known#|})/" |
+        breach "of render's rooms $room knows ${*:-itself alone}"
+}
+
 check() {
     cd "$1" || return 2
     rooms="engine constructions render app tests bench"
@@ -23,6 +33,16 @@ check() {
         includes '["<](constructions|render|app|tests|bench)/' engine | breach "engine knows no other room"
         includes '["<](render|app|tests|bench)/' constructions | breach "constructions knows the engine alone"
         includes '["<](app|tests|bench)/' render | breach "render knows nothing of app"
+        includes '["<]constructions/' render | breach "render needs no construction"
+        floor ink
+        floor text ink
+        floor page ink text
+        floor backends ink text page
+        floor scene ink text page
+        floor tables ink text page scene
+        floor mechanism ink text page scene tables
+        floor figures ink text page scene tables mechanism
+        floor sheet ink text page scene tables mechanism figures
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '"' $rooms | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
             breach "own headers are written from the root, room first"
@@ -71,6 +91,13 @@ seen "engine knows" engine/a.cpp '"constructions/b.hpp"'
 seen "engine knows" engine/a.hpp '"render/b.hpp"'
 seen "engine alone" constructions/a.hpp '"render/b.hpp"'
 seen "nothing of app" render/a.cpp '"app/b.hpp"'
+seen "needs no construction" render/page/a.cpp '"constructions/b.hpp"'
+seen "ink knows itself alone" render/ink/a.hpp '"render/text/b.hpp"'
+seen "page knows ink text" render/page/a.hpp '"render/figures/b.hpp"'
+seen "tables knows" render/tables/a.cpp '"render/figures/b.hpp"'
+seen "scene knows" render/scene/a.cpp '"render/figures/b.hpp"'
+seen "figures knows" render/figures/a.cpp '"render/sheet/b.hpp"'
+seen "backends knows" render/backends/a.cpp '"render/scene/b.hpp"'
 seen "room first" render/a.cpp '"../app/b.hpp"'
 seen "room first" engine/a.cpp '"b.hpp"'
 seen "check.cpp's" engine/board.cpp '<Eigen/Dense>'
@@ -84,5 +111,6 @@ seen "kinds of joint" constructions/a.cpp 'JointKind::gear'
 seen "" engine/pair.cpp 'JointKind::gear' engine/check_forces.cpp 'JointKind::weld' tests/a_test.cpp 'JointKind::gear'
 seen "" engine/a.cpp '<CGAL/a.h>' engine/a.cpp '<CGAL/b.h>' engine/b.cpp '<CGAL/a.h>' engine/check.cpp '<Eigen/QR>' \
     engine/check_forces.cpp '<Eigen/Dense>' \
-    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' constructions/a.cpp '"engine/a.hpp"'
+    render/backends/cairo_backend.cpp '<cairo/cairo.h>' app/main.cpp '"render/page/page.hpp"' render/text/a.cpp '"render/ink/a.hpp"' \
+    render/figures/a.cpp '"render/tables/a.hpp"' render/figures/a.cpp '"render/figures/b.hpp"' constructions/a.cpp '"engine/a.hpp"'
 exit $failed

@@ -1,11 +1,9 @@
 // Captions and scales in words.
 #include "render/figures/caption.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "render/page/shapes.hpp"
-#include "render/sheet/sheet_parts.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -19,14 +17,6 @@ std::string shortest_scale(double value, Language language) {
     // A scale of the file's own, 14 mm = 16.28 MN, may have no end.
     constexpr std::size_t longest = 10;  // 2.5 × 10⁻⁴
     return character_count(text) > longest ? number(value, 5, language) : text;
-}
-
-/// A diagram has no scale, nor has a polygon of which all vectors are zero.
-bool has_scale(const Figure& figure) {
-    if (figure.kind == "centres" || figure.unit.empty()) return false;
-    return (figure.kind != "velocity" && figure.kind != "acceleration") ||
-           std::any_of(figure.marks.begin(), figure.marks.end(),
-                       [](const Mark& mark) { return std::holds_alternative<Axis>(mark); });
 }
 
 }  // namespace
@@ -59,8 +49,7 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
     append(text, one_piece("   "));
     append(text, figure.caption);
     const ShapedLine caption = context.fonts.shape(text, theme.label);
-    const ShapedLine scale =
-        has_scale(figure) ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
+    const ShapedLine scale = figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
     if (caption.width + 5 + scale.width <= width) {
         set_text(marks, caption, {at.x, at.y + 3.8}, theme.text, "text");
         set_text(marks, scale, {at.x + caption.width + 5, at.y + 3.8}, theme.secondary, "text");

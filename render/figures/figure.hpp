@@ -1,32 +1,16 @@
-// The figures: each of a Solution in a room, and the placing of their labels.
+// The figures: each of a Solution, drawn into a room.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "render/page/figure.hpp"
+#include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/scene/drawing_context.hpp"
+#include "render/scene/polygon_scene.hpp"
 
 namespace kinegraph::render {
-
-enum class Labelling {
-    free,        ///< labels leave the room where nothing in it is free
-    strict,      ///< rather than leave the room, a label goes into the key
-    if_it_fits,  ///< none is set where figure and labels do not fit into the room
-    if_all_free  ///< none is set where one of them finds no free place
-};
-
-/// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
-/// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
-/// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
-/// (its aria-label says it all). What finds no place is listed in a key below the figure, by a number at its object where that
-/// finds one; labels that must stay in the room go there rather than leave it. False: none was set.
-bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
-                  Labelling labelling = Labelling::free);
-
-/// What the names that a figure asks for will take with the air about them, mm²: places or none.
-double room_of_names(const Figure& figure, const Fonts& fonts);
 
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
@@ -41,18 +25,19 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
 Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y);
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
-/// One polygon of the protocol (by index): pole, vectors, images, construction lines.
+/// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.
+Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
+                      double coarsest = any_scale);
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest = any_scale);
 
 // Forces. Triangles and closed polygon share one scale: `least` is the smallest that the other could be drawn at (units per mm),
 // and with `fixed` the one the file asks for, kept as long as it fits.
 
-/// Whether there is a force polygon to draw, and the joined ones (indices of polygons).
+/// Whether there is a force polygon to draw, and how many.
 bool has_force_polygons(const Solution& solution);
-std::vector<int> closed_polygons(const Solution& solution);
 int force_polygon_count(const Solution& solution);
-/// What a force polygon spans, in the file's unit; −1: those of the bodies, one beside the other.
-Box extent_of_forces(const Solution& solution, int polygon);
+/// What the force polygons of the bodies span one beside the other, in the file's unit.
+Box extent_of_forces(const Solution& solution);
 /// What a free body spans with its places of attack and near points of concurrency, m.
 Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.

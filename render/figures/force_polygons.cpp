@@ -2,15 +2,14 @@
 // places; takes every force from the Solution, computes no statics.
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/drawn_by.hpp"
+#include "render/scene/force_statements.hpp"
+#include "render/scene/polygon_scene.hpp"
 #include "render/tables/force_tables.hpp"
 
 namespace kinegraph::render {
@@ -25,79 +24,51 @@ void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to
 class ForcePolygon {
 public:
     ForcePolygon(const DrawingContext& context, int polygon)
-        : context_(context),
-          protocol_(context.solution.protocol),
-          polygon_(protocol_.polygons[at_index(polygon)]),
-          unit_(context.solution.mechanism.units.force),
-          statements_(context.solution) {
-        Vector longest;
-        Exact square;
-        for (const int v : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[at_index(v)];
-            for (const int corner : {vector.tail, vector.tip}) place(corner);
-            const Vector value = protocol_.value_of(vector);
-            values_.push_back(kinegraph::length(in_unit(value)));
-            if (Exact own = dot(value, value); longest.is_zero() || square < own) {
-                longest = value;
-                square = std::move(own);
-            }
-        }
-        along_ = paper_direction(longest);
+        : context_(context), scene_(polygon_scene(context.solution, polygon)), along_{scene_.along.x, -scene_.along.y} {
         // So thin that its sides would lie on each other.
         constexpr double thin = 0.035;
-        Box box, turned_box;
-        const Spot start =
-            polygon_.vectors.empty() ? Spot{} : places_.at(protocol_.vectors[at_index(polygon_.vectors.front())].tail);
-        for (const auto& [corner, at] : places_) {
-            const Spot off = at - start, seen{dot(along_, off), cross(along_, off)};
-            box = {{std::min(box.min.x, off.x), std::min(box.min.y, off.y)},
-                   {std::max(box.max.x, off.x), std::max(box.max.y, off.y)}};
-            turned_box = {{std::min(turned_box.min.x, seen.x), std::min(turned_box.min.y, seen.y)},
-                          {std::max(turned_box.max.x, seen.x), std::max(turned_box.max.y, seen.y)}};
-        }
+        if (scene_.vectors.empty()) return;
+        const Spot start = spot(1, scene_.vectors.front().tail);
+        Box turned_box;
+        for (const SceneVector& vector : scene_.vectors)
+            for (const Place corner : {vector.tail, vector.tip}) {
+                const Spot off = spot(1, corner) - start, seen{dot(along_, off), cross(along_, off)};
+                turned_box = {{std::min(turned_box.min.x, seen.x), std::min(turned_box.min.y, seen.y)},
+                              {std::max(turned_box.max.x, seen.x), std::max(turned_box.max.y, seen.y)}};
+            }
         flat_ = turned_box.height() < thin * turned_box.width();
-        width_ = box.width();
-        height_ = box.height();
-        for (const kinegraph::Face& face : polygon_.faces)
-            for (const int corner : face.corners) place(corner);
     }
 
-    double width() const { return width_; }
-    double height() const { return height_; }
+    double width() const { return scene_.width(); }
+    double height() const { return scene_.height(); }
     /// All forces have one direction: drawn side by side.
     bool flat() const { return flat_; }
-    BodyIndex body() const { return polygon_.faces.empty() ? -1 : polygon_.faces.front().body; }
 
     Figure empty_at(double scale) const {
+        const bool joined = scene_.kind == PolygonScene::Kind::closure;
         Figure figure;
-        figure.kind = polygon_.id.starts_with("closure") ? "closure" : "forces";
-        figure.id = legal_id(polygon_.id);
-        figure.caption = one_piece(word(figure.kind == "closure" ? "closed force polygon" : "force polygon", context_.language));
+        figure.kind = joined ? "closure" : "forces";
+        figure.id = legal_id(scene_.id);
+        figure.caption = one_piece(word(joined ? "closed force polygon" : "force polygon", context_.language));
         figure.scale = scale;
-        figure.unit = unit_.symbol;
+        figure.unit = scene_.unit.symbol;
         figure.marks.emplace_back(
             GroupBegin{"figure",
                        figure.id,
                        plain(figure.caption),
-                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", unit_.symbol}}});
+                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", figure.unit}}});
         return figure;
     }
     PolygonParts parts_of(const Figure& figure) const {
         PolygonParts parts;
         parts.opposites_share_label = true;
-        const double largest = std::max(width_, height_);
         std::vector<std::vector<Interval>> columns;
-        std::set<std::string> names;
-        for (std::size_t i = 0; i < polygon_.vectors.size(); ++i) {
-            const DrawnVector& vector = protocol_.vectors[at_index(polygon_.vectors[i])];
+        for (const SceneVector& each : scene_.vectors) {
             PolygonVector side;
-            side.value = values_[i];
-            if (!(side.value > largest * 1e-12)) continue;
-            const std::string base = name_of(vector.symbol);
-            side.name = base;
-            for (int n = 2; !names.insert(side.name).second; ++n) side.name = base + "-" + std::to_string(n);
-            side.tail = spot(figure, vector.tail);
-            side.tip = spot(figure, vector.tip);
+            side.value = each.value;
+            side.name = each.name;
+            side.tail = spot(figure.scale, each.tail);
+            side.tip = spot(figure.scale, each.tip);
             const Spot aside = displaced(columns, side.tail, side.tip);
             if (length(aside) > 0) {
                 for (const Spot end : {side.tail, side.tip}) {
@@ -109,20 +80,20 @@ public:
                 }
                 side.tail = side.tail + aside, side.tip = side.tip + aside;
             }
-            side.text = typeset(vector.symbol, context_.language);
-            side.colour = context_.theme.colour_of(vector.body);
+            side.text = typeset(each.symbol, context_.language);
+            side.colour = context_.theme.colour_of(each.body);
             // An inner side met again (a two-force body lies between): one stroke, both names.
-            side.internal = vector.role == DrawnVector::Role::internal && figure.kind == "closure";
-            if (figure.kind == "closure") side.statement = statement_of_force(context_.solution, statements_, vector.symbol);
+            side.internal = each.falls_out;
+            side.statement = each.statement;
             parts.vectors.push_back(std::move(side));
         }
         return parts;
     }
     Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {
         if (!flat_)
-            for (const kinegraph::Face& face : polygon_.faces) {
+            for (const SceneFace& face : scene_.faces) {
                 std::vector<Spot> corners;
-                for (const int corner : face.corners) corners.push_back(spot(figure, corner));
+                for (const Place corner : face.corners) corners.push_back(spot(figure.scale, corner));
                 if (face.body > 0 && corners.size() > 2)
                     figure.marks.emplace_back(tinted(filled(corners, context_.theme.body(face.body).tint)));
             }
@@ -132,18 +103,7 @@ public:
     }
 
 private:
-    Vector in_unit(const Vector& si_value) const {
-        return unit_.si == Exact(1) ? si_value : Vector{si_value.x / unit_.si, si_value.y / unit_.si};
-    }
-    /// Each corner is turned to doubles once: the rationals are long.
-    void place(int corner) {
-        const auto [found, fresh] = places_.try_emplace(corner);
-        if (fresh) found->second = paper_spot(in_unit(protocol_.point(corner).place()));
-    }
-    Spot spot(const Figure& figure, int corner) const {
-        const Spot at = places_.at(corner);
-        return {at.x / figure.scale, at.y / figure.scale};
-    }
+    static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
 
     /// Sides of one direction would lie on each other: each goes into the first column beside that is free there.
     Spot displaced(std::vector<std::vector<Interval>>& columns, Spot tail, Spot tip) const {
@@ -162,15 +122,9 @@ private:
     }
 
     const DrawingContext& context_;
-    const Protocol& protocol_;
-    const Polygon& polygon_;
-    const Unit& unit_;
-    ForceStatements statements_;
-    std::map<int, Spot> places_;  // of corners, in the unit of force, y downwards
-    std::vector<double> values_;  // of the polygon's vectors
-    Spot along_;                  // the longest
+    PolygonScene scene_;
+    Spot along_;  // the longest side
     bool flat_ = true;
-    double width_ = 0, height_ = 0;
 };
 
 void set_scale_bar(const DrawingContext& context, Figure& figure, double target, Spot at) {
@@ -215,6 +169,11 @@ public:
         Rows plain = *this;
         for (Item& item : plain.items_) item.table = {};
         return plain;
+    }
+    double tallest() const {
+        double height = 0;
+        for (const Item& item : items_) height = std::max(height, item.drawing.height());
+        return height;
     }
     double least_scale(double room_x, double room_y) const {
         double most = 0;
@@ -404,38 +363,11 @@ bool has_force_polygon(const Solution& solution, const FreeBody& body) {
 }
 int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
 
-std::vector<int> closed_polygons(const Solution& solution) {
-    std::vector<int> found;
-    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
-        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
-            solution.protocol.polygons[p].faces.size() > 1)
-            found.push_back(static_cast<int>(p));
-    return found;
-}
-
-Box extent_of_forces(const Solution& solution, int polygon) {
-    const auto of = [&](int p) {
-        const Polygon& each = solution.protocol.polygons[at_index(p)];
-        Box box;
-        bool first = true;
-        for (const int v : each.vectors)
-            for (const int corner : {solution.protocol.vectors[at_index(v)].tail, solution.protocol.vectors[at_index(v)].tip}) {
-                const double si = solution.mechanism.units.force.si.to_double();
-                const Vector at = solution.protocol.point(corner).place();
-                const Spot spot{at.x.to_double() / si, at.y.to_double() / si};
-                if (first) box = {spot, spot};
-                first = false;
-                box.min = {std::min(box.min.x, spot.x), std::min(box.min.y, spot.y)};
-                box.max = {std::max(box.max.x, spot.x), std::max(box.max.y, spot.y)};
-            }
-        return box;
-    };
-    if (polygon >= 0) return of(polygon);
-    // All of them beside each other.
+Box extent_of_forces(const Solution& solution) {
     Box all;
     for (const int p : shown_polygons(solution)) {
-        const Box box = of(p);
-        all.max = {all.max.x + box.width(), std::max(all.max.y, box.height())};
+        const PolygonScene scene = polygon_scene(solution, p);
+        all.max = {all.max.x + scene.width(), std::max(all.max.y, scene.height())};
     }
     return all;
 }
@@ -458,9 +390,8 @@ Figure force_polygons_figure(const DrawingContext& context, double room_x, doubl
         if (!figure || !with_tables.has_tables()) return figure;
         if (auto better = fitting(with_tables, trial.scale)) return better;
         // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
-        const Box extent = extent_of_forces(context.solution, -1);
         const double smaller = next_scale(trial.scale);
-        if (!least && extent.height() / smaller > 35)
+        if (!least && plain_rows.tallest() / smaller > 35)
             if (auto better = fitting(with_tables, smaller)) return better;
         return figure;
     });

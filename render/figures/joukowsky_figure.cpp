@@ -1,10 +1,9 @@
 // Joukowsky's lever: the velocities of the points of application turned a quarter turn, the forces at their tips, the arms from
-// the pole; and its table. Owns what they show; takes forces, velocities and powers from the Solution, computes no statics.
+// the pole. Owns what they show; takes forces, velocities and powers from the Solution, computes no statics.
 //
 // Method: z∧v is counter-clockwise of v, so the moment of F at the tip of z∧v about the pole is −F·v; the powers of all that acts
 // from outside on a mechanism with ideal pairs add up to nothing, hence so do the moments (N. E. Joukowsky, the lever).
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -12,8 +11,6 @@
 #include "render/figures/fit.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
-#include "render/tables/force_tables.hpp"
-#include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -30,13 +27,6 @@ constexpr double pole_radius = 0.9;
 const VirtualWork& work_of(const Solution& solution) {
     KG_ASSERT(solution.virtual_work, "the lever wants the powers");
     return *solution.virtual_work;
-}
-
-/// What powers are printed against: the largest of them.
-double largest_power(const VirtualWork& work) {
-    double largest = 0;
-    for (const VirtualWork::Entry& entry : work.entries) largest = std::max(largest, std::abs(entry.power.to_double()));
-    return largest;
 }
 
 /// A force at the tip of its turned velocity; y downwards, in the file's units.
@@ -285,37 +275,6 @@ private:
     Spot min_, max_;  // of the turned velocities, the pole at the origin
 };
 
-/// F, h, M and ω of a sentence are set as what they are: quantities.
-RichText with_quantities(const std::string& words) {
-    RichText text;
-    std::string rest = words;
-    for (;;) {
-        std::size_t at = std::string::npos;
-        std::string_view met;
-        for (const std::string_view formula : {std::string_view("F·h"), std::string_view("Mω")})
-            if (const std::size_t found = rest.find(formula); found < at) at = found, met = formula;
-        if (at == std::string::npos) break;
-        append(text, one_piece(rest.substr(0, at)));
-        if (met == "Mω") {
-            append(text, one_piece("Mω", Face::italic));
-        } else {
-            append(text, one_piece("F", Face::italic));
-            append(text, one_piece("·"));
-            append(text, one_piece("h", Face::italic));
-        }
-        rest = rest.substr(at + met.size());
-    }
-    append(text, one_piece(rest));
-    return text;
-}
-
-/// A quantity in a table is a scalar.
-RichText scalar(RichText text) {
-    for (Piece& piece : text)
-        if (piece.face == Face::bold_italic) piece.face = Face::italic;
-    return text;
-}
-
 }  // namespace
 
 NoLever no_lever(const Solution& solution) {
@@ -356,106 +315,6 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
         figure.marks.emplace_back(GroupEnd{});
         return figure;
     });
-}
-
-Block joukowsky_block(const DrawingContext& context, double most) {
-    const Solution& solution = context.solution;
-    const Units& units = solution.mechanism.units;
-    const Theme& theme = context.theme;
-    const Language language = context.language;
-    const VirtualWork& work = work_of(solution);
-    struct Line {
-        std::array<ShapedLine, 4> cells;  // force, how much, arm or ω, power
-        Colour letters;
-    };
-    const double largest = largest_power(work);
-    const int decimals = largest > 0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 0;
-    const bool plain_powers = largest == 0 || (largest >= 1e-3 && largest < 1e7);
-    const auto power = [&](double value) {
-        if (std::abs(value) <= 1e-9 * largest) return std::string("0");
-        return plain_powers ? fixed(value, decimals, language) : number(value, 4, language);
-    };
-    const auto shape = [&](const std::string& text, double size) { return context.fonts.shape(with_powers(text), size); };
-    Line head{{shape("", theme.small), shape(word("magnitude", language), theme.small), {}, {}}, theme.secondary};
-    RichText arm = one_piece(word("lever arm", language) + " ");
-    append(arm, one_piece("h", Face::italic));
-    append(arm, with_powers(", " + units.velocity.symbol));
-    head.cells[2] = context.fonts.shape(arm, theme.small);
-    head.cells[3] = shape(word("power", language) + ", W", theme.small);
-    std::vector<Line> lines;
-    bool couples = false;
-    for (const VirtualWork::Entry& entry : work.entries) {
-        const Colour letters = theme.colour_of(entry.body).letter;
-        if (!entry.force.is_zero()) {
-            const double f = kinegraph::length(entry.force), p = dot(entry.force, entry.velocity).to_double();
-            const double reach = std::abs(p) / f / units.velocity.si.to_double();
-            lines.push_back(
-                {{context.fonts.shape(scalar(typeset(entry.symbol, language)), theme.body_text + 0.5),
-                  shape(number(f / units.force.si.to_double(), 4, language) + " " + units.force.symbol, theme.body_text),
-                  shape(number(reach, 4, language), theme.body_text), shape(power(p), theme.body_text)},
-                 letters});
-        }
-        if (!entry.couple.is_zero()) {
-            couples = true;
-            Symbol symbol = entry.symbol;
-            symbol.letter = Symbol::Letter::M;
-            RichText omega =
-                typeset(Symbol{Symbol::Letter::omega, solution.mechanism.bodies[at_index(entry.body)].name, ""}, language);
-            append(omega,
-                   with_powers(" = " + number(entry.omega.to_double() / units.angular_velocity.si.to_double(), 4, language) +
-                               " " + units.angular_velocity.symbol));
-            lines.push_back(
-                {{context.fonts.shape(scalar(typeset(symbol, language)), theme.body_text + 0.5),
-                  shape(number(entry.couple.to_double() / units.moment.si.to_double(), 4, language) + " " + units.moment.symbol,
-                        theme.body_text),
-                  context.fonts.shape(omega, theme.body_text),
-                  shape(power((entry.couple * entry.omega).to_double()), theme.body_text)},
-                 letters});
-        }
-    }
-    Line sum{{}, theme.text};
-    sum.cells[0] = shape(word("sum", language), theme.body_text);
-    sum.cells[3] = shape(power(work.total.to_double()), theme.body_text);
-
-    std::array<double, 4> widths{};
-    const auto measure = [&](const Line& each) {
-        for (std::size_t c = 0; c < 4; ++c) widths[c] = std::max(widths[c], each.cells[c].width);
-    };
-    measure(head);
-    measure(sum);
-    for (const Line& each : lines) measure(each);
-    const double gap = std::clamp((most - widths[0] - widths[1] - widths[2] - widths[3]) / 3, 2.0, 4.0);
-    Block block;
-    std::array<double, 4> right{};
-    for (std::size_t c = 0; c < 4; ++c) right[c] = (c == 0 ? 0 : right[c - 1] + gap) + widths[c];
-    block.width = right[3];
-    const auto rule = [&](double y, double width) {
-        block.marks.emplace_back(line({0, y}, {block.width, y}, {width, theme.text, {}, false}));
-    };
-    const auto set_line = [&](const Line& each, double baseline, Colour colour) {
-        set_text(block.marks, each.cells[0], {0, baseline}, each.letters, "text");
-        for (std::size_t c = 1; c < 4; ++c)
-            set_text(block.marks, each.cells[c], {right[c] - each.cells[c].width, baseline}, colour, "text");
-    };
-    rule(0, theme.outline);
-    set_line(head, 3.4, theme.secondary);
-    rule(5, theme.thin);
-    double baseline = 9;
-    for (const Line& each : lines) {
-        set_line(each, baseline, theme.text);
-        baseline += 4.5;
-    }
-    rule(baseline - 2.9, theme.thin);
-    set_line(sum, baseline + 0.8, theme.text);
-    rule(baseline + 2.5, theme.outline);
-    baseline += 7;
-    for (const ShapedLine& each : context.fonts.wrap(
-             with_quantities(word(couples ? "lever with couples" : "lever of forces", language)), theme.small, block.width)) {
-        set_text(block.marks, each, {0, baseline}, theme.secondary, "text");
-        baseline += 3.9;
-    }
-    block.height = baseline - 3.9 + 1.2;
-    return block;
 }
 
 }  // namespace kinegraph::render

@@ -1,13 +1,10 @@
-// Polygon figures: one polygon of the protocol to scale: pole, vectors, images of points, construction lines with their
-// direction. Owns what such a figure shows; knows no method that made it, no sheet. The tip of every arrow lies exactly on its
-// vertex.
+// Polygon figures: the scene of a polygon of motion to scale: pole, vectors, images of points, construction lines with their
+// direction. Owns how far they run and what is said beside them; knows no protocol, no sheet. The tip of every arrow lies exactly
+// on its vertex.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
-#include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
@@ -25,29 +22,17 @@ constexpr double coincident = 0.02;  // mm: drawn as one
 
 class Drawing {
 public:
-    Drawing(const DrawingContext& context, int polygon)
-        : context_(context),
-          protocol_(context.solution.protocol),
-          index_(polygon),
-          polygon_(protocol_.polygons[static_cast<std::size_t>(polygon)]) {
-        const Units& units = context.solution.mechanism.units;
-        const Unit& unit = polygon_.plane == Plane::acceleration ? units.acceleration : units.velocity;
-        unit_ = unit.symbol;
-        si_ = unit.si;
-        si_is_one_ = si_ == Exact(1);
-        measure();
-    }
+    Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene) {}
 
-    bool empty() const { return !(extent_ > 0); }
-    double width() const { return max_.x - min_.x; }
-    double height() const { return max_.y - min_.y; }
+    bool empty() const { return scene_.empty(); }
+    double width() const { return scene_.width(); }
+    double height() const { return scene_.height(); }
 
     std::optional<double> asked() const {
-        const std::string plane = polygon_.plane == Plane::acceleration ? "acceleration" : "velocity";
         std::optional<double> result;
         for (const AskedScale& scale : context_.solution.mechanism.scales)
-            if (scale.figure == polygon_.id || (scale.figure == plane && !result))
-                result = (scale.per_millimetre / si_).to_double();
+            if (scale.figure == scene_.id || (scale.figure == kind() && !result))
+                result = (scale.per_millimetre / scene_.unit.si).to_double();
         return result;
     }
 
@@ -58,16 +43,17 @@ public:
     }
     Figure empty_at(double scale) const {
         Figure figure;
-        figure.kind = polygon_.plane == Plane::acceleration ? "acceleration" : "velocity";
-        figure.id = legal_id(polygon_.id);
+        figure.kind = kind();
+        figure.id = legal_id(scene_.id);
         figure.caption = caption();
         figure.scale = scale;
-        figure.unit = unit_;
+        figure.has_scale = !scene_.vectors.empty();
+        figure.unit = scene_.unit.symbol;
         figure.marks.emplace_back(
             GroupBegin{"figure",
                        figure.id,
                        plain(figure.caption),
-                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", unit_}}});
+                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", figure.unit}}});
         return figure;
     }
     PolygonParts parts_of(const Figure& figure) const {
@@ -87,93 +73,32 @@ public:
     }
 
 private:
-    struct Place {
-        double x = 0, y = 0;
-    };
-
-    /// Each element is turned to doubles once: the rationals are long.
-    Place place(int element) const {
-        const auto [found, fresh] = places_.try_emplace(element);
-        if (fresh) {
-            const ProjectivePoint& at = protocol_.point(element);
-            found->second = {in_unit(at.x), in_unit(at.y)};
-        }
-        return found->second;
-    }
-    /// A finite line's direction on paper, whatever the size of its coordinates.
-    Spot direction_of(int line) const {
-        const auto [found, fresh] = directions_.try_emplace(line);
-        if (fresh) {
-            const Vector direction = protocol_.line(line).direction();
-            const Exact largest = std::max(abs(direction.x), abs(direction.y));
-            found->second = unit({(direction.x / largest).to_double(), -(direction.y / largest).to_double()});
-        }
-        return found->second;
-    }
-    /// The nearest double to a vector's exact length, in the file's unit; found once, because exact differences are dear.
-    double value_of(int vector) const {
-        const auto [found, fresh] = values_.try_emplace(vector);
-        if (fresh) {
-            const Vector exact = protocol_.value_of(protocol_.vectors[static_cast<std::size_t>(vector)]);
-            found->second = kinegraph::length(si_is_one_ ? exact : Vector{exact.x / si_, exact.y / si_});
-        }
-        return found->second;
-    }
-    double in_unit(const Exact& si_value) const { return (si_is_one_ ? si_value : si_value / si_).to_double(); }
-    Spot spot(const Figure& figure, Place p) const { return {p.x / figure.scale, -p.y / figure.scale}; }
-    Spot spot(const Figure& figure, int element) const { return spot(figure, place(element)); }
-
-    void measure() {
-        const auto add = [&](int element) {
-            if (protocol_.point(element).at_infinity()) return;
-            const Place p = place(element);
-            min_ = {std::min(min_.x, p.x), std::min(min_.y, p.y)};
-            max_ = {std::max(max_.x, p.x), std::max(max_.y, p.y)};
-        };
-        for (const int v : polygon_.vectors) {
-            add(protocol_.vectors[static_cast<std::size_t>(v)].tail);
-            add(protocol_.vectors[static_cast<std::size_t>(v)].tip);
-        }
-        for (const int i : polygon_.images) add(protocol_.images[static_cast<std::size_t>(i)].point);
-        extent_ = std::max(width(), height());
-    }
+    bool is_acceleration() const { return scene_.kind == PolygonScene::Kind::acceleration; }
+    std::string kind() const { return is_acceleration() ? "acceleration" : "velocity"; }
+    static Spot spot(const Figure& figure, Place p) { return {p.x / figure.scale, -p.y / figure.scale}; }
 
     RichText caption() const {
         const Language language = context_.language;
-        RichText text =
-            one_piece(word(polygon_.plane == Plane::acceleration ? "acceleration polygon" : "velocity polygon", language));
-        if (polygon_.point.empty()) return text;
+        RichText text = one_piece(word(kind() + " polygon", language));
+        if (scene_.point.empty()) return text;
         text.back().text += ": ";
-        const RichText point = typeset(Symbol{Symbol::Letter::point, polygon_.point, ""}, language);
-        text.insert(text.end(), point.begin(), point.end());
-        const RichText seen =
-            one_piece(" " + word(polygon_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
-        text.insert(text.end(), seen.begin(), seen.end());
-        const RichText observer = polygon_.translating ? typeset(Symbol{Symbol::Letter::point, polygon_.observer, ""}, language)
-                                                       : one_piece(polygon_.observer);
-        text.insert(text.end(), observer.begin(), observer.end());
+        append(text, typeset(Symbol{Symbol::Letter::point, scene_.point, ""}, language));
+        append(text, " " + word(scene_.translating ? "seen from axes translating with" : "seen from body", language) + " ");
+        append(text, scene_.translating ? typeset(Symbol{Symbol::Letter::point, scene_.observer, ""}, language)
+                                        : one_piece(scene_.observer));
         return text;
     }
 
-    BodyColour colour_of(BodyIndex body) const {
-        if (body <= 0) return {context_.theme.text, context_.theme.paper, context_.theme.text};
-        return context_.theme.body(body);
-    }
-
+    struct Ray {
+        Spot meet, along;
+    };
     void add_lines(PolygonParts& parts, const Figure& figure) const {
-        const Pen pen{context_.theme.thin, context_.theme.secondary, {}, false};
         const std::size_t first = parts.lines.size();
         std::vector<std::string> words;
         std::vector<Ray> rays;
-        for (const DrawnLine& each : protocol_.lines) {
-            if (each.polygon != index_ || each.line < 0) continue;
-            if (protocol_.line(each.line).at_infinity()) continue;
-            Spot along = direction_of(each.line);
-            std::vector<Spot> spots;
-            for (const int element : each.points)
-                if (!protocol_.point(element).at_infinity()) spots.push_back(spot(figure, element));
-            if (spots.empty()) continue;
-            const Spot support = spots.front(), meet = spots.back();
+        for (const SceneLine& each : scene_.lines) {
+            Spot along{each.along.x, -each.along.y};
+            const Spot support = spot(figure, each.support), meet = spot(figure, each.meet);
             const double reach = dot(meet - support, along);
             if (reach < 0) along = -1.0 * along;
             PolygonLine drawn;
@@ -187,140 +112,92 @@ private:
                 twice = twice || (words[i] == said && length(parts.lines[first + i].to - drawn.to) < coincident);
             if (twice) continue;
             words.push_back(said);
-            drawn.pen = pen;
+            drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
             drawn.statement = each.statement;
             if (each.reason.kind != LineReason::Kind::known) {
                 drawn.mark = reason;
                 drawn.mark_at = meet + (0.58 * overshoot) * along;
                 drawn.mark_toward = meet + overshoot * along;
             }
-            add_corner(parts, each, support, along, std::abs(reach));
+            add_corner(parts, each.statement, support, along, std::abs(reach));
             parts.lines.push_back(std::move(drawn));
             rays.push_back({meet, along});
         }
-        // Lines that meet at a small angle run on until they are seen to part.
+        run_on_until_apart(parts, first, rays);
+    }
+    /// Lines that meet at a small angle run on until they are seen to part.
+    static void run_on_until_apart(PolygonParts& parts, std::size_t first, const std::vector<Ray>& rays) {
         for (std::size_t i = 0; i < rays.size(); ++i)
-            for (std::size_t j = 0; j < rays.size(); ++j) {
-                const double sine = std::abs(cross(rays[i].along, rays[j].along));
-                if (length(rays[i].meet - rays[j].meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9) continue;
+            for (const Ray& other : rays) {
+                const double sine = std::abs(cross(rays[i].along, other.along));
+                if (length(rays[i].meet - other.meet) > coincident || overshoot * sine > seen_apart || sine < 1e-9) continue;
                 parts.lines[first + i].to = rays[i].meet + std::min(seen_apart / sine, most_overshoot) * rays[i].along;
             }
     }
-    struct Ray {
-        Spot meet, along;
-    };
 
     /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a Coriolis term
     /// that is set off last.
-    void add_corner(PolygonParts& parts, const DrawnLine& drawn, Spot support, Spot along, double reach) const {
+    static void add_corner(PolygonParts& parts, int statement, Spot support, Spot along, double reach) {
         for (const PolygonVector& vector : parts.vectors) {
             if (!vector.has_right_angles) continue;
             const bool at_tip = length(vector.tip - support) < coincident;
             if (!at_tip && length(vector.tail - support) >= coincident) continue;
             const Spot leg = at_tip ? vector.tail - vector.tip : vector.tip - vector.tail;
             if (std::abs(dot(unit(leg), along)) > 1e-9) continue;
-            parts.corners.push_back({support, unit(leg), along, std::min(length(leg), reach), drawn.statement});
+            parts.corners.push_back({support, unit(leg), along, std::min(length(leg), reach), statement});
             return;
         }
     }
 
-    /// What was assumed and drawn on the way: thin, broken and grey, as far as it lies near the solution; its vertices carry the
-    /// number of the trial.
+    /// What was assumed and drawn on the way: thin, broken and grey; its vertices carry the number of the trial.
     void add_trials(PolygonParts& parts, const Figure& figure) const {
-        const Trials& trials = protocol_.trials;
-        const double near = 0.5 * extent_;
-        const auto is_near = [&](int element) {
-            if (protocol_.point(element).at_infinity()) return false;
-            const Place p = place(element);
-            return p.x > min_.x - near && p.x < max_.x + near && p.y > min_.y - near && p.y < max_.y + near;
-        };
-        const Pen pen{context_.theme.thin, context_.theme.secondary, dashes(), false};
-        const auto add = [&](int from, int to, double beyond, int statement) {
-            if (!is_near(from) || !is_near(to)) return;
-            const Spot start = spot(figure, from), end = spot(figure, to);
+        for (const SceneTrial& each : scene_.trials) {
+            const Spot start = spot(figure, each.from), end = spot(figure, each.to);
+            const double beyond = each.is_line ? trial_overshoot : 0;
             PolygonLine drawn;
             drawn.from = start;
             drawn.to = length(end - start) > coincident ? end + beyond * unit(end - start) : end;
-            drawn.pen = pen;
-            drawn.statement = statement;
+            drawn.pen = {context_.theme.thin, context_.theme.secondary, dashes(), false};
+            drawn.statement = each.statement;
             parts.lines.push_back(std::move(drawn));
-        };
-        for (const DrawnVector& vector : trials.vectors)
-            if (vector.polygon == index_) add(vector.tail, vector.tip, 0, vector.statement);
-        for (const DrawnLine& each : trials.lines)
-            if (each.polygon == index_ && each.points.size() > 1)
-                add(each.points.front(), each.points.back(), trial_overshoot, each.statement);
-        for (const Image& image : trials.images) {
-            if (image.polygon != index_ || !is_near(image.point)) continue;
-            PolygonImage trial;
-            trial.kind = PolygonImage::Kind::trial;
-            trial.at = spot(figure, image.point);
-            trial.text = typeset(image.symbol, context_.language);
-            if (!trial.text.empty()) trial.text.back().sup += image.trial == 1 ? "I" : "II";
-            trial.statement = image.statement;
-            parts.images.push_back(std::move(trial));
         }
     }
 
     void add_vectors(PolygonParts& parts, const Figure& figure) const {
-        std::set<std::string> names;
-        std::set<std::tuple<int, int, std::string>> seen;
-        for (const int index : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
-            const double value = value_of(index);
-            if (!(value > extent_ * 1e-12)) continue;  // nothing to draw: the tables say that it is zero
-            const std::string base = name_of(vector.symbol);
-            if (!seen.emplace(vector.tail, vector.tip, base).second) continue;
+        for (const SceneVector& each : scene_.vectors) {
             PolygonVector drawn;
-            drawn.name = base;
-            for (int n = 2; !names.insert(drawn.name).second; ++n) drawn.name = base + "-" + std::to_string(n);
-            drawn.tail = spot(figure, vector.tail);
-            drawn.tip = spot(figure, vector.tip);
-            drawn.value = value;
-            drawn.text = typeset(vector.symbol, context_.language);
-            drawn.colour = colour_of(vector.body);
-            drawn.has_right_angles = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
-            drawn.statement = vector.statement;
+            drawn.name = each.name;
+            drawn.tail = spot(figure, each.tail);
+            drawn.tip = spot(figure, each.tip);
+            drawn.value = each.value;
+            drawn.text = typeset(each.symbol, context_.language);
+            drawn.colour = context_.theme.colour_of(each.body);
+            drawn.has_right_angles = each.has_right_angles;
+            drawn.statement = each.statement;
             parts.vectors.push_back(std::move(drawn));
         }
     }
 
     void add_images(PolygonParts& parts, const Figure& figure) const {
-        PolygonImage pole;
-        pole.kind = PolygonImage::Kind::pole;
-        Symbol symbol{Symbol::Letter::pole, polygon_.plane == Plane::acceleration ? "a" : "v", ""};
-        for (const int index : polygon_.images) {
-            const Image& image = protocol_.images[static_cast<std::size_t>(index)];
-            if (image.symbol.letter == Symbol::Letter::pole && !image.symbol.about.empty()) symbol = image.symbol;
-        }
-        pole.text = typeset(symbol, context_.language);
-        pole.name = name_of(symbol);
-        parts.images.push_back(std::move(pole));
-        for (const int index : polygon_.images) {
-            const Image& image = protocol_.images[static_cast<std::size_t>(index)];
-            if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
+        for (const SceneImage& each : scene_.images) {
             PolygonImage drawn;
-            drawn.at = spot(figure, image.point);
-            drawn.name = name_of(image.symbol);
-            drawn.text = typeset(image.symbol, context_.language);
-            drawn.statement = statement_of(image);
+            drawn.kind = each.kind;
+            drawn.at = spot(figure, each.at);
+            drawn.text = typeset(each.symbol, context_.language);
+            if (each.kind != SceneImage::Kind::trial)
+                drawn.name = name_of(each.symbol);
+            else if (!drawn.text.empty())
+                drawn.text.back().sup += each.trial == 1 ? "I" : "II";
+            drawn.statement = each.statement;
             parts.images.push_back(std::move(drawn));
         }
-    }
-    /// An image stands once a vector ends in it; where none does, once its point is found.
-    int statement_of(const Image& image) const {
-        for (const int index : polygon_.vectors) {
-            const DrawnVector& vector = protocol_.vectors[static_cast<std::size_t>(index)];
-            if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
-        }
-        return image.statement;
     }
 
     /// The bar stands in a corner that nothing crosses, else under the figure.
     void draw_bar(Figure& figure) const {
         if (empty()) return;
         std::vector<Mark> bar;
-        draw_scale_bar(bar, context_.fonts, context_.theme, {0, 0}, 24, figure.scale, 1, unit_, context_.language);
+        draw_scale_bar(bar, context_.fonts, context_.theme, {0, 0}, 24, figure.scale, 1, figure.unit, context_.language);
         const Box size = box_of(bar);
         const Box box = figure.box;
         const double left = box.min.x - size.min.x, right = box.max.x - size.max.x;
@@ -360,92 +237,115 @@ private:
     }
 
     const DrawingContext& context_;
-    const Protocol& protocol_;
-    int index_;
-    const Polygon& polygon_;
-    std::string unit_;
-    Exact si_ = 1;
-    bool si_is_one_ = true;
-    mutable std::map<int, Place> places_;
-    mutable std::map<int, double> values_;
-    mutable std::map<int, Spot> directions_;
-    Place min_, max_;  // the pole, at the origin, belongs to it
-    double extent_ = 0;
+    const PolygonScene& scene_;
 };
 
-}  // namespace
+// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
+constexpr double least_shown = 12;
+// Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
+constexpr double crowded = 0.17;
+// A polygon smaller than this is worth more than details beside it.
+constexpr double least_with_details = 60;
 
-Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest) {
-    KG_ASSERT(polygon >= 0 && static_cast<std::size_t>(polygon) < context.solution.protocol.polygons.size(),
-              "a polygon of the protocol");
-    const Drawing drawing(context, polygon);
-    const Spot room{room_x, room_y};
-    const auto fits = [&](const Figure& figure, double reach) {
-        return figure.box.width() + 2 * reach <= room_x && figure.box.height() + 2 * reach <= room_y;
-    };
-    /// Whether the figure is done.
-    const auto finish = [&](Figure& figure, bool whatever_it_takes) {
-        if (!place_labels(figure, context.fonts, room, whatever_it_takes ? Labelling::free : Labelling::if_it_fits)) return false;
-        figure.marks.emplace_back(GroupEnd{});
-        return true;
-    };
+/// The drawing in a room, lettered, with details where they have places.
+class Fitting {
+public:
+    Fitting(const Drawing& drawing, const DrawingContext& context, Spot room, double coarsest)
+        : drawing_(drawing), context_(context), room_(room), coarsest_(coarsest) {}
+
+    Figure fitted() const {
+        if (drawing_.empty()) {
+            Figure figure = drawing_.at(1);
+            finish(figure, true);
+            return figure;
+        }
+        const FitPolicy policy{.room = room_,
+                               .first = choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt),
+                               .asked = drawing_.asked(),
+                               .coarsest = coarsest_,
+                               .extent = std::max(drawing_.width(), drawing_.height()),
+                               .least_shown = least_shown};
+        return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+            if (trial.asked) return as_asked(trial.scale);
+            if (trial.number == 0 && coarsest_ < any_scale && is_crowded(trial.scale)) return Figure::empty_at(any_scale);
+            return tried(trial);
+        });
+    }
+
+private:
     struct Attempt {
         Figure empty;
         PolygonParts parts;
         std::size_t letters = 0;
         std::vector<Detail> details;
     };
-    const auto attempt = [&](double scale) {
+    Attempt attempt(double scale) const {
         Attempt made;
-        made.empty = drawing.empty_at(scale);
-        made.parts = drawing.parts_of(made.empty);
+        made.empty = drawing_.empty_at(scale);
+        made.parts = drawing_.parts_of(made.empty);
         made.details = details_of(made.parts, scale, 1, made.letters);
         return made;
-    };
-    // With its details; nothing where it wants none, or they have no room or leave the letters none.
-    const auto detailed = [&](const Attempt& made) -> std::optional<Figure> {
+    }
+    /// `reach`: what is added on each side.
+    bool fits(const Figure& figure, double reach = 0) const {
+        return figure.box.width() + 2 * reach <= room_.x && figure.box.height() + 2 * reach <= room_.y;
+    }
+    bool is_crowded(double scale) const {
+        return room_of_names(drawing_.at(scale), context_.fonts) > crowded * room_.x * room_.y;
+    }
+    /// Whether the labels have places; the group is closed then.
+    bool finish(Figure& figure, bool whatever_it_takes) const {
+        const Labelling labelling = whatever_it_takes ? Labelling::free : Labelling::if_it_fits;
+        if (!place_labels(figure, context_.fonts, room_, labelling)) return false;
+        figure.marks.emplace_back(GroupEnd{});
+        return true;
+    }
+    /// With its details; nothing where it wants none, or they have no room or leave the letters none.
+    std::optional<Figure> detailed(const Attempt& made) const {
         if (made.details.empty()) return std::nullopt;
-        Figure figure = drawing.with_parts(made.empty, made.parts, made.details);
-        if (!place_labels(figure, context.fonts, room, Labelling::if_all_free) || !fits(figure, 0)) return std::nullopt;
+        Figure figure = drawing_.with_parts(made.empty, made.parts, made.details);
+        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free) || !fits(figure)) return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         std::size_t letters = made.letters;
-        if (!set_details(figure, context, made.parts, made.details, room, letters) || !fits(figure, 0)) return std::nullopt;
-        return figure;
-    };
-    if (drawing.empty()) {
-        Figure figure = drawing.at(1);
-        finish(figure, true);
+        if (!set_details(figure, context_, made.parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;
         return figure;
     }
-    // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
-    constexpr double least_shown = 12;
-    // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
-    constexpr double crowded = 0.17;
-    // A polygon smaller than this is worth more than details beside it.
-    constexpr double least_with_details = 60;
-    const FitPolicy policy{.room = room,
-                           .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
-                           .asked = drawing.asked(),
-                           .coarsest = coarsest,
-                           .extent = std::max(drawing.width(), drawing.height()),
-                           .least_shown = least_shown};
-    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
-        if (trial.number == 0 && !trial.asked && coarsest < any_scale &&
-            room_of_names(drawing.at(trial.scale), context.fonts) > crowded * room_x * room_y)
-            return Figure::empty_at(any_scale);
-        const Attempt made = attempt(trial.scale);
-        Figure figure = drawing.with_parts(made.empty, made.parts, {});
-        if (!trial.last && !trial.asked && !fits(figure, 0.4 * label_reach)) return std::nullopt;
+    std::optional<Figure> as_asked(double scale) const {
+        const Attempt made = attempt(scale);
         if (auto with_details = detailed(made)) return with_details;
-        if (trial.asked && !fits(figure, 0)) return std::nullopt;
-        if (!finish(figure, trial.last) || (!trial.last && !fits(figure, 0))) return std::nullopt;
-        if (trial.asked || made.details.empty()) return figure;
+        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        if (!fits(figure) || !finish(figure, false)) return std::nullopt;
+        return figure;
+    }
+    std::optional<Figure> tried(const Trial& trial) const {
+        const Attempt made = attempt(trial.scale);
+        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        if (!trial.last && !fits(figure, 0.4 * label_reach)) return std::nullopt;
+        if (auto with_details = detailed(made)) return with_details;
+        if (!finish(figure, trial.last) || (!trial.last && !fits(figure))) return std::nullopt;
+        if (made.details.empty()) return figure;
         // One step smaller with its details is better than without.
-        if (const double smaller = next_scale(trial.scale); policy.extent / smaller > least_with_details && smaller <= coarsest)
+        const double smaller = next_scale(trial.scale), extent = std::max(drawing_.width(), drawing_.height());
+        if (extent / smaller > least_with_details && smaller <= coarsest_)
             if (auto with_details = detailed(attempt(smaller))) return with_details;
         figure.lacks_details = true;
         return figure;
-    });
+    }
+
+    const Drawing& drawing_;
+    const DrawingContext& context_;
+    Spot room_;
+    double coarsest_;
+};
+
+}  // namespace
+
+Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest) {
+    return polygon_figure(context, polygon_scene(context.solution, polygon), room_x, room_y, coarsest);
+}
+
+Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y, double coarsest) {
+    return Fitting(Drawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
 }
 
 }  // namespace kinegraph::render

@@ -212,7 +212,7 @@ private:
                                       vector.name + " = " + shortest(vector.value) + " " + figure_.unit,
                                       {{"data-name", vector.name}, {"data-value", shortest(vector.value)}}});
         marks.emplace_back(Axis{vector.tail, vector.tip});
-        figure_.measured.push_back({vector.name, length(vector.tip - vector.tail), ""});
+        figure_.axes.push_back({vector.name, vector.tail, vector.tip, ""});
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
             draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, width_of(vector));
         marks.emplace_back(GroupEnd{});
@@ -445,7 +445,7 @@ private:
                        statement});
         inset.marks.emplace_back(circle({0, 0}, radius, {theme.thin, theme.text, {}, false}));
         draw_parts(inset, context_, parts, inner);
-        for (Measured& each : inset.measured) each.detail = detail.letter;
+        for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
         inset.box = {{-radius, -radius}, {radius, radius}};
         all_free_ =
             place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free) && all_free_;
@@ -500,7 +500,7 @@ private:
         for (DetailOn& each : figure_.details)
             if (each.letter == shown.letter) each.id = inset.id;
         figure_.marks.insert(figure_.marks.end(), inset.marks.begin(), inset.marks.end());
-        figure_.measured.insert(figure_.measured.end(), inset.measured.begin(), inset.measured.end());
+        figure_.axes.insert(figure_.axes.end(), inset.axes.begin(), inset.axes.end());
         figure_.details.insert(figure_.details.end(), inset.details.begin(), inset.details.end());
         figure_.box = {{std::min(box.min.x, inset.box.min.x), std::min(box.min.y, inset.box.min.y)},
                        {std::max(box.max.x, inset.box.max.x), std::max(box.max.y, inset.box.max.y)}};
@@ -603,7 +603,7 @@ public:
           is_(lettered_anew(figure.details, before)) {}
 
     void change() {
-        for (Measured& each : figure_.measured)
+        for (DrawnAxis& each : figure_.axes)
             if (const auto detail = lettered(each.detail)) each.detail = is_[*detail].letter;
         figure_.details = is_;
         for (Mark& mark : figure_.marks)

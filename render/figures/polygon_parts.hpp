@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/figures/figure.hpp"
+#include "render/scene/polygon_scene.hpp"
 
 namespace kinegraph::render {
 
@@ -38,7 +39,8 @@ struct PolygonPiece {
     int statement = -1;
 };
 struct PolygonImage {
-    enum class Kind { pole, image, trial } kind = Kind::image;
+    using Kind = SceneImage::Kind;
+    Kind kind = Kind::image;
     Spot at;
     std::string name;
     RichText text;

@@ -18,6 +18,10 @@ void Figure::move(double dx, double dy) {
         shift(label.anchor);
         if (label.toward) shift(*label.toward);
     }
+    for (DrawnAxis& axis : axes) {
+        shift(axis.tail);
+        shift(axis.tip);
+    }
     for (DetailOn& detail : details) shift(detail.circle);
     shift(box.min);
     shift(box.max);
@@ -26,8 +30,10 @@ void Figure::move(double dx, double dy) {
 
 std::optional<Measured> measured_on(const Figure& figure, const std::string& name) {
     std::optional<Measured> longest;
-    for (const Measured& each : figure.measured)
-        if (each.name == name && (!longest || each.millimetres > longest->millimetres)) longest = each;
+    for (const DrawnAxis& axis : figure.axes) {
+        const double whole = length(axis.tip - axis.tail);
+        if (axis.name == name && (!longest || whole > longest->millimetres)) longest = Measured{whole, axis.detail};
+    }
     return longest;
 }
 

@@ -28,11 +28,16 @@ struct LabelRequest {
     std::vector<double> dashes{};      ///< line kind of the balloon, mm
 };
 
+/// A vector drawn to scale, where it lies on paper.
+struct DrawnAxis {
+    std::string name;  ///< its data-name
+    Spot tail, tip;
+    std::string detail;  ///< letter of the detail that it is drawn in; empty: the figure itself
+};
 /// A vector's length on paper.
 struct Measured {
-    std::string name;  ///< its data-name
     double millimetres = 0;
-    std::string detail;  ///< letter of the detail that it is drawn in; empty: the figure itself
+    std::string detail;  ///< as DrawnAxis's
 };
 /// A place of a figure that is drawn again beside it, larger, with a circle round it.
 struct DetailOn {
@@ -52,11 +57,12 @@ struct Figure {
     Spot origin;                       ///< where the origin of its coordinates lies
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
+    bool has_scale = true;             ///< a diagram has none, nor has a polygon of which all vectors are zero
     bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
 
     // What it shows, told by those who draw it.
-    std::vector<Measured> measured;  ///< all vectors drawn to its scale or to a detail's
-    std::vector<DetailOn> details;   ///< in the order drawn; those within others after them
+    std::vector<DrawnAxis> axes;    ///< of all vectors drawn to its scale or to a detail's
+    std::vector<DetailOn> details;  ///< in the order drawn; those within others after them
 
     void move(double dx, double dy);
     static Figure empty_at(double scale);

@@ -2,7 +2,6 @@
 #include "render/sheet/sections.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -28,18 +27,7 @@ public:
           force_statements_(context.solution) {}
 
     std::vector<Section> write() {
-        add_results();
-        add_unsolved();
-        add_steps();
-        add_listed("bodies", body_lines(context_, format_.measure), {.home = 0});
-        if (has_forces(solution_)) add_listed("forces", reaction_lines(context_, format_.measure), {.of_forces = true});
-        if (wanted_.lever && !lever_has_table())
-            add_listed("lever", {wanted_.lever_table}, {.home = static_cast<int>(*wanted_.lever), .of_forces = true});
-        if (!solution_.centres.empty())
-            add_listed("instant centres", centre_lines(context_, format_.measure), {.home = 0},
-                       one_piece(solution_.mechanism.units.length.symbol));
-        add_conventions();
-        add_remarks();
+        write_sections();
         return std::move(sections_);
     }
 
@@ -63,31 +51,37 @@ private:
                                             });
     }
 
+    void write_sections() {
+        write_results();
+        write_unsolved();
+        write_steps();
+        write_bodies();
+        write_forces();
+        write_centres();
+        write_conventions();
+        write_remarks();
+    }
+
     void add(Section section) {
         if (!section.rows.empty()) sections_.push_back(std::move(section));
     }
-    void add_listed(const std::string& heading, std::vector<Block> rows, Section section, const RichText& note = {}) {
-        section.rows = std::move(rows);
-        if (!section.rows.empty()) set_heading(section, word(heading, context_.language), note);
-        add(std::move(section));
-    }
 
-    /// Where a table that begins at a row ends: full, or divided between groups where it can.
-    static std::size_t end_of_table(const std::vector<ResultRow>& rows, std::size_t from, std::size_t fit) {
-        const std::size_t full = from + fit;
-        if (full >= rows.size()) return rows.size();
-        for (std::size_t k = full; k > from + 4; --k)
-            if (rows[k].group != rows[k - 1].group) return k;
-        return full;
-    }
-    void add_results() {
+    void write_results() {
         std::vector<ResultRow> rows = result_rows(context_, pages_.drawn);
         for (ResultRow& row : force_rows(context_, pages_.drawn)) rows.push_back(std::move(row));
+        if (rows.empty()) return;
         const double longest = format_.content.height() - format_.block.height() - 8;
         const auto fit = static_cast<std::size_t>(std::max(8.0, (longest - 14) / 4.5));
         const std::string title = word("results", context_.language);
         for (std::size_t from = 0; from < rows.size();) {
-            const std::size_t to = end_of_table(rows, from, fit);
+            std::size_t to = std::min(rows.size(), from + fit);
+            // A table is divided between groups where it can.
+            if (to < rows.size())
+                for (std::size_t k = to; k > from + 4; --k)
+                    if (rows[k].group != rows[k - 1].group) {
+                        to = k;
+                        break;
+                    }
             const std::vector<ResultRow> part(rows.begin() + static_cast<std::ptrdiff_t>(from),
                                               rows.begin() + static_cast<std::ptrdiff_t>(to));
             Section table;
@@ -97,7 +91,7 @@ private:
         }
     }
 
-    void add_unsolved() {
+    void write_unsolved() {
         if (solution_.unsolved.empty()) return;
         Section section;
         set_heading(section, word("unsolved", context_.language));
@@ -110,72 +104,94 @@ private:
         add(std::move(section));
     }
 
-    // --- the steps -----------------------------------------------------------------------------------------------------------
-
-    /// An angular velocity found a second time belongs to the velocities.
-    static std::string section_of(const Statement& statement) {
-        return statement.message.sentence == Sentence::second_way ? "velocity" : statement.section;
-    }
-    static constexpr std::array<const char*, 4> first_sections{"velocity", "acceleration", "relative motion", "centres"};
-
-    void add_steps() {
-        std::vector<std::string> order(first_sections.begin(), first_sections.end());
-        for (const Statement& statement : solution_.protocol.statements)
+    void write_steps() {
+        const Solution& s = solution_;
+        int step = 0;
+        std::vector<std::string> order{"velocity", "acceleration", "relative motion", "centres"};
+        // An angular velocity found a second time belongs to the velocities.
+        const auto section_of = [](const Statement& statement) -> std::string {
+            return statement.message.sentence == Sentence::second_way ? "velocity" : statement.section;
+        };
+        for (const Statement& statement : s.protocol.statements)
             if (std::find(order.begin(), order.end(), section_of(statement)) == order.end())
                 order.push_back(section_of(statement));
-        int step = 0;
-        for (const std::string& name : order) add_steps(name, step);
-    }
-    /// Those of one section, numbered on.
-    void add_steps(const std::string& name, int& step) {
-        Section section;
-        section.in_order = name != "centres";  // these explain the first figure and are read with it
-        section.of_forces = name == "forces";
-        section.home = home_of(name);
-        for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
-            const Statement& statement = solution_.protocol.statements[i];
-            if (section_of(statement) != name || told_by_list(statement.message.sentence)) continue;
-            if (section.rows.empty()) set_heading(section, heading_of_steps(name));
-            section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
-            belong(section.rows.back().marks, 0, static_cast<int>(i));
-            if (name == "forces") add_force_equations(section, i);
-            const auto placed = wanted_.equation_polygon.find(i);
-            const bool without_figure = placed == wanted_.equation_polygon.end() || pages_.unplaced.contains(placed->second);
-            if (statement.equation && without_figure)
-                section.rows.push_back(indented(equation_block(context_, *statement.equation, format_.measure - 6), i));
+        for (const std::string& name : order) {
+            Section section;
+            section.in_order = name != "centres";  // these explain the first figure and are read with it
+            if (name == "centres") section.home = 0;
+            if (name == "forces") {
+                section.home = static_cast<int>(wanted_.first_of_forces);
+                section.of_forces = true;
+            }
+            for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
+                const Polygon& polygon = s.protocol.polygons[p];
+                if (polygon.plane == Plane::force) continue;
+                if (polygon.point.empty() ? name == (polygon.plane == Plane::acceleration ? "acceleration" : "velocity")
+                                          : name == "relative motion")
+                    section.home = static_cast<int>(p) + 1;
+            }
+            for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
+                const Statement& statement = s.protocol.statements[i];
+                if (section_of(statement) != name || told_by_list(statement.message.sentence)) continue;
+                if (section.rows.empty())
+                    set_heading(section, word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ||
+                                                      (name == "forces" && is_mixed(solution_))
+                                                  ? "steps " + name
+                                                  : "steps",
+                                              context_.language));
+                section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
+                belong(section.rows.back().marks, 0, static_cast<int>(i));
+                if (name == "forces") add_force_equations(section, i);
+                const auto placed = wanted_.equation_polygon.find(i);
+                if (statement.equation &&
+                    (placed == wanted_.equation_polygon.end() || pages_.unplaced.contains(placed->second))) {
+                    Block block = equation_block(context_, *statement.equation, format_.measure - 6);
+                    belong(block.marks, 0, static_cast<int>(i));
+                    move(block.marks, 6, 0.5);
+                    block.height += 2.5;
+                    section.rows.push_back(std::move(block));
+                }
+            }
+            add(std::move(section));
         }
+    }
+
+    void write_bodies() {
+        Section section;
+        section.home = 0;
+        section.rows = body_lines(context_, format_.measure);
+        if (!section.rows.empty()) set_heading(section, word("bodies", context_.language));
         add(std::move(section));
     }
-    /// The figure that its steps are read with; −1: none.
-    int home_of(const std::string& name) const {
-        if (name == "centres") return 0;
-        if (name == "forces") return static_cast<int>(wanted_.first_of_forces);
-        for (std::size_t p = 0; p < solution_.protocol.polygons.size(); ++p) {
-            const Polygon& polygon = solution_.protocol.polygons[p];
-            if (polygon.plane == Plane::force) continue;
-            const bool is_home = polygon.point.empty()
-                                     ? name == (polygon.plane == Plane::acceleration ? "acceleration" : "velocity")
-                                     : name == "relative motion";
-            if (is_home) return static_cast<int>(p) + 1;
+
+    void write_forces() {
+        if (has_forces(solution_)) {
+            Section section;
+            section.of_forces = true;
+            section.rows = reaction_lines(context_, format_.measure);
+            set_heading(section, word("forces", context_.language));
+            add(std::move(section));
         }
-        return -1;
-    }
-    std::string heading_of_steps(const std::string& name) const {
-        const bool own = std::find(first_sections.begin(), first_sections.end(), name) != first_sections.end() ||
-                         (name == "forces" && is_mixed(solution_));
-        return word(own ? "steps " + name : "steps", context_.language);
-    }
-    /// What a statement draws, below it.
-    static Block indented(Block block, std::size_t statement) {
-        belong(block.marks, 0, static_cast<int>(statement));
-        move(block.marks, 6, 0.5);
-        block.height += 2.5;
-        return block;
+        if (wanted_.lever && !lever_has_table()) {
+            Section section;
+            section.home = static_cast<int>(*wanted_.lever);
+            section.of_forces = true;
+            section.rows = {wanted_.lever_table};
+            set_heading(section, word("lever", context_.language));
+            add(std::move(section));
+        }
     }
 
-    // --- what is said besides ------------------------------------------------------------------------------------------------
+    void write_centres() {
+        if (solution_.centres.empty()) return;
+        Section section;
+        section.home = 0;
+        section.rows = centre_lines(context_, format_.measure);
+        set_heading(section, word("instant centres", context_.language), one_piece(solution_.mechanism.units.length.symbol));
+        add(std::move(section));
+    }
 
-    void add_conventions() {
+    void write_conventions() {
         const Solution& s = solution_;
         Section section;
         // Of a body alone there is nothing to count.
@@ -187,18 +203,19 @@ private:
         add(std::move(section));
     }
 
-    void add_remarks() {
-        std::vector<RichText> remarks;
+    void write_remarks() {
+        std::vector<RichText> refused;
         for (std::size_t i = 0; i < wanted_.list.size() && i < pages_.drawn.size(); ++i)
             if (misses(wanted_.list[i], pages_.drawn[i])) {
-                remarks.push_back(pages_.drawn[i].caption);
-                append(remarks.back(), one_piece(": " + word("scale refused", context_.language)));
+                RichText text = pages_.drawn[i].caption;
+                append(text, one_piece(": " + word("scale refused", context_.language)));
+                refused.push_back(std::move(text));
             }
-        for (const Message& each : solution_.remarks) remarks.push_back(say(each, context_.language));
-        if (remarks.empty()) return;
+        if (solution_.remarks.empty() && refused.empty()) return;
         Section section;
         set_heading(section, word("remarks", context_.language));
-        for (const RichText& each : remarks) section.rows.push_back(paragraph(each));
+        for (const RichText& each : refused) section.rows.push_back(paragraph(each));
+        for (const Message& each : solution_.remarks) section.rows.push_back(paragraph(say(each, context_.language)));
         add(std::move(section));
     }
 
@@ -209,8 +226,11 @@ private:
         for (const FreeBody* body : closed) {
             Block block = force_equation_block(context_, *body, true);
             if (block.width == 0 || block.width > format_.measure - 6) continue;
+            belong(block.marks, 0, static_cast<int>(statement));
+            move(block.marks, 6, 0.5);
+            block.height += 2.5;
             section.spare_rows.push_back(section.rows.size());
-            section.rows.push_back(indented(std::move(block), statement));
+            section.rows.push_back(std::move(block));
         }
     }
     bool figures_have_force_equations() const {

@@ -108,89 +108,92 @@ WantedFigures::WantedFigures(const DrawingContext& context, double measure, bool
 
 namespace {
 
-/// What never measures nothing.
-void measures(Wanted& wanted, const Box& extent) {
-    wanted.extent_x = std::max(extent.width(), 1e-30);
-    wanted.extent_y = std::max(extent.height(), 1e-30);
-}
-
-Spot spot_of(const Vector& at) { return {at.x.to_double(), at.y.to_double()}; }
-
-/// All points of the drawing, m.
-Box box_of(const Pose& pose) {
-    if (pose.points.empty()) return {};
-    Box box{spot_of(pose.points.front()), spot_of(pose.points.front())};
-    for (const Vector& at : pose.points) box.include(spot_of(at));
-    return box;
-}
+/// What places span, m.
+struct Span {
+    double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+    void add(const Vector& at) {
+        const double x = at.x.to_double(), y = at.y.to_double();
+        left = std::min(left, x), right = std::max(right, x), low = std::min(low, y), high = std::max(high, y);
+    }
+    explicit Span(const std::vector<Vector>& points) {
+        for (const Vector& at : points) add(at);
+    }
+    double width() const { return std::max(right - left, 1e-30); }
+    double height() const { return std::max(high - low, 1e-30); }
+};
 
 }  // namespace
 
-/// The mechanism itself, with what is drawn on it; at a scale of ours where the one that the file asks for is too large for the
-/// paper.
-Wanted WantedFigures::mechanism(const std::string& name, const Box& extent, Spot rim, OnMechanism draw) {
+/// Its symbols and letters do not shrink with the mechanism: drawn small, it is crowded.
+Wanted WantedFigures::mechanism(const std::string& name, double extent_x, double extent_y) const {
     Wanted mechanism;
     mechanism.name = name;
-    measures(mechanism, extent);
+    mechanism.extent_x = extent_x;
+    mechanism.extent_y = extent_y;
     mechanism.asked = asked("mechanism", 1);
-    mechanism.rim_x = rim.x;
-    mechanism.rim_y = rim.y;
     mechanism.caption_width = 95;
-    // Its symbols and letters do not shrink with it: drawn small, it is crowded.
     mechanism.weight = context_.solution.act_of_motion ? 2.6 : 1.7;
-    mechanism.draw = [this, draw, refuses = mechanism.asked.has_value()](double x, double y, double coarsest) {
-        Figure figure = draw(context_, x, y, coarsest);
-        if (!refuses || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
-        return draw(unscaled(), x, y, coarsest);
-    };
     return mechanism;
 }
 
 void WantedFigures::collect_forces(bool joukowsky) {
     const Solution& s = context_.solution;
     first_of_forces = list.size();
-    list.push_back(mechanism(
-        "lines-of-action", box_of(s.pose), {34, 40},
-        [](const DrawingContext& context, double x, double y, double) { return mechanism_with_forces(context, x, y); }));
-    list.back().starts_page = true;
-    add_force_polygons();
-    add_free_bodies();
-    if (joukowsky && no_lever(s) == NoLever::none) add_lever();
-}
-
-void WantedFigures::add_force_polygons() {
-    const Solution& s = context_.solution;
-    const double si = s.mechanism.units.force.si.to_double();
-    const auto add = [&](int polygon, const std::string& name, auto draw) {
-        Wanted wanted;
-        wanted.name = polygon < 0 ? name : s.protocol.polygons[at_index(polygon)].id;
-        measures(wanted, extent_of_forces(s, polygon));
-        wanted.asked = asked(name, si);
-        for (const char* other : {"forces", "closure"})
-            if (!wanted.asked) wanted.asked = asked(other, si);
-        wanted.to_force_scale = true;
-        const std::optional<double> scale = wanted.asked;
-        wanted.draw = [this, draw, scale](double x, double y, double) {
-            const bool fixed = scale && !force_scale;
-            return draw(x, y, fixed ? scale : force_scale, fixed);
-        };
-        list.push_back(std::move(wanted));
-    };
+    add_lines_of_action();
     if (has_force_polygons(s)) {
-        add(-1, "forces", [this](double x, double y, std::optional<double> scale, bool fixed) {
-            return force_polygons_figure(context_, x, y, scale, fixed);
-        });
+        const Box extent = extent_of_forces(s);
+        add_force_polygons("forces", "forces", extent.width(), extent.height(),
+                           [this](double x, double y, std::optional<double> scale, bool fixed) {
+                               return force_polygons_figure(context_, x, y, scale, fixed);
+                           });
         list.back().items = force_polygon_count(s);
         list.back().rim_x = 14;
         list.back().rim_y = 16;
     }
-    for (const int p : closed_polygons(s))
-        add(p, "closure", [this, p](double x, double y, std::optional<double> scale, bool fixed) {
-            return closed_polygon_figure(context_, p, x, y, scale, fixed);
-        });
+    for (const int p : closed_polygons(s)) {
+        const PolygonScene scene = polygon_scene(s, p);
+        add_force_polygons("closure", scene.id, scene.width(), scene.height(),
+                           [this, p](double x, double y, std::optional<double> scale, bool fixed) {
+                               return closed_polygon_figure(context_, p, x, y, scale, fixed);
+                           });
+    }
+    add_free_bodies();
+    if (joukowsky && no_lever(s) == NoLever::none) add_lever();
 }
 
-/// In the order of bodies, pins after them.
+void WantedFigures::add_lines_of_action() {
+    const Span span(context_.solution.pose.points);
+    Wanted wanted = mechanism("lines-of-action", span.width(), span.height());
+    wanted.rim_x = 34;
+    wanted.rim_y = 40;
+    wanted.starts_page = true;
+    wanted.draw = [this](double x, double y, double) {
+        Figure figure = mechanism_with_forces(context_, x, y);
+        if (!asked("mechanism", 1) || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        return mechanism_with_forces(unscaled(), x, y);
+    };
+    list.push_back(std::move(wanted));
+}
+
+/// `kind`: by which the file asks for a scale; where it does not, that of the others holds.
+void WantedFigures::add_force_polygons(const std::string& kind, const std::string& name, double extent_x, double extent_y,
+                                       DrawForces draw) {
+    const double si = context_.solution.mechanism.units.force.si.to_double();
+    Wanted wanted;
+    wanted.name = name;
+    wanted.extent_x = std::max(extent_x, 1e-30);
+    wanted.extent_y = std::max(extent_y, 1e-30);
+    for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
+        if (!wanted.asked) wanted.asked = asked(figure, si);
+    wanted.to_force_scale = true;
+    wanted.draw = [this, draw = std::move(draw), scale = wanted.asked](double x, double y, double) {
+        const bool fixed = scale && !force_scale;
+        return draw(x, y, fixed ? scale : force_scale, fixed);
+    };
+    list.push_back(std::move(wanted));
+}
+
+/// In the order of the bodies, pins after them.
 void WantedFigures::add_free_bodies() {
     const Solution& s = context_.solution;
     std::vector<std::size_t> order;
@@ -202,7 +205,8 @@ void WantedFigures::add_free_bodies() {
     for (const std::size_t i : order) {
         Wanted body;
         const FreeBody& free = s.free_bodies[i];
-        body.name = free.body >= 0 ? "body-" + s.mechanism.body(free.body).name : "pin-" + s.mechanism.point(free.pin).name;
+        body.name = free.body >= 0 ? "body-" + s.mechanism.bodies[static_cast<std::size_t>(free.body)].name
+                                   : "pin-" + s.mechanism.points[static_cast<std::size_t>(free.pin)].name;
         const Box box = extent_of_free_body(s, i);
         body.extent_x = std::max(box.width(), 0.3 * box.height());
         body.extent_y = std::max(box.height(), 0.3 * box.width());
@@ -220,7 +224,9 @@ void WantedFigures::add_lever() {
     Wanted wanted;
     wanted.name = "joukowsky";
     lever_table = joukowsky_block(context_, measure_);
-    measures(wanted, extent_of_lever(context_.solution));
+    const Box extent = extent_of_lever(context_.solution);
+    wanted.extent_x = std::max(extent.width(), 1e-30);
+    wanted.extent_y = std::max(extent.height(), 1e-30);
     wanted.rim_x = 40;  // forces on either side
     wanted.rim_y = 40 + 0.6 * lever_table.height;
     wanted.weight = 1.3;
@@ -270,75 +276,64 @@ const DrawingContext& WantedFigures::unscaled() {
     return *unscaled_context_;
 }
 
-namespace {
-
-/// The points and those centres that are not far, m.
-Box extent_with_centres(const Solution& s) {
-    Box extent = box_of(s.pose);
-    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({extent.width(), extent.height(), 1e-30});
-    const Box body = rectangle(extent.min.x - near, extent.min.y - near, extent.max.x + near, extent.max.y + near);
-    for (const InstantCentre& centre : s.centres) {
-        if (!centre.at || centre.at->at_infinity()) continue;
-        const Spot at = spot_of(centre.at->place());
-        if (at.x > body.min.x && at.x < body.max.x && at.y > body.min.y && at.y < body.max.y) extent.include(at);
-    }
-    return extent;
-}
-
-/// What its vectors span with the pole, in a unit.
-Box extent_of(const Protocol& protocol, const Polygon& polygon, double si) {
-    Box box;
-    for (const int v : polygon.vectors)
-        for (const int end : {protocol.vectors[at_index(v)].tail, protocol.vectors[at_index(v)].tip}) {
-            const ProjectivePoint& at = protocol.point(end);
-            if (!at.at_infinity()) box.include(Spot{at.x.to_double() / si, at.y.to_double() / si});
-        }
-    return box;
-}
-
-/// By statement.
-std::map<int, int> polygons_drawn(const Protocol& protocol) {
-    std::map<int, int> polygon_of;
+void WantedFigures::collect_motion() {
+    add_mechanism();
+    const Protocol& protocol = context_.solution.protocol;
+    std::map<int, int> polygon_of;  // by statement
     for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
     for (const DrawnLine& drawn : protocol.lines)
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
-    return polygon_of;
+    for (std::size_t p = 0; p < protocol.polygons.size(); ++p)
+        if (protocol.polygons[p].plane != Plane::force) add_polygon(static_cast<int>(p), polygon_of);
 }
 
-}  // namespace
-
-void WantedFigures::collect_motion() {
+void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
-    list.push_back(mechanism(s.centres.empty() || s.act_of_motion ? "mechanism" : "centres", extent_with_centres(s), {22, 26},
-                             [](const DrawingContext& context, double x, double y, double coarsest) {
-                                 if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
-                                 return mechanism_figure(context, x, y, !context.solution.centres.empty(), coarsest);
-                             }));
-    const std::map<int, int> polygon_of = polygons_drawn(s.protocol);
-    for (std::size_t p = 0; p < s.protocol.polygons.size(); ++p)
-        if (s.protocol.polygons[p].plane != Plane::force) add_polygon(static_cast<int>(p), polygon_of);
+    Span span(s.pose.points);
+    const double near = (s.act_of_motion ? 1.2 : 0.6) * std::max({span.right - span.left, span.high - span.low, 1e-30});
+    const Box body = rectangle(span.left - near, span.low - near, span.right + near, span.high + near);
+    for (const InstantCentre& centre : s.centres) {
+        if (!centre.at || centre.at->at_infinity()) continue;
+        const Vector at = centre.at->place();
+        const double x = at.x.to_double(), y = at.y.to_double();
+        if (x > body.min.x && x < body.max.x && y > body.min.y && y < body.max.y) span.add(at);
+    }
+    Wanted wanted = mechanism(s.centres.empty() || s.act_of_motion ? "mechanism" : "centres", span.width(), span.height());
+    wanted.rim_x = 22;
+    wanted.rim_y = 26;
+    const auto draw = [](const DrawingContext& context, double x, double y, double coarsest) {
+        if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
+        return mechanism_figure(context, x, y, !context.solution.centres.empty(), coarsest);
+    };
+    wanted.draw = [this, draw](double x, double y, double coarsest) {
+        Figure figure = draw(context_, x, y, coarsest);
+        if (!list.front().asked || (figure.box.width() <= x && figure.box.height() <= y)) return figure;
+        // The scale that the file asks for is too large for the paper: ours, then.
+        return draw(unscaled(), x, y, coarsest);
+    };
+    list.push_back(std::move(wanted));
 }
 
-/// One polygon of motion, with the equations of the statements that draw in it.
-void WantedFigures::add_polygon(int index, const std::map<int, int>& polygon_of) {
-    const Solution& s = context_.solution;
-    const Polygon& polygon = s.protocol.polygons[at_index(index)];
-    const bool acceleration = polygon.plane == Plane::acceleration;
-    const double si = (acceleration ? s.mechanism.units.acceleration : s.mechanism.units.velocity).si.to_double();
+/// `polygon_of`: by statement, the polygon that it draws in.
+void WantedFigures::add_polygon(int polygon, const std::map<int, int>& polygon_of) {
+    const Protocol& protocol = context_.solution.protocol;
+    const PolygonScene& scene = scenes_.emplace_back(polygon_scene(context_.solution, polygon));
     Wanted wanted;
-    wanted.name = polygon.id;
-    const Box extent = extent_of(s.protocol, polygon, si);
-    measures(wanted, extent);
-    wanted.empty = !(std::max(extent.width(), extent.height()) > 0);
-    wanted.asked = asked(polygon.id, si);
-    if (!wanted.asked) wanted.asked = asked(acceleration ? "acceleration" : "velocity", si);
-    wanted.draw = [this, index](double x, double y, double coarsest) { return polygon_figure(context_, index, x, y, coarsest); };
+    wanted.name = scene.id;
+    wanted.empty = scene.empty();
+    wanted.extent_x = std::max(scene.width(), 1e-30);
+    wanted.extent_y = std::max(scene.height(), 1e-30);
+    const double si = scene.unit.si.to_double();
+    wanted.asked = asked(scene.id, si);
+    if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
+    wanted.draw = [this, &scene](double x, double y, double coarsest) { return polygon_figure(context_, scene, x, y, coarsest); };
     std::vector<Block> equations;
-    for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
-        const auto& equation = s.protocol.statements[i].equation;
+    for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
+        const auto& equation = protocol.statements[i].equation;
         const auto found = polygon_of.find(static_cast<int>(i));
-        if (!equation || found == polygon_of.end() || found->second != index) continue;
+        if (!equation || found == polygon_of.end() || found->second != polygon) continue;
         equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
+        belong(equations.back().marks, 0, static_cast<int>(i));
         equation_polygon[i] = list.size();
     }
     wanted.has_equations = !equations.empty();

@@ -89,20 +89,24 @@ public:
     std::optional<double> force_scale;  ///< common to triangles and closed polygon, once one could not be drawn larger
 
 private:
-    using OnMechanism = Figure (*)(const DrawingContext&, double room_x, double room_y, double coarsest);
-    Wanted mechanism(const std::string& name, const Box& extent, Spot rim, OnMechanism draw);
+    using DrawForces = std::function<Figure(double room_x, double room_y, std::optional<double> scale, bool fixed)>;
+
     void collect_motion();
-    void add_polygon(int index, const std::map<int, int>& polygon_of);
+    void add_mechanism();
+    void add_polygon(int polygon, const std::map<int, int>& polygon_of);
     void collect_forces(bool joukowsky);
-    void add_force_polygons();
+    void add_lines_of_action();
+    void add_force_polygons(const std::string& kind, const std::string& name, double extent_x, double extent_y, DrawForces draw);
     void add_free_bodies();
     void add_lever();
+    Wanted mechanism(const std::string& name, double extent_x, double extent_y) const;
     Figure lever_with_table(double room_x, double room_y) const;
     std::optional<double> asked(const std::string& figure, double si) const;
     const DrawingContext& unscaled();
 
     const DrawingContext& context_;
     double measure_;
+    std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::optional<DrawingContext> unscaled_context_;
 };

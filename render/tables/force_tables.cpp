@@ -9,6 +9,7 @@
 
 #include "engine/assert.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/polygon_scene.hpp"
 #include "render/tables/checked_numbers.hpp"
 
 namespace kinegraph::render {

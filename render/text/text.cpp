@@ -574,61 +574,45 @@ ShapedLine Fonts::shape(const RichText& text, double size_points) const {
     return setter.finish(text);
 }
 
-std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
-    RichText changed;
-    const RichText& text = with_raised_digits(given, changed);
-    // Items are words, blanks between words, or pieces that hold together; a line may end only at a blank.
-    struct Item {
-        std::size_t piece, begin, end;
-        bool blank;
-        double width;
-    };
-    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
-    const double size = millimetres(size_points);
-    std::vector<Item> items;
-    for (std::size_t p = 0; p < text.size(); ++p) {
-        const Piece& piece = text[p];
-        const std::string_view words = piece.text;
-        if (has_scripts(piece)) {
-            items.push_back({p, 0, words.size(), false, shape({piece}, size_points).width});
+namespace {
+
+/// A stretch that no line divides: a word, blanks between words, or a piece that holds together.
+struct Stretch {
+    std::size_t piece, begin, end;
+    bool blank;
+    double width;
+};
+
+/// The text of stretches from the first up to the last.
+RichText line_of(const RichText& text, const std::vector<Stretch>& stretches, std::size_t first, std::size_t last) {
+    RichText line;
+    for (std::size_t i = first; i < last; ++i) {
+        const Stretch& stretch = stretches[i];
+        const Piece& piece = text[stretch.piece];
+        if (i > first && stretches[i - 1].piece == stretch.piece) {
+            line.back().text.append(piece.text, stretch.begin, stretch.end - stretch.begin);
             continue;
         }
-        for (std::size_t at = 0; at < words.size();) {
-            const bool blank = breaks(words[at]);
-            std::size_t end = at + 1;
-            while (end < words.size() && breaks(words[end]) == blank) ++end;
-            const double em = blank ? state_->faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at)
-                                    : state_->word(words.substr(at, end - at), piece.face).advance;
-            items.push_back({p, at, end, blank, em * size});
-            at = end;
-        }
+        line.push_back(piece);
+        line.back().text = piece.text.substr(stretch.begin, stretch.end - stretch.begin);
     }
-    std::vector<ShapedLine> lines;
-    const auto set = [&](std::size_t first, std::size_t last) {
-        RichText line;
-        for (std::size_t i = first; i < last; ++i) {
-            const Item& item = items[i];
-            const Piece& piece = text[item.piece];
-            if (i > first && items[i - 1].piece == item.piece) {
-                line.back().text.append(piece.text, item.begin, item.end - item.begin);
-                continue;
-            }
-            line.push_back(piece);
-            line.back().text = piece.text.substr(item.begin, item.end - item.begin);
-        }
-        lines.push_back(shape(line, size_points));
-    };
+    return line;
+}
+
+/// Calls set(first, last) for every line: it may end only at a blank.
+template <class Set>
+void break_lines(const std::vector<Stretch>& stretches, double measure, Set set) {
     constexpr double tolerance = 1e-9;  // mm; sums of widths differ in the last bits
     std::size_t first = 0;              // of this line
     std::size_t last = 0;               // behind the last word that stands on this line
     double width = 0;                   // up to `i`
-    for (std::size_t i = 0; i < items.size();) {
+    for (std::size_t i = 0; i < stretches.size();) {
         std::size_t word = i;  // the next word begins here, behind blanks
         double to_word = width;
-        while (word < items.size() && items[word].blank) to_word += items[word++].width;
+        while (word < stretches.size() && stretches[word].blank) to_word += stretches[word++].width;
         std::size_t end = word;
         double to_end = to_word;
-        while (end < items.size() && !items[end].blank) to_end += items[end++].width;
+        while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
         if (word == end) break;  // nothing but blanks is left
         if (to_end > measure + tolerance && last > first) {
             set(first, last);
@@ -639,7 +623,38 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, d
         width = to_end;
         i = end;
     }
-    if (last > first || lines.empty()) set(first, last);
+    if (last > first || first == 0) set(first, last);
+}
+
+}  // namespace
+
+std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, double measure) const {
+    KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
+    RichText changed;
+    const RichText& text = with_raised_digits(given, changed);
+    const double size = millimetres(size_points);
+    std::vector<Stretch> stretches;
+    for (std::size_t p = 0; p < text.size(); ++p) {
+        const Piece& piece = text[p];
+        const std::string_view words = piece.text;
+        if (has_scripts(piece)) {
+            stretches.push_back({p, 0, words.size(), false, shape({piece}, size_points).width});
+            continue;
+        }
+        for (std::size_t at = 0; at < words.size();) {
+            const bool blank = breaks(words[at]);
+            std::size_t end = at + 1;
+            while (end < words.size() && breaks(words[end]) == blank) ++end;
+            const double em = blank ? state_->faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at)
+                                    : state_->word(words.substr(at, end - at), piece.face).advance;
+            stretches.push_back({p, at, end, blank, em * size});
+            at = end;
+        }
+    }
+    std::vector<ShapedLine> lines;
+    break_lines(stretches, measure, [&](std::size_t first, std::size_t last) {
+        lines.push_back(shape(line_of(text, stretches, first, last), size_points));
+    });
     return lines;
 }
 

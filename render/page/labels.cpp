@@ -12,9 +12,9 @@
 #include <numbers>
 #include <optional>
 
-#include "render/figures/figure.hpp"
-#include "render/figures/label_key.hpp"
 #include "render/page/ink_map.hpp"
+#include "render/page/label_key.hpp"
+#include "render/page/labels.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -824,6 +824,54 @@ double room_of_names(const Figure& figure, const Fonts& fonts) {
     return sum;
 }
 
+namespace {
+
+/// Whether all groups of a figure are within its own, which is closed.
+bool is_closed(const Figure& figure) {
+    const auto begun = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                     [](const Mark& mark) { return std::holds_alternative<GroupBegin>(mark); });
+    const auto ended = std::count_if(figure.marks.begin(), figure.marks.end(),
+                                     [](const Mark& mark) { return std::holds_alternative<GroupEnd>(mark); });
+    return figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&
+           std::holds_alternative<GroupEnd>(figure.marks.back()) && begun == ended;
+}
+
+void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped) {
+    const std::size_t own = figure.marks.size();
+    if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
+    if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
+    const Spot centre = place.box.centre;
+    if (request.balloon > 0) {
+        const double round = 2 * std::numbers::pi * request.balloon;
+        figure.marks.emplace_back(
+            circle(centre, request.balloon, {0.35, request.colour, going_round(request.dashes, round), false}));
+    }
+    const std::size_t first = figure.marks.size();
+    set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2}, request.colour,
+             "label");
+    for (std::size_t k = first; k < figure.marks.size(); ++k) {
+        auto& text = std::get<TextMark>(figure.marks[k]);
+        text.pivot = centre;
+        text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
+        text.names = request.names;
+        if (k > first) text.cls = "text";  // one label, one aria-label
+    }
+    if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});
+    belong(figure.marks, own, request.statement);
+    const Spot reach = place.box.reach();
+    figure.box.min = {std::min(figure.box.min.x, centre.x - reach.x), std::min(figure.box.min.y, centre.y - reach.y)};
+    figure.box.max = {std::max(figure.box.max.x, centre.x + reach.x), std::max(figure.box.max.y, centre.y + reach.y)};
+}
+
+void set_key(Figure& figure, const LabelKey& key, double measure) {
+    const Spot at{figure.box.min.x, figure.box.max.y + above_key};
+    const LabelKey::Lines lines = key.lines(at, measure);
+    figure.marks.insert(figure.marks.end(), lines.marks.begin(), lines.marks.end());
+    figure.box.max = {std::max(figure.box.max.x, at.x + lines.width), at.y + lines.height};
+}
+
+}  // namespace
+
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling) {
     if (figure.labels.empty()) return true;
     const Ground ground(figure.marks, fonts);
@@ -844,51 +892,12 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
         if (placeless.empty()) break;
         key.take(requests, placeless);
     }
-
     // Into the figure's group, where that is closed already.
-    const auto groups = std::count_if(figure.marks.begin(), figure.marks.end(),
-                                      [](const Mark& mark) { return std::holds_alternative<GroupBegin>(mark); });
-    const auto closed = std::count_if(figure.marks.begin(), figure.marks.end(),
-                                      [](const Mark& mark) { return std::holds_alternative<GroupEnd>(mark); });
-    const bool grouped = figure.marks.size() >= 2 && std::holds_alternative<GroupBegin>(figure.marks.front()) &&
-                         std::holds_alternative<GroupEnd>(figure.marks.back()) && groups == closed;
-    if (grouped) figure.marks.pop_back();
-    for (std::size_t i = 0; i < requests.size(); ++i) {
-        const LabelRequest& request = requests[i];
-        const Candidate& place = placing->chosen(i);
-        const ShapedLine& shaped = placing->shaped(i);
-        const std::size_t own = figure.marks.size();
-        if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-        if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
-        const Spot centre = place.box.centre;
-        if (request.balloon > 0) {
-            const double round = 2 * std::numbers::pi * request.balloon;
-            figure.marks.emplace_back(
-                circle(centre, request.balloon, {0.35, request.colour, going_round(request.dashes, round), false}));
-        }
-        const std::size_t first = figure.marks.size();
-        set_text(figure.marks, shaped, {centre.x - shaped.width / 2, centre.y + (shaped.ascent - shaped.descent) / 2},
-                 request.colour, "label");
-        for (std::size_t k = first; k < figure.marks.size(); ++k) {
-            auto& text = std::get<TextMark>(figure.marks[k]);
-            text.pivot = centre;
-            text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
-            text.names = request.names;
-            if (k > first) text.cls = "text";  // one label, one aria-label
-        }
-        if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});
-        belong(figure.marks, own, request.statement);
-        const Spot reach = place.box.reach();
-        figure.box.min = {std::min(figure.box.min.x, centre.x - reach.x), std::min(figure.box.min.y, centre.y - reach.y)};
-        figure.box.max = {std::max(figure.box.max.x, centre.x + reach.x), std::max(figure.box.max.y, centre.y + reach.y)};
-    }
-    if (!key.empty()) {
-        const Spot at{figure.box.min.x, figure.box.max.y + above_key};
-        LabelKey::Lines lines = key.lines(at, measure);
-        figure.marks.insert(figure.marks.end(), lines.marks.begin(), lines.marks.end());
-        figure.box.max = {std::max(figure.box.max.x, at.x + lines.width), at.y + lines.height};
-    }
-    if (grouped) figure.marks.emplace_back(GroupEnd{});
+    const bool closed = is_closed(figure);
+    if (closed) figure.marks.pop_back();
+    for (std::size_t i = 0; i < requests.size(); ++i) set_label(figure, requests[i], placing->chosen(i), placing->shaped(i));
+    if (!key.empty()) set_key(figure, key, measure);
+    if (closed) figure.marks.emplace_back(GroupEnd{});
     figure.labels.clear();
     return true;
 }

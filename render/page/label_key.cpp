@@ -1,4 +1,4 @@
-#include "render/figures/label_key.hpp"
+#include "render/page/label_key.hpp"
 
 #include <algorithm>
 
@@ -54,71 +54,73 @@ void LabelKey::take(std::vector<LabelRequest>& requests, const std::vector<std::
     }
 }
 
-LabelKey::Lines LabelKey::lines(Spot at, double measure) const {
-    struct Word {
-        ShapedLine shaped;
-        const LabelRequest* label = nullptr;  // none: a number
-        double before = 0;                    // from the word before, where they share a line
-        double ring = 0;                      // radius, round a body's number
-        double width() const { return std::max(shaped.width, 2 * ring); }
-    };
+std::vector<LabelKey::Word> LabelKey::words(double measure) const {
     std::vector<Word> words;
-    int count = 0;
-    const auto add = [&](const Entry& entry) {
+    const auto add = [&](const Entry& entry, const RichText& number) {
+        words.push_back({fonts_.shape(number, entry_size), nullptr, between_entries, 0});
         for (std::size_t i = 0; i < entry.labels.size(); ++i) {
             const LabelRequest& label = entry.labels[i];
-            Word word{shaped_within(label.text, entry_size, fonts_, 0.9 * measure), &label, between_labels};
+            Word word{shaped_within(label.text, entry_size, fonts_, 0.9 * measure), &label,
+                      i == 0 ? after_number : between_labels, 0};
             if (label.balloon > 0) word.ring = std::max(least_ring, 0.5 * word.shaped.width + 0.6);
-            if (i == 0) word.before = words.empty() ? 0 : words.back().label ? between_entries : after_number;
             words.push_back(std::move(word));
         }
     };
-    for (const Entry& entry : entries_) {
-        if (!entry.numbered) continue;
-        words.push_back({fonts_.shape(number(++count), entry_size), nullptr, between_entries});
-        add(entry);
-    }
+    int count = 0;
     for (const Entry& entry : entries_)
-        if (!entry.numbered) {
-            words.push_back({fonts_.shape(one_piece("–"), entry_size), nullptr, between_entries});
-            add(entry);
-        }
+        if (entry.numbered) add(entry, number(++count));
+    for (const Entry& entry : entries_)
+        if (!entry.numbered) add(entry, one_piece("–"));
+    return words;
+}
 
+/// As many words as a line holds; a number stays with what follows it.
+std::size_t LabelKey::end_of_line(const std::vector<Word>& words, std::size_t first, double measure) {
+    double x = words[first].width();
+    std::size_t end = first + 1;
+    for (; end < words.size(); ++end) {
+        double more = words[end].before + words[end].width();
+        if (!words[end].label && end + 1 < words.size()) more += words[end + 1].before + words[end + 1].width();
+        if (x + more > measure && words[end - 1].label) break;
+        x += words[end].before + words[end].width();
+    }
+    return end;
+}
+
+/// `origin`: of its letters; `looks`: the label that it is, or that it is a number of.
+void LabelKey::set_word(std::vector<Mark>& marks, const Word& word, const LabelRequest& looks, Spot origin) {
+    const std::size_t own = marks.size();
+    const bool grouped = word.label && !word.label->id.empty();
+    if (grouped) marks.emplace_back(GroupBegin{"", word.label->id, "", {}});
+    if (word.ring > 0) {
+        const Spot middle = origin + Spot{word.shaped.width / 2, (word.shaped.descent - word.shaped.ascent) / 2};
+        marks.emplace_back(circle(middle, word.ring, {ring_pen, looks.colour, {}, false}));
+    }
+    const std::size_t text = marks.size();
+    set_text(marks, word.shaped, origin, looks.colour, word.label ? "label" : "text");
+    for (std::size_t k = text + 1; k < marks.size(); ++k) std::get<TextMark>(marks[k]).cls = "text";
+    if (grouped) marks.emplace_back(GroupEnd{});
+    belong(marks, own, looks.statement);
+}
+
+LabelKey::Lines LabelKey::lines(Spot at, double measure) const {
+    const std::vector<Word> words = this->words(measure);
     Lines lines;
     for (std::size_t first = 0; first < words.size();) {
-        // As many words as the line holds; a number stays with what follows it.
-        double x = words[first].width(), ascent = 0, descent = 0;
-        std::size_t end = first + 1;
-        for (; end < words.size(); ++end) {
-            double more = words[end].before + words[end].width();
-            if (!words[end].label && end + 1 < words.size()) more += words[end + 1].before + words[end + 1].width();
-            if (x + more > measure && words[end - 1].label) break;
-            x += words[end].before + words[end].width();
-        }
+        const std::size_t end = end_of_line(words, first, measure);
+        double ascent = 0, descent = 0;
         for (std::size_t i = first; i < end; ++i) {
             const ShapedLine& shaped = words[i].shaped;
             const double more = std::max(0.0, words[i].ring - (shaped.ascent + shaped.descent) / 2);
             ascent = std::max(ascent, shaped.ascent + more);
             descent = std::max(descent, shaped.descent + more);
         }
-        x = 0;
+        double x = 0;
         for (std::size_t i = first; i < end; ++i) {
             const Word& word = words[i];
             if (i > first) x += word.before;
-            const std::size_t own = lines.marks.size();
             const Spot origin = at + Spot{x + (word.width() - word.shaped.width) / 2, lines.height + ascent};
-            const LabelRequest* label = word.label;
-            const LabelRequest& looks = label ? *label : *words[i + 1].label;
-            if (label && !label->id.empty()) lines.marks.emplace_back(GroupBegin{"", label->id, "", {}});
-            if (word.ring > 0) {
-                const Spot middle = origin + Spot{word.shaped.width / 2, (word.shaped.descent - word.shaped.ascent) / 2};
-                lines.marks.emplace_back(circle(middle, word.ring, {ring_pen, looks.colour, {}, false}));
-            }
-            const std::size_t text = lines.marks.size();
-            set_text(lines.marks, word.shaped, origin, looks.colour, label ? "label" : "text");
-            for (std::size_t k = text + 1; k < lines.marks.size(); ++k) std::get<TextMark>(lines.marks[k]).cls = "text";
-            if (label && !label->id.empty()) lines.marks.emplace_back(GroupEnd{});
-            belong(lines.marks, own, looks.statement);
+            set_word(lines.marks, word, word.label ? *word.label : *words[i + 1].label, origin);
             x += word.width();
         }
         lines.width = std::max(lines.width, x);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/figures/figure.hpp"
+#include "render/page/figure.hpp"
 
 namespace kinegraph::render {
 
@@ -32,7 +32,17 @@ private:
         std::vector<LabelRequest> labels;
         bool numbered = true;
     };
+    struct Word {
+        ShapedLine shaped;
+        const LabelRequest* label = nullptr;  ///< none: a number
+        double before = 0;                    ///< from the word before, where they share a line
+        double ring = 0;                      ///< radius, round a body's number
+        double width() const { return shaped.width > 2 * ring ? shaped.width : 2 * ring; }
+    };
     static RichText number(int count);
+    std::vector<Word> words(double measure) const;
+    static std::size_t end_of_line(const std::vector<Word>& words, std::size_t first, double measure);
+    static void set_word(std::vector<Mark>& marks, const Word& word, const LabelRequest& looks, Spot origin);
 
     const Fonts& fonts_;
     std::vector<Entry> entries_;

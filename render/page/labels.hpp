@@ -1,0 +1,28 @@
+// Labels: the names that a figure asks for, placed where they cover nothing.
+#pragma once
+
+#include <optional>
+
+#include "render/page/figure.hpp"
+
+namespace kinegraph::render {
+
+enum class Labelling {
+    free,        ///< labels leave the room where nothing in it is free
+    strict,      ///< rather than leave the room, a label goes into the key
+    if_it_fits,  ///< none is set where figure and labels do not fit into the room
+    if_all_free  ///< none is set where one of them finds no free place
+};
+
+/// Gives every request a place where it covers no stroke, no arrowhead and no other label, near its object; deterministic.
+/// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
+/// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
+/// (its aria-label says it all). What finds no place is listed in a key below the figure, by a number at its object where that
+/// finds one; labels that must stay in the room go there rather than leave it. False: none was set.
+bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
+                  Labelling labelling = Labelling::free);
+
+/// What the names that a figure asks for will take with the air about them, mm²: places or none.
+double room_of_names(const Figure& figure, const Fonts& fonts);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,236 @@
+// Polygon scene: read off the protocol, each element turned to doubles once, for the rationals are long.
+#include "render/scene/polygon_scene.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "engine/assert.hpp"
+#include "render/ink/spot.hpp"
+#include "render/scene/drawn_by.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// A direction as a unit, whatever the size of its coordinates.
+Place direction(const Vector& vector) {
+    const Exact largest = std::max(abs(vector.x), abs(vector.y));
+    if (largest.is_zero()) return {1, 0};
+    const Spot along = unit({(vector.x / largest).to_double(), (vector.y / largest).to_double()});
+    return {along.x, along.y};
+}
+
+const Unit& unit_of(const Polygon& polygon, const Units& units) {
+    if (polygon.plane == Plane::force) return units.force;
+    return polygon.plane == Plane::acceleration ? units.acceleration : units.velocity;
+}
+PolygonScene::Kind kind_of(const Polygon& polygon) {
+    if (polygon.plane == Plane::acceleration) return PolygonScene::Kind::acceleration;
+    if (polygon.plane == Plane::velocity) return PolygonScene::Kind::velocity;
+    return polygon.id.starts_with("closure") ? PolygonScene::Kind::closure : PolygonScene::Kind::forces;
+}
+
+class Reading {
+public:
+    Reading(const Solution& solution, int polygon)
+        : solution_(solution),
+          protocol_(solution.protocol),
+          index_(polygon),
+          polygon_(protocol_.polygons[at(polygon)]),
+          force_statements_(solution) {
+        scene_.kind = kind_of(polygon_);
+        scene_.id = polygon_.id;
+        scene_.point = polygon_.point;
+        scene_.observer = polygon_.observer;
+        scene_.translating = polygon_.translating;
+        scene_.unit = unit_of(polygon_, solution.mechanism.units);
+        si_is_one_ = scene_.unit.si == Exact(1);
+    }
+
+    PolygonScene scene() {
+        measure();
+        add_vectors();
+        if (polygon_.plane == Plane::force) {
+            add_faces();
+        } else {
+            add_trials();
+            add_lines();
+            add_images();
+        }
+        return std::move(scene_);
+    }
+
+private:
+    bool of_motion() const { return polygon_.plane != Plane::force; }
+    double in_unit(const Exact& si_value) const { return (si_is_one_ ? si_value : si_value / scene_.unit.si).to_double(); }
+    Place place(int element) {
+        const auto [found, fresh] = places_.try_emplace(element);
+        if (fresh) {
+            const ProjectivePoint& point = protocol_.point(element);
+            found->second = {in_unit(point.x), in_unit(point.y)};
+        }
+        return found->second;
+    }
+    Place direction_of(int line) {
+        const auto [found, fresh] = directions_.try_emplace(line);
+        if (fresh) found->second = direction(protocol_.line(line).direction());
+        return found->second;
+    }
+
+    /// Of a polygon of motion the pole, at the origin, belongs to it.
+    void measure() {
+        bool any = of_motion();
+        const auto add = [&](int element) {
+            if (protocol_.point(element).at_infinity()) return;
+            const Place p = place(element);
+            if (!any) scene_.least = scene_.most = p;
+            any = true;
+            scene_.least = {std::min(scene_.least.x, p.x), std::min(scene_.least.y, p.y)};
+            scene_.most = {std::max(scene_.most.x, p.x), std::max(scene_.most.y, p.y)};
+        };
+        for (const int v : polygon_.vectors) {
+            add(protocol_.vectors[at(v)].tail);
+            add(protocol_.vectors[at(v)].tip);
+        }
+        if (of_motion())
+            for (const int i : polygon_.images) add(protocol_.images[at(i)].point);
+    }
+
+    void add_vectors() {
+        std::set<std::string> names;
+        std::set<std::tuple<int, int, std::string>> seen;
+        std::optional<Vector> longest;
+        Exact square;
+        for (const int index : polygon_.vectors) {
+            const DrawnVector& vector = protocol_.vectors[at(index)];
+            const Vector exact = protocol_.value_of(vector);
+            if (!of_motion())
+                if (Exact own = dot(exact, exact); !longest || square < own) longest = exact, square = std::move(own);
+            const double value =
+                kinegraph::length(si_is_one_ ? exact : Vector{exact.x / scene_.unit.si, exact.y / scene_.unit.si});
+            if (!(value > scene_.size() * 1e-12)) continue;  // nothing to draw: the tables say that it is zero
+            const std::string base = name_of(vector.symbol);
+            if (!seen.emplace(vector.tail, vector.tip, base).second) continue;
+            SceneVector& shown = scene_.vectors.emplace_back();
+            shown.symbol = vector.symbol;
+            shown.name = base;
+            for (int n = 2; !names.insert(shown.name).second; ++n) shown.name = base + "-" + std::to_string(n);
+            shown.tail = place(vector.tail);
+            shown.tip = place(vector.tip);
+            shown.value = value;
+            shown.body = vector.body;
+            shown.falls_out = scene_.kind == PolygonScene::Kind::closure && vector.role == DrawnVector::Role::internal;
+            shown.has_right_angles = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
+            shown.statement = statement_of(vector);
+        }
+        if (longest) scene_.along = direction(*longest);
+    }
+    /// A force is drawn by what finds it; the polygon of one body by what closes it, with all its sides.
+    int statement_of(const DrawnVector& vector) const {
+        if (of_motion()) return vector.statement;
+        if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, force_statements_, vector.symbol);
+        for (const FreeBody& body : solution_.free_bodies)
+            if (body.polygon == index_) return force_statements_.polygon(body);
+        return -1;
+    }
+
+    void add_faces() {
+        for (const kinegraph::Face& face : polygon_.faces) {
+            SceneFace& shown = scene_.faces.emplace_back();
+            shown.body = face.body;
+            for (const int corner : face.corners) shown.corners.push_back(place(corner));
+        }
+    }
+
+    void add_lines() {
+        for (const DrawnLine& each : protocol_.lines) {
+            if (each.polygon != index_ || each.line < 0 || protocol_.line(each.line).at_infinity()) continue;
+            std::vector<int> finite;
+            std::copy_if(each.points.begin(), each.points.end(), std::back_inserter(finite),
+                         [&](int element) { return !protocol_.point(element).at_infinity(); });
+            if (finite.empty()) continue;
+            scene_.lines.push_back(
+                {each.reason, place(finite.front()), place(finite.back()), direction_of(each.line), each.statement});
+        }
+    }
+
+    /// As far as it lies near the solution.
+    void add_trials() {
+        const Trials& trials = protocol_.trials;
+        const double near = 0.5 * scene_.size();
+        const auto is_near = [&](int element) {
+            if (protocol_.point(element).at_infinity()) return false;
+            const Place p = place(element);
+            return p.x > scene_.least.x - near && p.x < scene_.most.x + near && p.y > scene_.least.y - near &&
+                   p.y < scene_.most.y + near;
+        };
+        const auto add = [&](int from, int to, bool is_line, int statement) {
+            if (is_near(from) && is_near(to)) scene_.trials.push_back({place(from), place(to), is_line, statement});
+        };
+        for (const DrawnVector& vector : trials.vectors)
+            if (vector.polygon == index_) add(vector.tail, vector.tip, false, vector.statement);
+        for (const DrawnLine& each : trials.lines)
+            if (each.polygon == index_ && each.points.size() > 1)
+                add(each.points.front(), each.points.back(), true, each.statement);
+        for (const Image& image : trials.images)
+            if (image.polygon == index_ && is_near(image.point))
+                scene_.images.push_back({SceneImage::Kind::trial, image.symbol, place(image.point), image.trial,
+                                         protocol_.strokes[at(image.point)].statement});
+    }
+
+    void add_images() {
+        SceneImage& pole = scene_.images.emplace_back();
+        pole.kind = SceneImage::Kind::pole;
+        pole.symbol = {Symbol::Letter::pole, polygon_.plane == Plane::acceleration ? "a" : "v", ""};
+        for (const int index : polygon_.images) {
+            const Image& image = protocol_.images[at(index)];
+            if (image.symbol.letter == Symbol::Letter::pole && !image.symbol.about.empty()) pole.symbol = image.symbol;
+        }
+        for (const int index : polygon_.images) {
+            const Image& image = protocol_.images[at(index)];
+            if (image.symbol.letter == Symbol::Letter::pole || protocol_.point(image.point).at_infinity()) continue;
+            scene_.images.push_back({SceneImage::Kind::image, image.symbol, place(image.point), 0, statement_of(image)});
+        }
+    }
+    /// An image stands once a vector ends in it; where none does, once its point is found.
+    int statement_of(const Image& image) const {
+        for (const int index : polygon_.vectors) {
+            const DrawnVector& vector = protocol_.vectors[at(index)];
+            if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
+        }
+        return protocol_.strokes[at(image.point)].statement;
+    }
+
+    const Solution& solution_;
+    const Protocol& protocol_;
+    int index_;
+    const Polygon& polygon_;
+    ForceStatements force_statements_;
+    bool si_is_one_ = true;
+    std::map<int, Place> places_;      // by element
+    std::map<int, Place> directions_;  // by element
+    PolygonScene scene_;
+};
+
+}  // namespace
+
+PolygonScene polygon_scene(const Solution& solution, int polygon) {
+    KG_ASSERT(polygon >= 0 && at(polygon) < solution.protocol.polygons.size(), "a polygon of the protocol");
+    return Reading(solution, polygon).scene();
+}
+
+std::vector<int> closed_polygons(const Solution& solution) {
+    std::vector<int> found;
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
+        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
+            solution.protocol.polygons[p].faces.size() > 1)
+            found.push_back(static_cast<int>(p));
+    return found;
+}
+
+}  // namespace kinegraph::render
