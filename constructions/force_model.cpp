@@ -181,7 +181,9 @@ void ForceModel::add_load(Load load) {
 }
 
 void ForceModel::read_loads() {
-    for (const auto& given : mechanism_.loads) {
+    for (std::size_t index = 0; index < mechanism_.loads.size(); ++index) {
+        const auto& given = mechanism_.loads[index];
+        const int number = static_cast<int>(index);
         if (const auto* force = std::get_if<ForceLoad>(&given)) {
             const ForceLoad& load = *force;
             const auto vector = [load](const Pose& pose) {
@@ -193,7 +195,8 @@ void ForceModel::read_loads() {
                       AppliedForce::Kind::load,
                       board_.given<Plane::force>(vector),
                       board_.place(load.at),
-                      {}});
+                      {},
+                      number});
         } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
             const auto& points = mechanism_.bodies[at(couple->body)].points;
             add_load({couple->body,
@@ -201,18 +204,19 @@ void ForceModel::read_loads() {
                       AppliedForce::Kind::load,
                       {},
                       board_.place(points.empty() ? 0 : points.front()),
-                      board_.given(couple->value)});
+                      board_.given(couple->value),
+                      number});
         } else {
-            add_spring(std::get<SpringLoad>(given));
+            add_spring(std::get<SpringLoad>(given), number);
         }
     }
-    for (const Mass& mass : mechanism_.masses) {
-        add_weight(mass);
-        if (mechanism_.inertia_forces) add_inertia(mass);
+    for (std::size_t index = 0; index < mechanism_.masses.size(); ++index) {
+        add_weight(static_cast<int>(index));
+        if (mechanism_.inertia_forces) add_inertia(static_cast<int>(index));
     }
 }
 
-void ForceModel::add_spring(const SpringLoad& spring) {
+void ForceModel::add_spring(const SpringLoad& spring, int given) {
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const PointIndex from = spring.between[end], to = spring.between[1 - end];
         const Exact magnitude = spring.magnitude;
@@ -226,7 +230,8 @@ void ForceModel::add_spring(const SpringLoad& spring) {
                   AppliedForce::Kind::spring,
                   board_.given<Plane::force>(pull),
                   board_.place(from),
-                  {}});
+                  {},
+                  given});
     }
 }
 
@@ -234,17 +239,20 @@ std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
     return mechanism_.masses.size() == 1 ? std::string(letter) : std::string(letter) + mechanism_.bodies[at(mass.body)].name;
 }
 
-void ForceModel::add_weight(const Mass& mass) {
+void ForceModel::add_weight(int given) {
     if (!mechanism_.gravity) return;
+    const Mass& mass = mechanism_.masses[at(given)];
     add_load({mass.body,
               {Symbol::Letter::F, mass_name(mass, "g"), {}},
               AppliedForce::Kind::weight,
               board_.given<Plane::force>([weight = mass.mass * *mechanism_.gravity](const Pose&) { return weight; }),
               board_.place(mass.centre),
-              {}});
+              {},
+              given});
 }
 
-void ForceModel::add_inertia(const Mass& mass) {
+void ForceModel::add_inertia(int given) {
+    const Mass& mass = mechanism_.masses[at(given)];
     const auto& track = motion_.acceleration;
     const NodeIndex centre = structure_.find(mass.centre, mass.body);
     if (track.polygon < 0 || centre < 0 || !track.has(centre) || !track.turns(mass.body)) {
@@ -258,7 +266,8 @@ void ForceModel::add_inertia(const Mass& mass) {
               AppliedForce::Kind::inertia,
               board_.scale<Plane::force>(board_.given(-mass.mass), acceleration),
               board_.place(mass.centre),
-              {}};
+              {},
+              given};
     add_load(load);
     load.force.reset();
     load.symbol.letter = Symbol::Letter::M;

@@ -49,6 +49,8 @@ struct Reaction {
     std::optional<Action> action;        ///< its line, before or after the magnitude is known
     bool only_couple = false;            ///< a guide whose force was shown to vanish
     bool deduced = false;                ///< the line was found, not given
+    int line_statement = -1;             ///< the first that says or needs its line
+    int force_statement = -1;            ///< by which it is known
 };
 
 /// All that acts on a body, reduced: nothing, a couple, or a force along a line.
@@ -68,18 +70,19 @@ struct Load {
     std::optional<Force> force;
     PlaceOnDrawing place;
     std::optional<ScalarHandle> couple;
+    int given = -1;  ///< as AppliedForce::given
 };
 
 /// What was done at one member, for its free-body diagram.
 struct Resolved {
     int member = -1;
-    std::vector<std::pair<std::string, PlaceOnDrawing>> meets;
 };
 
 struct Run {
     std::vector<Reaction> reactions;  ///< by bond
     std::vector<Resolved> order;
     bool complete = false;
+    bool in_parts = false;  ///< a sum of parts found apart, or of trials
 };
 
 /// True where a member belongs to a group of them.
@@ -136,11 +139,11 @@ private:
     int material_side(JointIndex index) const;
     void add_load(Load load);
     void read_loads();
-    void add_spring(const SpringLoad& spring);
+    void add_spring(const SpringLoad& spring, int given);
     std::string mass_name(const Mass& mass, const char* letter) const;
-    void add_weight(const Mass& mass);
+    void add_weight(int given);
     /// d'Alembert: −m a_G at the mass centre and −J_G α.
-    void add_inertia(const Mass& mass);
+    void add_inertia(int given);
 
     Structure& structure_;
     Board& board_;

@@ -83,8 +83,9 @@ public:
         solution_.protocol = std::move(board_).finish();
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
-        solution_.checks = std::move(comparison.rows);
-        solution_.numeric_moduli = std::move(comparison.moduli);
+        const std::vector<Comparison::Moved> moved = comparison.bodies;
+        enter(std::move(comparison), solution_);
+        for (Message& remark : disagreements(solution_, moved)) solution_.remarks.push_back(std::move(remark));
     }
 
 private:

@@ -14,6 +14,7 @@
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
+#include "engine/quantity.hpp"
 #include "engine/statement.hpp"
 
 namespace kinegraph {
@@ -89,14 +90,30 @@ struct AppliedForce {
     Exact couple;                       ///< N m about `at`
     Vector at;                          ///< a place on the line of action (m); for a couple the place it is drawn at
     bool line_by_construction = false;  ///< its line of action was deduced, not given
+    /// Index in Mechanism::loads (load, spring), masses (weight, inertia) or efforts (effort); −1: a reaction.
+    int given = -1;
+    int force_element = -1, couple_element = -1;  ///< of the protocol; −1: it vanishes
+    /// The statement after which its line is known, or that first needs the line of what is given; −1: none does.
+    int line_statement = -1;
+    int force_statement = -1;  ///< that finds it; −1: it is given
+    /// By the check: the modulus in N; the couple in N m, as `couple` counts. None where equilibrium leaves them open.
+    std::optional<double> numeric_force, numeric_couple;
 };
 /// A body cut free, with all that acts on it; the forces close its polygon.
 struct FreeBody {
     BodyIndex body = -1;  ///< −1: the pin of a multiple hinge at `pin`
     PointIndex pin = -1;
-    std::vector<AppliedForce> forces;                   ///< in the order of the polygon: what was known first
-    std::vector<std::pair<std::string, Vector>> meets;  ///< points of concurrency used: name and place
-    int polygon = -1;                                   ///< index in Protocol::polygons; −1 where all forces vanish
+    std::vector<AppliedForce> forces;  ///< in the order of the polygon: what was known first
+    /// A point of concurrency that was used.
+    struct Meet {
+        std::string name;
+        Vector place;
+        int statement = -1;  ///< that finds it
+    };
+    std::vector<Meet> meets;
+    int polygon = -1;       ///< index in Protocol::polygons; −1 where all forces vanish
+    int statement = -1;     ///< after which all its forces are known
+    bool in_parts = false;  ///< its forces are sums of parts or trials: its polygon was closed by no one statement
 };
 /// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
 /// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
@@ -135,10 +152,11 @@ struct ActFigure {
     std::optional<Projections> differing;
     std::optional<Vector> acceleration_centre;  ///< the place of the body whose acceleration vanishes, m
     std::string acceleration_centre_name;       ///< "K", or the first of K2, K3 … that no point of the file has
+    int centre_statement = -1, acceleration_centre_statement = -1;
 };
 /// One scalar held against the check.
 struct CheckRow {
-    std::string quantity;  ///< "omega 3", "velocity B x"
+    Quantity quantity;  ///< of a vector: one component
     double graphical = 0, numeric = 0, difference = 0;
 };
 struct Unsolved {
@@ -170,6 +188,13 @@ struct Solution {
     std::vector<Unsolved> unsolved;  ///< not empty: exit 3
     std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
 };
+
+/// What these are values of.
+Quantity velocity_of(const PointMotion& motion);
+Quantity acceleration_of(const PointMotion& motion);
+Quantity quantity_of(const InstantCentre& centre);
+Quantity quantity_of(const JointForce& action);
+Quantity quantity_of(const FreeBody& body, const AppliedForce& applied);
 
 /// Says a message in English.
 using Teller = std::function<std::string(const Message&)>;

@@ -49,6 +49,7 @@ struct Figure {
     Spot origin;                       ///< where the origin of its coordinates lies
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
+    bool has_table = false;            ///< what is known of its vectors, or their powers, stands in it
     bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
 
     void move(double dx, double dy);

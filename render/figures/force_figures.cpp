@@ -7,7 +7,6 @@
 #include "render/figures/clutter.hpp"
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
 
@@ -92,14 +91,14 @@ int lines_through(const FreeBody& body, Spot place, double near) {
     return count;
 }
 
-using Meets = std::vector<std::pair<std::string, Vector>>;
+using Meets = std::vector<FreeBody::Meet>;
 
 /// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
 Meets shown_meets(const Solution& solution, const FreeBody& body) {
     Meets shown;
     const double near = 1e-7 * solution.pose.size.to_double();
     for (const auto& meet : body.meets)
-        if (lines_through(body, paper_spot(meet.second), near) >= 2) shown.push_back(meet);
+        if (lines_through(body, paper_spot(meet.place), near) >= 2) shown.push_back(meet);
     return shown;
 }
 
@@ -136,7 +135,7 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
             include(at, 0);
     // A point of concurrency is shown where it does not make the body tiny.
     const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
-    for (const auto& [letter, place] : shown_meets(subject.solution, body))
+    for (const auto& [letter, place, statement] : shown_meets(subject.solution, body))
         if (const Spot at = paper_spot(place); contains(near, at)) include(at, 0);
     return {own, box};
 }
@@ -165,13 +164,13 @@ void add_line(std::vector<ActionLine>& lines, ActionLine added) {
 /// The line of a force with the points of concurrency on it, as far as there are any.
 ActionLine line_of(const Sketch& sketch, const AppliedForce& applied, const Meets& meets, const Box& view, int statement = -1) {
     ActionLine action{sketch.spot(applied.at), paper_direction(applied.force), {sketch.spot(applied.at)}, statement, {}};
-    for (const auto& [letter, place] : meets) {
-        const Spot meet = sketch.spot(place);
-        if (std::abs(cross(action.along, meet - action.at)) > 0.05 + 1e-9 * length(meet - action.at)) continue;
-        if (contains(view, meet))
-            action.marks.push_back(meet);
+    for (const FreeBody::Meet& meet : meets) {
+        const Spot place = sketch.spot(meet.place);
+        if (std::abs(cross(action.along, place - action.at)) > 0.05 + 1e-9 * length(place - action.at)) continue;
+        if (contains(view, place))
+            action.marks.push_back(place);
         else
-            action.far_meets.push_back(letter);
+            action.far_meets.push_back(meet.name);
     }
     return action;
 }
@@ -465,7 +464,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                 }
             }
         }
-        for (const auto& [letter, place] : meets)
+        for (const auto& [letter, place, statement] : meets)
             if (const Spot meet = sketch.spot(place); contains(view, meet))
                 draw_meet(sketch, context, letter, meet);
             else
@@ -488,7 +487,6 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     const Mechanism& mechanism = solution.mechanism;
     const Theme& theme = context.theme;
     const Subject subject(solution);
-    const ForceStatements statements(solution);
     const auto asked = asked_scale(mechanism, "mechanism");
     // A point of concurrency is what the figure is for: it may make the mechanism smaller.
     const Box near = grown(subject.box, 0.7 * subject.size());
@@ -497,14 +495,14 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     Meets shown;
     for (const FreeBody& body : solution.free_bodies)
         for (const auto& meet : body.meets) {
-            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.first == meet.first; });
+            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.name == meet.name; });
             int count = 0;
             for (const FreeBody& other : solution.free_bodies)
-                count = std::max(count, lines_through(other, paper_spot(meet.second), 1e-7 * solution.pose.size.to_double()));
+                count = std::max(count, lines_through(other, paper_spot(meet.place), 1e-7 * solution.pose.size.to_double()));
             if (!listed && count >= 2) shown.push_back(meet);
         }
     {
-        for (const auto& [letter, place] : shown)
+        for (const auto& [letter, place, statement] : shown)
             if (const Spot at = paper_spot(place); contains(near, at)) {
                 extent.min = {std::min(extent.min.x, at.x), std::min(extent.min.y, at.y)};
                 extent.max = {std::max(extent.max.x, at.x), std::max(extent.max.y, at.y)};
@@ -526,16 +524,16 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         for (const FreeBody& body : solution.free_bodies) {
             for (const AppliedForce& applied : body.forces) {
                 if (applied.force.is_zero()) continue;
-                ActionLine action = line_of(sketch, applied, shown_meets(solution, body), view, statements.line(body, applied));
+                ActionLine action = line_of(sketch, applied, shown_meets(solution, body), view, applied.line_statement);
                 if (action.marks.size() > 1 || !action.far_meets.empty() || applied.line_by_construction)
                     add_line(lines, std::move(action));
             }
         }
-        for (const auto& [letter, place] : shown)
+        for (const auto& [letter, place, statement] : shown)
             if (const Spot at = sketch.spot(place); contains(view, at))
-                draw_meet(sketch, context, letter, at, statements.meet(letter));
+                draw_meet(sketch, context, letter, at, statement);
             else
-                draw_far_meet(sketch, context, letter, place, lines, view, statements.meet(letter));
+                draw_far_meet(sketch, context, letter, place, lines, view, statement);
         for (const ActionLine& action : lines) draw_action_line(sketch.construction, theme, action, view);
 
         // Loads, efforts and what the frame gives: their sense only.
@@ -546,7 +544,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                 // An actuator between two bodies shows once.
                 if (applied.kind == AppliedForce::Kind::effort && applied.from > 0 && applied.from < body.body) continue;
                 const Spot at = sketch.spot(applied.at);
-                const int statement = statements.force(body, applied);
+                const int statement = applied.force_statement;
                 if (!applied.couple.is_zero()) {
                     draw_couple(sketch, context, clutter, typeset(couple_symbol(applied), context.language), at,
                                 applied.couple.sign() > 0, colour, statement);

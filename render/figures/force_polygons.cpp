@@ -9,7 +9,6 @@
 #include "render/figures/mechanism_sketch.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
-#include "render/tables/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
 
@@ -69,7 +68,7 @@ public:
 
     Figure empty_at(double scale) const {
         Figure figure;
-        figure.kind = polygon_.id.starts_with("closure") ? "closure" : "forces";
+        figure.kind = polygon_.kind == Polygon::Kind::joined_forces ? "closure" : "forces";
         figure.id = legal_id(polygon_.id);
         figure.caption = one_piece(word(figure.kind == "closure" ? "closed force polygon" : "force polygon", context_.language));
         figure.scale = scale;
@@ -273,7 +272,6 @@ private:
         const std::string key = items_.size() == 1 ? (triangles ? "force triangle" : "force polygon")
                                                    : (triangles ? "force triangles" : "force polygons");
         all.caption = one_piece(word(key, context_.language));
-        const ForceStatements statements(context_.solution);
         double y = 0;
         for (const std::vector<std::size_t>& row : rows) {
             double tallest = 0, used = 0;
@@ -297,7 +295,7 @@ private:
                 figure.move(x - figure.box.min.x + 0.5 * (sizes[i].x - figure.box.width()),
                             y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
                 append(all.marks, figure.marks);
-                belong(all.marks, first, statements.polygon(*items_[i].body));
+                belong(all.marks, first, items_[i].body->statement);
                 std::vector<Mark> table = items_[i].table.marks;
                 const double left = x + 0.5 * (sizes[i].x - items_[i].table.width);
                 render::move(table, left, y + head + tallest + 2.5);
@@ -307,7 +305,7 @@ private:
                     std::vector<Mark> row_names = names.marks;
                     render::move(row_names, left - indent, y + head + tallest + 2.5);
                     append(all.marks, row_names);
-                    named = true;
+                    named = all.has_table = true;
                 }
                 x += sizes[i].x + spread;
             }
@@ -380,8 +378,7 @@ int force_polygon_count(const Solution& solution) { return static_cast<int>(show
 std::vector<int> closed_polygons(const Solution& solution) {
     std::vector<int> found;
     for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
-        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
-            solution.protocol.polygons[p].faces.size() > 1)
+        if (solution.protocol.polygons[p].kind == Polygon::Kind::joined_forces && solution.protocol.polygons[p].faces.size() > 1)
             found.push_back(static_cast<int>(p));
     return found;
 }

@@ -1,18 +1,20 @@
 // Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are found.
+#include <algorithm>
 #include <array>
 
 #include "render/figures/clutter.hpp"
 #include "render/figures/mechanism_sketch.hpp"
-#include "render/tables/sentences.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render::drawing {
 
-int statement_of_turning(const Solution& solution, const Symbol& sought) {
+int statement_of_turning(const Solution& solution, const Quantity& sought) {
     const std::vector<Statement>& statements = solution.protocol.statements;
-    for (std::size_t i = 0; i < statements.size(); ++i)
-        if (const Symbol* found = turning_found(statements[i].message); found && *found == sought) return static_cast<int>(i);
-    return -1;
+    const auto finds_it = [&](const Statement& statement) {
+        return std::find(statement.finds.begin(), statement.finds.end(), sought) != statement.finds.end();
+    };
+    const auto found = std::find_if(statements.begin(), statements.end(), finds_it);
+    return found == statements.end() ? -1 : static_cast<int>(found - statements.begin());
 }
 
 std::optional<PointIndex> Sketch::pivot_of_driver(const SpinDriver& spin) const {
@@ -89,9 +91,10 @@ void Sketch::draw_turnings(Symbol::Letter letter) {
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
         if (!value || value->is_zero()) continue;
         const Symbol symbol{letter, m_.bodies[b].name, ""};
-        const int statement = statement_of_turning(s_.solution, symbol);
-        if (statement < 0) continue;
         const auto body = static_cast<BodyIndex>(b);
+        const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
+        const int statement = statement_of_turning(s_.solution, {.kind = kind, .body = body});
+        if (statement < 0) continue;
         Turning turning{body, shapes_[b].middle, {1, 0}, 12, value->sign() > 0, typeset(symbol, context_.language), statement};
         // About its fixed pin, else about its middle.
         const auto fixed = std::find_if(m_.joints.begin(), m_.joints.end(), [&](const Joint& joint) {

@@ -118,7 +118,7 @@ private:
 };
 
 /// The statement that ends with the angular velocity (or acceleration) of a body; −1: none does.
-int statement_of_turning(const Solution& solution, const Symbol& sought);
+int statement_of_turning(const Solution& solution, const Quantity& sought);
 
 class Clutter;
 
