@@ -348,12 +348,13 @@ std::vector<Message> disagreements(const Solution& solution, const std::vector<C
     // A driver that asks what cannot be is told as such; the check then has no motion at all.
     if (!solution.mobility.idle_drivers.empty() || solution.mechanism.motion) return messages;
     const std::vector<bool>& determined = solution.mobility.determined;
-    for (std::size_t b = 1; b < bodies.size(); ++b) {
+    for (std::size_t b = 1; b < std::min(bodies.size(), determined.size()); ++b) {
         const auto body = static_cast<BodyIndex>(b);
         const BodyName name{solution.mechanism.bodies[b].name};
-        if (moves(solution, body) && !bodies[b].determined) messages.push_back({Sentence::check_stands_still, {name}});
-        if (bodies[b].determined && bodies[b].moves && b < determined.size() && !determined[b])
-            messages.push_back({Sentence::check_moves, {name}});
+        // Of a body that is not determined a construction may still find how it turns.
+        if (determined[b] && moves(solution, body) && !bodies[b].determined)
+            messages.push_back({Sentence::check_stands_still, {name}});
+        if (bodies[b].determined && bodies[b].moves && !determined[b]) messages.push_back({Sentence::check_moves, {name}});
     }
     return messages;
 }

@@ -19,30 +19,6 @@ void raise(double& largest, double value) {
 }  // namespace
 
 Magnitudes::Magnitudes(const Solution& solution) : mechanism_(solution.mechanism) {
-    const double size = solution.pose.size.to_double();
-    const auto take = [&](const Quantity& quantity, double value) {
-        switch (quantity.kind) {
-            case Kind::velocity:
-            case Kind::sliding_velocity:
-                return raise(velocity_, value);
-            case Kind::acceleration:
-            case Kind::sliding_acceleration:
-            case Kind::sliding_coriolis:
-                return raise(acceleration_, value);
-            case Kind::omega:
-                return raise(omega_, value);
-            case Kind::alpha:
-                return raise(alpha_, value);
-            case Kind::centre:
-                return raise(place_, value);
-            case Kind::force:
-                return raise(force_, value);
-            case Kind::couple:
-                return raise(couple_, value);
-            default:
-                return;
-        }
-    };
     for (const CheckRow& row : solution.checks) {
         take(row.quantity, row.graphical);
         take(row.quantity, row.numeric);
@@ -57,6 +33,56 @@ Magnitudes::Magnitudes(const Solution& solution) : mechanism_(solution.mechanism
         }
     if (solution.virtual_work)
         for (const VirtualWork::Entry& entry : solution.virtual_work->entries) raise(power_, entry.power.to_double());
+    take_what_is_given();
+    tie_together(solution.pose.size.to_double());
+}
+
+void Magnitudes::take(const Quantity& quantity, double value) {
+    switch (quantity.kind) {
+        case Kind::velocity:
+        case Kind::sliding_velocity:
+            return raise(velocity_, value);
+        case Kind::acceleration:
+        case Kind::sliding_acceleration:
+        case Kind::sliding_coriolis:
+            return raise(acceleration_, value);
+        case Kind::omega:
+            return raise(omega_, value);
+        case Kind::alpha:
+            return raise(alpha_, value);
+        case Kind::centre:
+            return raise(place_, value);
+        case Kind::force:
+            return raise(force_, value);
+        case Kind::couple:
+            return raise(couple_, value);
+        default:
+            return;
+    }
+}
+
+void Magnitudes::take_what_is_given() {
+    const auto drive = [&](const auto& given) {
+        if constexpr (requires { given.omega; }) {
+            raise(omega_, given.omega.to_double());
+            raise(alpha_, given.alpha.to_double());
+        } else {
+            raise(velocity_, given.speed.to_double());
+            raise(acceleration_, given.acceleration.to_double());
+        }
+    };
+    for (const Driver& driver : mechanism_.drivers) std::visit(drive, driver);
+    for (const Load& load : mechanism_.loads) {
+        if (const auto* force = std::get_if<ForceLoad>(&load))
+            raise(force_, force->value ? length(*force->value) : force->magnitude->first.to_double());
+        if (const auto* couple = std::get_if<CoupleLoad>(&load)) raise(couple_, couple->value.to_double());
+        if (const auto* spring = std::get_if<SpringLoad>(&load)) raise(force_, spring->magnitude.to_double());
+    }
+    for (const Mass& mass : mechanism_.masses)
+        if (mechanism_.gravity) raise(force_, mass.mass.to_double() * length(*mechanism_.gravity));
+}
+
+void Magnitudes::tie_together(double size) {
     raise(place_, size);
     if (!(size > 0)) return;
     raise(omega_, velocity_ / size);

@@ -255,6 +255,9 @@ TEST(Disagreements, AboutWhatMovesAreSaid) {
     EXPECT_EQ(std::get<BodyName>(said[0].arguments[0]).name, solution.mechanism.bodies[3].name);
 
     Solution locked = solution;
+    locked.mobility.determined[3] = false;
+    EXPECT_TRUE(disagreements(locked, bodies).empty()) << "of what is not determined, how it turns may still be found";
+    locked.mobility.determined[3] = true;
     locked.mobility.determined[2] = false;
     bodies = all_move(solution);
     said = disagreements(locked, bodies);
@@ -262,6 +265,18 @@ TEST(Disagreements, AboutWhatMovesAreSaid) {
     EXPECT_EQ(said[0].sentence, Sentence::check_moves);
     bodies[2].moves = false;  // both say that it stands still
     EXPECT_TRUE(disagreements(locked, bodies).empty());
+}
+
+/// Where nothing found moves, a velocity is small against the one that is asked for.
+TEST(Disagreements, AreMeasuredByWhatDrives) {
+    Solution solution = example("four_bar");
+    solution.protocol = {};
+    solution.numeric_moduli.clear();
+    const double driven = std::abs(std::get<SpinDriver>(solution.mechanism.drivers.front()).omega.to_double());
+    for (const double numeric : {1e-16 * driven, 1e-3 * driven}) {
+        solution.checks = {{{.kind = Kind::omega, .body = 2}, 0, numeric, -numeric}};
+        EXPECT_EQ(disagreements(solution, all_move(solution)).size(), numeric < 1e-9 * driven ? 0u : 1u);
+    }
 }
 
 // --- what is rounding is nothing -----------------------------------------------------------------------------------------------
