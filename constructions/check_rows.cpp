@@ -290,7 +290,8 @@ public:
         const auto [at_kind, is_first] = worst_.try_emplace(quantity.kind);
         Gap& worst = at_kind->second;
         if (!is_first) ++worst.others;
-        if (is_first || !(std::abs(difference) <= std::abs(worst.difference)))
+        // What is no number at all is worst.
+        if (is_first || std::abs(difference) > std::abs(worst.difference) || std::isnan(difference))
             worst = {name, graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
     }
     std::vector<Message> told() const {
