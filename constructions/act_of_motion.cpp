@@ -79,7 +79,11 @@ private:
     const Node& node(NodeIndex index) const { return structure_.node(index); }
     PointOn<Plane::drawing> place(NodeIndex index) { return diagram_.place(index); }
     BodyName body() const { return {structure_.body_name(body_)}; }
-    CarriedPlace carried(PointOn<Plane::drawing> place) const { return {place.element, body_}; }
+    CarriedPlace carried(NodeIndex index) { return {place(index).element, body_, node(index).point}; }
+    template <Plane plane>
+    CarriedPlace carried(const Base<plane>& base) {
+        return base.node >= 0 ? carried(base.node) : CarriedPlace{base.place.element, body_};
+    }
     PointName name(NodeIndex index) const { return {node(index).label}; }
     Message sought_centre() const { return {Sentence::centre_of_bodies, {BodyName{structure_.body_name(frame)}, body()}}; }
     template <Plane plane>
@@ -128,6 +132,19 @@ private:
         return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
 
+    /// A sentence by which the centre, or that it lies at infinity, is known.
+    int begin_centre(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        const int statement = begin<Plane::velocity>(sentence, std::move(arguments), std::move(source));
+        if (result_.figure.centre_statement < 0) result_.figure.centre_statement = statement;
+        return statement;
+    }
+    /// A sentence that ends with the body's ω or α.
+    template <Plane plane>
+    void begin_spin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        const int statement = begin<plane>(sentence, std::move(arguments), std::move(source));
+        board_.statement(statement).finds = {spin_quantity<plane>(body_)};
+    }
+
     template <Plane plane>
     PolygonPen<plane> pen(const State<plane>& state) {
         return {board_, state.track.polygon};
@@ -149,7 +166,7 @@ private:
     void set_tip(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
         state.track.tips[at(index)] = tip;
         label_image(state, node(index).label, tip);
-        draw_vector(state, absolute<plane>(index), {carried(place(index)), {}, -1}, board_.pole<plane>(), tip,
+        draw_vector(state, absolute<plane>(index), {carried(index), {}, -1}, board_.pole<plane>(), tip,
                     DrawnVector::Role::absolute);
     }
     template <Plane plane>
@@ -292,7 +309,7 @@ private:
         const auto tangential = board_.vector(middle, tip);
         const bool none = board_.is_zero(tangential);
         if (!none || !is_velocity<plane>) {
-            const Seen seen{carried(place(index)), carried(base.place), base.place.element};
+            const Seen seen{carried(index), carried(base), base.place.element};
             if (middle.element != base.tip.element)
                 draw_vector(state, relative(index, base, "n"), seen, base.tip, middle, DrawnVector::Role::normal);
             draw_vector(state, relative(index, base, is_velocity<plane> ? "" : "t"), seen, middle, tip,
@@ -301,10 +318,10 @@ private:
         if (none && is_velocity<plane>) {
             state.track.spins[at(body_)] = board_.number(0);  // said with the centre: a translation, or rest
         } else {
-            begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
-                         {spin<plane>(), relative(index, base, is_velocity<plane> ? "" : "t"),
-                          Segment{base.label, node(index).label}, body()},
-                         "Rivals");
+            begin_spin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
+                              {spin<plane>(), relative(index, base, is_velocity<plane> ? "" : "t"),
+                               Segment{base.label, node(index).label}, body()},
+                              "Rivals");
             state.track.spins[at(body_)] = board_.ratio(tangential, board_.turn(board_.vector(base.place, place(index))));
         }
         state.second = index;
@@ -394,7 +411,7 @@ private:
         if constexpr (is_velocity<plane>) {
             settle_centre(met_at, Found::perpendiculars, {first.node, second.node});
             if (wishes_.centre)
-                begin<plane>(Sentence::act_perpendiculars, {centre_symbol(), name(first.node), name(second.node)},
+                begin_centre(Sentence::act_perpendiculars, {centre_symbol(), name(first.node), name(second.node)},
                              "Euler–Chasles");
             state.base = {-1, {}, met_at, board_.pole<plane>()};
         } else {
@@ -412,7 +429,7 @@ private:
             KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that meet have directions that do");
             for (int i = 0; i < 2; ++i) draw_line(state, lines[i], reason_of(*sources[i]), {ends[i].element, met->element});
             label_image(state, label, *met);
-            draw_vector(state, absolute<plane>(label), {carried(met_at), {}, -1}, board_.pole<plane>(), *met,
+            draw_vector(state, absolute<plane>(label), {CarriedPlace{met_at.element, body_}, {}, -1}, board_.pole<plane>(), *met,
                         DrawnVector::Role::absolute);
             state.base = {-1, label, met_at, *met};
         }
@@ -425,10 +442,10 @@ private:
             state.track.spins[at(body_)] = board_.number(0);
             settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(first.vector))), Found::translation,
                           {first.node, second.node});
-            begin<plane>(Sentence::act_parallels, {body(), name(first.node), name(second.node)}, "Rivals");
+            begin_centre(Sentence::act_parallels, {body(), name(first.node), name(second.node)}, "Rivals");
         } else {
-            begin<plane>(Sentence::alpha_from_parallels,
-                         {spin<plane>(), Segment{node(first.node).label, node(second.node).label}, body()}, "Rivals");
+            begin_spin<plane>(Sentence::alpha_from_parallels,
+                              {spin<plane>(), Segment{node(first.node).label, node(second.node).label}, body()}, "Rivals");
             // From a place of the first locus, the line ⟂ to the join meets the second.
             const auto pole = board_.pole<plane>();
             const auto along = board_.direction(first.vector);
@@ -617,8 +634,8 @@ private:
         const NodeIndex second = state.second;
         const auto v_second = board_.vector(pole, state.track.tip(second));
         if (still) {
-            begin<Plane::velocity>(Sentence::act_translation,
-                                   {body(), absolute<Plane::velocity>(base.node), absolute<Plane::velocity>(second)}, "Rivals");
+            begin_centre(Sentence::act_translation,
+                         {body(), absolute<Plane::velocity>(base.node), absolute<Plane::velocity>(second)}, "Rivals");
             settle_centre(board_.at_infinity(board_.perpendicular(board_.direction(v_base))), Found::translation,
                           {base.node, second});
             return;
@@ -627,7 +644,7 @@ private:
         const auto other = place(second);
         if (board_.parallel(board_.direction(v_base), board_.direction(v_second))) {
             // Rigid and turning, they are ⟂ to the join: speeds go with the distance from the centre.
-            const int statement = begin<Plane::velocity>(Sentence::act_tips, {}, "Euler–Chasles");
+            const int statement = begin_centre(Sentence::act_tips, {}, "Euler–Chasles");
             const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
                 return board_.carry(from, board_.scale<Plane::drawing>(board_.number(1), velocity));
             };
@@ -640,7 +657,7 @@ private:
                                                              Segment{base.label, node(second).label}};
             return;
         }
-        const int statement = begin<Plane::velocity>(Sentence::act_perpendiculars, {}, "Euler–Chasles");
+        const int statement = begin_centre(Sentence::act_perpendiculars, {}, "Euler–Chasles");
         const auto perpendicular = [&](PointOn<Plane::drawing> at_place, VectorOn<Plane::velocity> velocity) {
             return board_.through(at_place, board_.perpendicular(board_.direction(velocity)));
         };
@@ -652,7 +669,7 @@ private:
 
     void centre_at_rest(NodeIndex index) {
         settle_centre(place(index), Found::point_at_rest, {index});
-        begin<Plane::velocity>(Sentence::act_point_at_rest, {centre_symbol(), name(index)}, "Euler–Chasles");
+        begin_centre(Sentence::act_point_at_rest, {centre_symbol(), name(index)}, "Euler–Chasles");
     }
 
     // --- all other points ----------------------------------------------------------------------------------------------------
@@ -739,9 +756,9 @@ private:
         const ScalarHandle whole = board_.sum(board_.product(square, square), board_.product(alpha, alpha));
         if (board_.is_zero(whole)) return;
         result_.figure.acceleration_centre_name = free_name("K");
-        begin<Plane::acceleration>(Sentence::act_acceleration_centre,
-                                   {PointName{result_.figure.acceleration_centre_name}, PointName{state.base->label}},
-                                   "Burmester");
+        result_.figure.acceleration_centre_statement = begin<Plane::acceleration>(
+            Sentence::act_acceleration_centre, {PointName{result_.figure.acceleration_centre_name}, PointName{state.base->label}},
+            "Burmester");
         const auto a = board_.vector(board_.pole<Plane::acceleration>(), state.base->tip);
         const auto along = board_.scale<Plane::drawing>(board_.quotient(square, whole), a);
         const auto aside = board_.scale<Plane::drawing>(board_.quotient(alpha, whole), board_.turn(a));

@@ -167,11 +167,11 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
             result.known.push_back(*link);
         };
         if (locus.kind != Locus::Kind::mesh) add(coriolis_of(locus.guide, slider, guide), normal);
-        if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide), normal);
+        if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide, locus.guide), normal);
     }
     result.absolute = result.from_rest && result.known.empty();
     if (result.absolute) result.role = DrawnVector::Role::absolute;
-    result.seen = result.absolute ? seen(locus.node) : sliding<plane>(locus.joint, slider, guide);
+    result.seen = result.absolute ? seen(locus.node) : sliding<plane>(locus.joint, slider, guide, locus.guide);
     const bool plain = is_velocity<plane> || result.absolute;
     const char* term = locus.kind == Locus::Kind::mesh ? "n" : "rel";
     result.sought = {symbol(plain ? "" : term), false, true, result.reason, colour};
@@ -319,17 +319,18 @@ std::optional<Link<Plane::acceleration>> Chains::coriolis_of(BodyIndex guide_bod
     if (board_.is_zero(link.vector)) return std::nullopt;
     link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
     link.role = DrawnVector::Role::coriolis;
-    link.seen = {carried(slider), carried(guide), -1};
+    link.seen = {carried(slider), carried(guide, guide_body), -1};
     return link;
 }
 
-std::optional<Link<Plane::acceleration>> Chains::centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide) {
+std::optional<Link<Plane::acceleration>> Chains::centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide,
+                                                                BodyIndex guide_body) {
     Link<Plane::acceleration> link;
     link.vector = centripetal_about(board_.place(mechanism_.joints[at(joint)].arc), guide, slider);
     if (board_.is_zero(link.vector)) return std::nullopt;
     link.term.symbol = relative<Plane::acceleration>(slider, guide, "n");
     link.role = DrawnVector::Role::normal;
-    link.seen = sliding<Plane::acceleration>(joint, slider, guide);
+    link.seen = sliding<Plane::acceleration>(joint, slider, guide, guide_body);
     return link;
 }
 

@@ -72,15 +72,17 @@ protected:
     Symbol relative(NodeIndex of, NodeIndex to, std::string term = {}) const {
         return motion_symbol<plane>(relative_name(node(of).label, node(to).label), std::move(term));
     }
-    CarriedPlace carried(NodeIndex index) { return {place(index).element, node(index).bodies.front()}; }
+    CarriedPlace carried(NodeIndex index) { return carried(index, node(index).bodies.front()); }
+    CarriedPlace carried(NodeIndex index, BodyIndex body) { return {place(index).element, body, node(index).point}; }
     Seen seen(NodeIndex of) { return {carried(of), {}, -1}; }
     /// From a place about which it turns.
     Seen turning(NodeIndex of, NodeIndex to) { return {carried(of), carried(to), place(to).element}; }
-    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show.
+    /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show. At a hinge the
+    /// place is of several bodies, of which `guide_body` has the guide.
     template <Plane plane>
-    Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide) {
+    Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide, BodyIndex guide_body) {
         const PointIndex arc = is_velocity<plane> ? -1 : mechanism_.joints[static_cast<std::size_t>(joint)].arc;
-        return {carried(slider), carried(guide), arc >= 0 ? board_.place(arc).element : -1};
+        return {carried(slider), carried(guide, guide_body), arc >= 0 ? board_.place(arc).element : -1};
     }
     Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
     /// What a driver asks of this plane; nothing where only the effect of an assumption is wanted.
@@ -150,7 +152,8 @@ private:
     /// v_rel of the slider seen from the guide.
     VectorOn<Plane::velocity> sliding_velocity(NodeIndex slider, NodeIndex guide);
     /// A slot curved about C: the pin turns about C as seen from the slot, −ω_r² · CP.
-    std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide);
+    std::optional<Link<Plane::acceleration>> centripetal_of(JointIndex joint, NodeIndex slider, NodeIndex guide,
+                                                            BodyIndex guide_body);
     /// −ω_r² · CX where X, seen from the base, turns about a centre C at the place of which `base` moves as the base does.
     VectorOn<Plane::acceleration> centripetal_about(PointOn<Plane::drawing> centre, NodeIndex base, NodeIndex index);
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "engine/check.hpp"
 #include "engine/check_forces.hpp"
+#include "engine/magnitudes.hpp"
 
 namespace kinegraph {
 namespace {
@@ -30,44 +32,38 @@ public:
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
         if (!solution_.forces.empty() || !solution_.efforts.empty() || solution_.virtual_work) compare_forces();
-        std::vector<std::optional<double>> moduli;
-        for (const DrawnVector& vector : solution_.protocol.vectors) moduli.push_back(modulus(vector));
-        return {std::move(rows_), std::move(moduli)};
+        for (const DrawnVector& vector : solution_.protocol.vectors) comparison_.moduli.push_back(modulus(vector));
+        tell_what_moves();
+        return std::move(comparison_);
     }
 
 private:
-    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
+    using Kind = Quantity::Kind;
 
-    void add(std::string quantity, double graphical, double independent) {
-        rows_.push_back({std::move(quantity), graphical, independent, graphical - independent});
+    void add(const Quantity& quantity, double graphical, double independent) {
+        comparison_.rows.push_back({quantity, graphical, independent, graphical - independent});
     }
-    void add(const std::string& quantity, const Vector& graphical, const Pair& independent) {
-        add(quantity + " x", graphical.x.to_double(), independent[0]);
-        add(quantity + " y", graphical.y.to_double(), independent[1]);
+    void add(const Quantity& quantity, const Vector& graphical, const Pair& independent) {
+        add(quantity.along(Quantity::Component::x), graphical.x.to_double(), independent[0]);
+        add(quantity.along(Quantity::Component::y), graphical.y.to_double(), independent[1]);
     }
 
     void compare_turning(BodyIndex body) {
         const auto& state = numeric_.bodies[at(body)];
         const BodyMotion& found = solution_.bodies[at(body)];
-        if (found.omega && state.velocity_known) add("omega " + body_name(body), found.omega->to_double(), state.omega);
-        if (found.alpha && state.acceleration_known) add("alpha " + body_name(body), found.alpha->to_double(), state.alpha);
+        if (found.omega && state.velocity_known) add({.kind = Kind::omega, .body = body}, found.omega->to_double(), state.omega);
+        if (found.alpha && state.acceleration_known)
+            add({.kind = Kind::alpha, .body = body}, found.alpha->to_double(), state.alpha);
     }
 
     void compare_point(const PointMotion& point) {
         const BodyIndex body = point.bodies.front();
         if (body == frame) return;
         const auto& state = numeric_.bodies[at(body)];
-        const std::string& letter = mechanism_.points[at(point.point)].name;
-        const std::string name = is_of_several_bodies(point.point) ? letter + " on " + body_name(body) : letter;
         const Vector& place = solution_.pose.at(point.point);
-        if (point.velocity && state.velocity_known) add("velocity " + name, *point.velocity, numeric_.velocity(body, place));
+        if (point.velocity && state.velocity_known) add(velocity_of(point), *point.velocity, numeric_.velocity(body, place));
         if (point.acceleration && state.acceleration_known)
-            add("acceleration " + name, *point.acceleration, numeric_.acceleration(body, place));
-    }
-    /// A pin and the point of the slot under it move differently under one letter.
-    bool is_of_several_bodies(PointIndex point) const {
-        return std::count_if(solution_.points.begin(), solution_.points.end(),
-                             [&](const PointMotion& each) { return each.point == point; }) > 1;
+            add(acceleration_of(point), *point.acceleration, numeric_.acceleration(body, place));
     }
 
     void compare_sliding(const Sliding& sliding) {
@@ -78,12 +74,12 @@ private:
         const Vector& place = solution_.pose.at(joint.point);
         if (!slider.velocity_known || !guide.velocity_known) return;
         const Pair velocity = minus(numeric_.velocity(i, place), numeric_.velocity(j, place));
-        if (sliding.velocity) add("sliding " + joint.name + " velocity", *sliding.velocity, velocity);
+        if (sliding.velocity) add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, *sliding.velocity, velocity);
         if (!slider.acceleration_known || !guide.acceleration_known || !sliding.acceleration) return;
         const Pair coriolis{-2 * guide.omega * velocity[1], 2 * guide.omega * velocity[0]};
         const Pair acceleration = minus(minus(numeric_.acceleration(i, place), numeric_.acceleration(j, place)), coriolis);
-        add("sliding " + joint.name + " acceleration", *sliding.acceleration, acceleration);
-        add("sliding " + joint.name + " coriolis", *sliding.coriolis, coriolis);
+        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, *sliding.acceleration, acceleration);
+        add({.kind = Kind::sliding_coriolis, .joint = sliding.joint}, *sliding.coriolis, coriolis);
     }
 
     /// A finite centre against the place where the numeric relative velocity vanishes: P = X + z ∧ v_rel / ω_rel.
@@ -100,26 +96,90 @@ private:
         const Vector place = centre.at->place();
         const Pair relative = minus(numeric_.velocity(centre.second, place), numeric_.velocity(centre.first, place));
         const Pair found{place.x.to_double() - relative[1] / omega, place.y.to_double() + relative[0] / omega};
-        add("centre " + body_name(centre.first) + "," + body_name(centre.second), place, found);
+        add(quantity_of(centre), place, found);
     }
 
     void compare_forces() {
         const NumericForces numeric = check_forces(mechanism_, solution_.pose, numeric_);
         for (const JointForce& found : solution_.forces)
-            for (const NumericForces::Action& action : numeric.actions) compare_action(found, action);
-        if (solution_.virtual_work) add("virtual power", solution_.virtual_work->total.to_double(), numeric_power());
+            if (const auto* action = action_of(numeric, found.joint, found.on, found.from)) compare_action(found, *action);
+        if (solution_.virtual_work)
+            add({.kind = Kind::virtual_power}, solution_.virtual_work->total.to_double(), numeric_power());
         for (std::size_t e = 0; e < solution_.efforts.size(); ++e)
             if (solution_.efforts[e].value && numeric.effort_known[e])
-                add("effort " + solution_.efforts[e].name, solution_.efforts[e].value->to_double(), numeric.efforts[e]);
+                add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.efforts[e].value->to_double(),
+                    numeric.efforts[e]);
+        for (const FreeBody& body : solution_.free_bodies) {
+            auto& actions = comparison_.actions.emplace_back();
+            for (const AppliedForce& applied : body.forces) actions.push_back(action_on(body, applied, numeric));
+        }
+    }
+    /// Where equilibrium determines it.
+    static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on, BodyIndex from) {
+        for (const NumericForces::Action& action : numeric.actions)
+            if (action.known && action.joint == joint && action.on == on && action.from == from) return &action;
+        return nullptr;
     }
     void compare_action(const JointForce& found, const NumericForces::Action& action) {
-        if (!found.force || !action.known) return;
-        if (action.joint != found.joint || action.on != found.on || action.from != found.from) return;
-        const std::string name = "force " + mechanism_.joints[at(found.joint)].name + " " +
-                                 (found.from < 0 ? "pin" : body_name(found.from)) + " on " + body_name(found.on);
-        add(name, *found.force, action.force);
-        if (!found.couple->is_zero() || action.couple != 0) add(name + " couple", found.couple->to_double(), action.couple);
+        if (!found.force) return;
+        Quantity quantity = quantity_of(found);
+        add(quantity, *found.force, action.force);
+        quantity.kind = Kind::couple;
+        if (!found.couple->is_zero() || action.couple != 0) add(quantity, found.couple->to_double(), action.couple);
     }
+
+    Comparison::Action action_on(const FreeBody& body, const AppliedForce& applied, const NumericForces& numeric) const {
+        switch (applied.kind) {
+            case AppliedForce::Kind::reaction: {
+                if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from))
+                    return {length(action->force), action->couple};
+                // What a body gives to the pin of a multiple hinge is told as what the pin gives to the body.
+                const auto* action = body.body < 0 ? action_of(numeric, applied.joint, applied.from, -1) : nullptr;
+                if (action == nullptr) return {};
+                return {length(action->force), -action->couple};
+            }
+            case AppliedForce::Kind::effort:
+                if (!numeric.effort_known[at(applied.given)]) return {};
+                return effort_on(body, mechanism_.efforts[at(applied.given)], numeric.efforts[at(applied.given)]);
+            case AppliedForce::Kind::weight:
+                return {mechanism_.masses[at(applied.given)].mass.to_double() * kinegraph::length(*mechanism_.gravity), {}};
+            case AppliedForce::Kind::inertia:
+                return inertia_of(mechanism_.masses[at(applied.given)]);
+            case AppliedForce::Kind::load:
+            case AppliedForce::Kind::spring:
+                return std::visit([](const auto& load) { return size_of(load); }, mechanism_.loads[at(applied.given)]);
+        }
+        return {};
+    }
+    /// A couple between two bodies acts on the one and, reversed, on the other.
+    static Comparison::Action effort_on(const FreeBody& body, const Effort& effort, double value) {
+        const auto* couple = std::get_if<CoupleEffort>(&effort);
+        if (couple == nullptr) return {std::abs(value), {}};
+        return {{}, body.body == couple->body ? value : -value};
+    }
+    Comparison::Action inertia_of(const Mass& mass) const {
+        const auto& state = numeric_.bodies[at(mass.body)];
+        if (!state.acceleration_known) return {};
+        const Pair acceleration = numeric_.acceleration(mass.body, solution_.pose.at(mass.centre));
+        return {mass.mass.to_double() * length(acceleration), -mass.inertia.to_double() * state.alpha};
+    }
+    static Comparison::Action size_of(const ForceLoad& load) {
+        return {load.value ? kinegraph::length(*load.value) : std::abs(load.magnitude->first.to_double()), {}};
+    }
+    static Comparison::Action size_of(const CoupleLoad& load) { return {{}, load.value.to_double()}; }
+    static Comparison::Action size_of(const SpringLoad& load) { return {std::abs(load.magnitude.to_double()), {}}; }
+
+    void tell_what_moves() {
+        const double size = solution_.pose.size.to_double();
+        const auto speed = [&](const NumericMotion::BodyState& state) {
+            return state.velocity_known ? std::max(length(state.velocity), std::abs(state.omega) * size) : 0;
+        };
+        double fastest = 0;
+        for (const auto& state : numeric_.bodies) fastest = std::max(fastest, speed(state));
+        for (const auto& state : numeric_.bodies)
+            comparison_.bodies.push_back({state.velocity_known, speed(state) > Magnitudes::noise * fastest});
+    }
+
     /// The powers of the same loads with the velocities of the check.
     double numeric_power() const {
         double power = 0;
@@ -178,11 +238,126 @@ private:
     const Solution& solution_;
     const Mechanism& mechanism_;
     NumericMotion numeric_;
-    std::vector<CheckRow> rows_;
+    Comparison comparison_;
 };
+
+/// The worst of one kind where the construction and the check differ.
+struct Gap {
+    Argument name;
+    double graphical = 0, difference = 0;
+    std::string unit;
+    int others = 0;
+};
+
+/// In SI.
+std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
+    using Kind = Quantity::Kind;
+    switch (quantity.kind) {
+        case Kind::velocity:
+        case Kind::sliding_velocity:
+            return "m/s";
+        case Kind::acceleration:
+        case Kind::sliding_acceleration:
+        case Kind::sliding_coriolis:
+            return "m/s²";
+        case Kind::omega:
+            return "rad/s";
+        case Kind::alpha:
+            return "rad/s²";
+        case Kind::centre:
+            return "m";
+        case Kind::couple:
+            return "N m";
+        case Kind::effort:
+            return std::holds_alternative<CoupleEffort>(mechanism.efforts[at(quantity.given)]) ? "N m" : "N";
+        case Kind::virtual_power:
+            return "W";
+        default:
+            return "N";
+    }
+}
+
+/// Gaps between two numbers that should be one, kind by kind.
+class Gaps {
+public:
+    explicit Gaps(const Solution& solution) : solution_(solution), magnitudes_(solution) {}
+
+    void hold(const Quantity& quantity, const Argument& name, double graphical, double numeric) {
+        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some digits.
+        constexpr double allowed = 1e3 * Magnitudes::noise;
+        const double difference = graphical - numeric;
+        if (std::abs(difference) <= allowed * magnitudes_.of(quantity)) return;
+        const auto [at_kind, is_first] = worst_.try_emplace(quantity.kind);
+        Gap& worst = at_kind->second;
+        if (!is_first) ++worst.others;
+        // What is no number at all is worst.
+        if (is_first || std::abs(difference) > std::abs(worst.difference) || std::isnan(difference))
+            worst = {name, graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
+    }
+    std::vector<Message> told() const {
+        std::vector<Message> messages;
+        for (const auto& [kind, gap] : worst_) {
+            Message message{Sentence::check_differs,
+                            {gap.name, Amount{gap.graphical, gap.unit}, Amount{gap.difference, gap.unit}}};
+            if (gap.others > 0) message.arguments.emplace_back(Count{gap.others});
+            messages.push_back(std::move(message));
+        }
+        return messages;
+    }
+
+private:
+    const Solution& solution_;
+    Magnitudes magnitudes_;
+    std::map<Quantity::Kind, Gap> worst_;
+};
+
+/// Whether anything of a body moves by the construction.
+bool moves(const Solution& solution, BodyIndex body) {
+    const auto& omega = solution.bodies[at(body)].omega;
+    if (!omega) return false;
+    return !omega->is_zero() || std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& point) {
+        return point.velocity && !point.velocity->is_zero() &&
+               std::find(point.bodies.begin(), point.bodies.end(), body) != point.bodies.end();
+    });
+}
 
 }  // namespace
 
 Comparison compare_with_check(const Solution& solution) { return Comparer(solution).compare(); }
+
+void enter(Comparison comparison, Solution& solution) {
+    solution.checks = std::move(comparison.rows);
+    solution.numeric_moduli = std::move(comparison.moduli);
+    for (std::size_t b = 0; b < comparison.actions.size(); ++b)
+        for (std::size_t f = 0; f < comparison.actions[b].size(); ++f) {
+            AppliedForce& applied = solution.free_bodies[b].forces[f];
+            applied.numeric_force = comparison.actions[b][f].force;
+            applied.numeric_couple = comparison.actions[b][f].couple;
+        }
+}
+
+std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies) {
+    Gaps gaps(solution);
+    for (const CheckRow& row : solution.checks)
+        gaps.hold(row.quantity, name_of(row.quantity, solution), row.graphical, row.numeric);
+    const Protocol& protocol = solution.protocol;
+    for (std::size_t v = 0; v < solution.numeric_moduli.size(); ++v)
+        if (const auto& numeric = solution.numeric_moduli[v])
+            gaps.hold(protocol.vectors[v].quantity, protocol.vectors[v].symbol,
+                      kinegraph::length(protocol.value_of(protocol.vectors[v])), *numeric);
+    std::vector<Message> messages = gaps.told();
+    // A driver that asks what cannot be is told as such; the check then has no motion at all.
+    if (!solution.mobility.idle_drivers.empty() || solution.mechanism.motion) return messages;
+    const std::vector<bool>& determined = solution.mobility.determined;
+    for (std::size_t b = 1; b < std::min(bodies.size(), determined.size()); ++b) {
+        const auto body = static_cast<BodyIndex>(b);
+        const BodyName name{solution.mechanism.bodies[b].name};
+        // Of a body that is not determined a construction may still find how it turns.
+        if (determined[b] && moves(solution, body) && !bodies[b].determined)
+            messages.push_back({Sentence::check_stands_still, {name}});
+        if (bodies[b].determined && bodies[b].moves && !determined[b]) messages.push_back({Sentence::check_moves, {name}});
+    }
+    return messages;
+}
 
 }  // namespace kinegraph

@@ -1,4 +1,5 @@
-// The results held against the numeric check, row by row. Neither learns from the other: here they are only set side by side.
+// The results held against the numeric check, row by row. Neither learns from the other: here they are only set side by side, and
+// where they differ that is said.
 #pragma once
 
 #include <optional>
@@ -16,8 +17,25 @@ struct Comparison {
     std::vector<CheckRow> rows;
     /// By Protocol::vectors, as Solution::numeric_moduli.
     std::vector<std::optional<double>> moduli;
+    /// By free body and its forces, as AppliedForce::numeric_force and numeric_couple.
+    struct Action {
+        std::optional<double> force, couple;
+    };
+    std::vector<std::vector<Action>> actions;
+    /// By BodyIndex: whether the check finds its motion determined, and not at rest.
+    struct Moved {
+        bool determined = false, moves = false;
+    };
+    std::vector<Moved> bodies;
 };
 /// The solution's protocol is finished.
 Comparison compare_with_check(const Solution& solution);
+
+/// Enters the numbers of the check in the solution.
+void enter(Comparison comparison, Solution& solution);
+
+/// Where the solution and the numbers of the check entered in it differ by more than 1e-6 of the largest of their kind, the worst
+/// of each kind; and bodies that move by the one and by the other cannot be said to.
+std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies);
 
 }  // namespace kinegraph

@@ -170,7 +170,7 @@ void ForceModel::read_loads() {
             const Force acting = force->value ? board_.load_force(index)
                                               : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
             const Symbol symbol{Symbol::Letter::F, force->name, {}};
-            add_load({force->body, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}});
+            add_load({force->body, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
         } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
             const auto& points = mechanism_.bodies[at(couple->body)].points;
             add_load({couple->body,
@@ -178,7 +178,8 @@ void ForceModel::read_loads() {
                       AppliedForce::Kind::load,
                       {},
                       board_.place(points.empty() ? 0 : points.front()),
-                      board_.load_magnitude(index)});
+                      board_.load_magnitude(index),
+                      index});
         } else {
             add_spring(index, std::get<SpringLoad>(given));
         }
@@ -202,7 +203,8 @@ void ForceModel::add_spring(int index, const SpringLoad& spring) {
                   AppliedForce::Kind::spring,
                   board_.scale<Plane::force>(board_.load_magnitude(index), pull),
                   board_.place(spring.between[end]),
-                  {}});
+                  {},
+                  index});
     }
 }
 
@@ -218,7 +220,8 @@ void ForceModel::add_weight(int index) {
               AppliedForce::Kind::weight,
               board_.scale<Plane::force>(board_.mass(index), board_.gravity()),
               board_.place(mass.centre),
-              {}});
+              {},
+              index});
 }
 
 void ForceModel::add_inertia(int index) {
@@ -236,7 +239,8 @@ void ForceModel::add_inertia(int index) {
               AppliedForce::Kind::inertia,
               board_.negate(board_.scale<Plane::force>(board_.mass(index), acceleration)),
               board_.place(mass.centre),
-              {}};
+              {},
+              index};
     add_load(load);
     load.force.reset();
     load.symbol.letter = Symbol::Letter::M;

@@ -49,6 +49,8 @@ struct Reaction {
     std::optional<Action> action;        ///< its line, before or after the magnitude is known
     bool only_couple = false;            ///< a guide whose force was shown to vanish
     bool deduced = false;                ///< the line was found, not given
+    int line_statement = -1;             ///< the first that says or needs its line
+    int force_statement = -1;            ///< by which it is known
 };
 
 /// All that acts on a body, reduced: nothing, a couple, or a force along a line.
@@ -68,18 +70,19 @@ struct Load {
     std::optional<Force> force;
     PlaceOnDrawing place;
     std::optional<ScalarHandle> couple;
+    int given = -1;  ///< as AppliedForce::given
 };
 
 /// What was done at one member, for its free-body diagram.
 struct Resolved {
     int member = -1;
-    std::vector<std::pair<std::string, PlaceOnDrawing>> meets;
 };
 
 struct Run {
     std::vector<Reaction> reactions;  ///< by bond
     std::vector<Resolved> order;
     bool complete = false;
+    bool in_parts = false;  ///< a sum of parts found apart, or of trials
 };
 
 /// True where a member belongs to a group of them.

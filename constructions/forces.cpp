@@ -143,18 +143,47 @@ private:
         return result;
     }
 
-    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
-        if (trials_ > 0) return;  // the strokes of a trial belong to the sentence that opens it
-        Statement statement;
-        statement.message = {sentence, std::move(arguments)};
-        statement.section = "forces";
-        statement.source = source;
-        board_.state(std::move(statement));
+    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const std::vector<int>& group = {}) {
+        if (trials_ == 0) {  // the strokes of a trial belong to the sentence that opens it
+            Statement statement;
+            statement.message = {sentence, std::move(arguments)};
+            statement.section = Topic::forces;
+            statement.source = source;
+            for (const int member : group)
+                if (!model_.is_pin(member)) statement.bodies.push_back(member);
+            statement_ = board_.state(std::move(statement));
+        }
+        remember_meets();
     }
-    Argument name(const std::vector<int>& group) const {
+    /// A sentence of a body, or of several taken together: they are its first argument.
+    void say_of(const std::vector<int>& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
         std::string names;
         for (const int member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
-        return BodyName{names};
+        arguments.insert(arguments.begin(), BodyName{names});
+        say(sentence, std::move(arguments), source, group);
+    }
+    /// What the sentence said last finds of a bond, or says of it.
+    void found_line(int b, Run& run) const {
+        Reaction& reaction = run.reactions[at(b)];
+        if (reaction.line_statement < 0) reaction.line_statement = statement_;
+    }
+    void found(int b, const std::vector<int>& group, Run& run) {
+        found_line(b, run);
+        Reaction& reaction = run.reactions[at(b)];
+        reaction.known = true;
+        reaction.force_statement = statement_;
+        if (trials_ == 0) board_.statement(statement_).finds.push_back(quantity_on(b, group));
+    }
+    /// The action of a bond on a group.
+    Quantity quantity_on(int b, const std::vector<int>& group) const {
+        const Bond& bond = model_.bonds()[at(b)];
+        if (bond.effort >= 0) return {.kind = Quantity::Kind::effort, .given = bond.effort};
+        const auto body = [&](int member) { return model_.is_pin(member) ? -1 : member; };
+        const bool on_first = in(group, bond.first);
+        return {.kind = Quantity::Kind::force,
+                .body = body(on_first ? bond.first : bond.second),
+                .other = body(on_first ? bond.second : bond.first),
+                .joint = bond.joint};
     }
     PointName place_name(int b) const {
         const Bond& bond = model_.bonds()[at(b)];
@@ -185,17 +214,18 @@ private:
     }
 
     void settle_line(int b, const Action& found, Run& run) {
+        found_line(b, run);
         Reaction& reaction = run.reactions[at(b)];
         reaction.action = found;
         reaction.deduced = true;
     }
 
-    void vanish(int b, Run& run) {
-        Reaction& reaction = run.reactions[at(b)];
+    void vanish(int b, const std::vector<int>& group, Run& run) {
         if (model_.bonds()[at(b)].kind == Bond::Kind::guide) {
-            reaction.only_couple = true;
+            found_line(b, run);
+            run.reactions[at(b)].only_couple = true;
         } else {
-            reaction.known = true;
+            found(b, group, run);
         }
     }
 
@@ -206,15 +236,15 @@ private:
         if (pins.size() == 2) {
             const Bond &one = model_.bonds()[at(pins[0])], &two = model_.bonds()[at(pins[1])];
             if (board_.coincide(one.place, two.place)) return false;
-            say(group.size() > 1 ? Sentence::two_force_group : Sentence::two_force_body,
-                {name(group), place_name(pins[0]), place_name(pins[1])});
+            say_of(group, group.size() > 1 ? Sentence::two_force_group : Sentence::two_force_body,
+                   {place_name(pins[0]), place_name(pins[1])});
             const Action found = model_.action(one.place, join_direction(one.place, two.place));
             settle_line(pins[0], found, run);
             settle_line(pins[1], found, run);
             return true;
         }
         if (pins.size() == 1 && guides.size() == 1) {
-            say(Sentence::two_force_guide, {name(group), place_name(pins[0]), place_name(guides[0])});
+            say_of(group, Sentence::two_force_guide, {place_name(pins[0]), place_name(guides[0])});
             const Action found = model_.action(model_.bonds()[at(pins[0])].place, model_.bonds()[at(guides[0])].direction);
             settle_line(pins[0], found, run);
             settle_line(guides[0], found, run);
@@ -223,31 +253,33 @@ private:
         if (pins.size() == 1 && fixed.size() == 1) {
             const Action given = *run.reactions[at(fixed[0])].action;
             if (board_.on_line(model_.bonds()[at(pins[0])].place, given.line)) {
-                say(Sentence::two_force_body, {name(group), place_name(pins[0]), place_name(fixed[0])});
+                say_of(group, Sentence::two_force_body, {place_name(pins[0]), place_name(fixed[0])});
                 settle_line(pins[0], given, run);
+                found_line(fixed[0], run);
             } else {
-                say(Sentence::zero_forces, {name(group)});
-                vanish(pins[0], run);
-                vanish(fixed[0], run);
+                say_of(group, Sentence::zero_forces, {});
+                vanish(pins[0], group, run);
+                vanish(fixed[0], group, run);
             }
             return true;
         }
         if (guides.size() == 2) {
             if (board_.parallel(model_.bonds()[at(guides[0])].direction, model_.bonds()[at(guides[1])].direction)) return false;
-            say(Sentence::zero_forces, {name(group)});
-            vanish(guides[0], run);
-            vanish(guides[1], run);
+            say_of(group, Sentence::zero_forces, {});
+            vanish(guides[0], group, run);
+            vanish(guides[1], group, run);
             return true;
         }
         // A guide and a line: the guide's reaction can take any place.
         const Action given = *run.reactions[at(fixed[0])].action;
         if (board_.parallel(model_.bonds()[at(guides[0])].direction, given.direction)) {
-            say(Sentence::two_force_guide, {name(group), place_name(fixed[0]), place_name(guides[0])});
+            say_of(group, Sentence::two_force_guide, {place_name(fixed[0]), place_name(guides[0])});
             settle_line(guides[0], given, run);
+            found_line(fixed[0], run);
         } else {
-            say(Sentence::zero_forces, {name(group)});
-            vanish(guides[0], run);
-            vanish(fixed[0], run);
+            say_of(group, Sentence::zero_forces, {});
+            vanish(guides[0], group, run);
+            vanish(fixed[0], group, run);
         }
         return true;
     }
@@ -258,7 +290,7 @@ private:
         if (pins.size() != 1) return false;
         const DirectionHandle direction =
             fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
-        say(Sentence::two_forces_and_couple, {name(group), place_name(pins[0])});
+        say_of(group, Sentence::two_forces_and_couple, {place_name(pins[0])});
         settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, direction), run);
         return true;
     }
@@ -285,10 +317,10 @@ private:
             found = model_.action(*met, bond.direction);
         }
         if (parallel) {
-            say(Sentence::three_parallel_lines, {name(group), symbol_on(third, group)});
+            say_of(group, Sentence::three_parallel_lines, {symbol_on(third, group)});
         } else {
-            say(Sentence::three_force_line,
-                {name(group), PointName{meet_name(group, *met)}, symbol_on(third, group), place_name(third)}, "Culmann");
+            say_of(group, Sentence::three_force_line,
+                   {PointName{meet_name(group, *met)}, symbol_on(third, group), place_name(third)}, "Culmann");
         }
         settle_line(third, *found, run);
         return true;
@@ -298,9 +330,9 @@ private:
     // -------------------------------------------------------------------------------------------------------------
     void settle(int b, Force force_on_group, PlaceOnDrawing place, const std::vector<int>& group, Run& run) {
         const Bond& bond = model_.bonds()[at(b)];
-        Reaction& reaction = run.reactions[at(b)];
-        reaction.known = true;
+        found(b, group, run);
         if (board_.is_zero(force_on_group)) return;
+        Reaction& reaction = run.reactions[at(b)];
         reaction.force = in(group, bond.first) ? force_on_group : board_.negate(force_on_group);
         if (!reaction.action) reaction.action = model_.action(place, board_.direction(*reaction.force));
         if (bond.kind == Bond::Kind::guide || bond.kind == Bond::Kind::clamp) {
@@ -322,39 +354,47 @@ private:
     }
 
     void settle_couple(int b, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
-        Reaction& reaction = run.reactions[at(b)];
-        reaction.known = true;
+        found(b, group, run);
         if (board_.is_zero(couple_on_group)) return;
-        reaction.couple = in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
+        run.reactions[at(b)].couple =
+            in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
     }
 
     void note(const std::vector<int>& group, Run& run) {
         for (const int member : group) {
             const bool there =
                 std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });
-            if (!there) run.order.push_back({member, {}});
+            if (!there) run.order.push_back({member});
         }
     }
 
+    /// The letter of a point of concurrency; the sentence said next finds it.
     std::string meet_name(const std::vector<int>& group, PlaceOnDrawing place) {
-        for (const auto& [known, letter] : named_meets_) {
-            if (board_.coincide(known, place)) return remember(group, place, letter);
-        }
+        auto known = std::find_if(named_meets_.begin(), named_meets_.end(),
+                                  [&](const NamedMeet& meet) { return board_.coincide(meet.place, place); });
+        if (known == named_meets_.end()) known = named_meets_.insert(known, {free_letter(), place});
+        unsaid_meets_.emplace_back(group, known - named_meets_.begin());
+        return known->name;
+    }
+    std::string free_letter() const {
         static const char* const letters[] = {"H", "K", "L", "Q", "R", "T", "U", "V", "W", "Y", "Z"};
         for (int round = 0;; ++round) {
             for (const char* letter : letters) {
-                const std::string candidate = letter + (round == 0 ? std::string() : std::to_string(round));
+                std::string candidate = letter + (round == 0 ? std::string() : std::to_string(round));
                 if (mechanism_.point_named(candidate)) continue;
-                if (std::any_of(named_meets_.begin(), named_meets_.end(), [&](const auto& m) { return m.second == candidate; }))
-                    continue;
-                named_meets_.emplace_back(place, candidate);
-                return remember(group, place, candidate);
+                if (std::none_of(named_meets_.begin(), named_meets_.end(),
+                                 [&](const NamedMeet& meet) { return meet.name == candidate; }))
+                    return candidate;
             }
         }
     }
-    std::string remember(const std::vector<int>& group, PlaceOnDrawing place, const std::string& letter) {
-        for (const int member : group) meets_[member].emplace_back(letter, place);
-        return letter;
+    void remember_meets() {
+        for (const auto& [group, index] : unsaid_meets_) {
+            NamedMeet& meet = named_meets_[static_cast<std::size_t>(index)];
+            if (meet.statement < 0) meet.statement = statement_;
+            for (const int member : group) meets_[member].push_back(meet);
+        }
+        unsaid_meets_.clear();
     }
 
     bool magnitudes(const std::vector<int>& group, const std::vector<Load>& loads, Run& run) {
@@ -396,7 +436,7 @@ private:
     /// What is left balances the rest.
     bool single(const std::vector<int>& group, int b, const Wrench& known, Run& run) {
         const Shape of = shape(b, run);
-        say(Sentence::single_reaction, {name(group), symbol_on(b, group)});
+        say_of(group, Sentence::single_reaction, {symbol_on(b, group)});
         if (of == Shape::couple) {
             settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
             return true;
@@ -408,7 +448,7 @@ private:
             if (known.force) {
                 settle(b, opposite_along(known, line.direction), line.place, group, run);
             } else {
-                run.reactions[at(b)].known = true;
+                found(b, group, run);
             }
         } else if (takes_couple) {
             const ScalarHandle couple = board_.opposite(model_.moment(known, model_.bonds()[at(b)].place));
@@ -421,7 +461,7 @@ private:
         } else if (known.force) {
             settle(b, opposite(known), model_.bonds()[at(b)].place, group, run);
         } else {
-            run.reactions[at(b)].known = true;
+            found(b, group, run);
         }
         return true;
     }
@@ -435,13 +475,13 @@ private:
     /// A force through a point and a couple: the force is the rest turned round, the couple their arm times it.
     bool force_and_couple(const std::vector<int>& group, int force, int couple, const Wrench& known, Run& run) {
         const PlaceOnDrawing place = place_of(force, run);
-        say(Sentence::force_and_couple, {name(group), symbol_on(force, group), symbol_on(couple, group)});
+        say_of(group, Sentence::force_and_couple, {symbol_on(force, group), symbol_on(couple, group)});
         const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
         if (known.force) {
             const auto& line = run.reactions[at(force)].action;
             settle(force, line ? opposite_along(known, line->direction) : opposite(known), place, group, run);
         } else {
-            run.reactions[at(force)].known = true;
+            found(force, group, run);
         }
         settle_couple(couple, balancing, group, run);
         return true;
@@ -469,16 +509,16 @@ private:
         const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
         if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
         if (known.vanishes()) {
-            say(Sentence::zero_forces, {name(group)});
-            run.reactions[at(line)].known = run.reactions[at(pin)].known = true;
+            say_of(group, Sentence::zero_forces, {});
+            found(line, group, run);
+            found(pin, group, run);
             return true;
         }
         if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
             const auto met = board_.meet(model_.line_of(known), given.line);
             if (board_.coincide(*met, place)) return false;
             const std::string letter = meet_name(group, *met);
-            say(Sentence::triangle_at, {name(group), PointName{letter}, symbol_on(line, group), symbol_on(pin, group)},
-                "Culmann");
+            say_of(group, Sentence::triangle_at, {PointName{letter}, symbol_on(line, group), symbol_on(pin, group)}, "Culmann");
             const DirectionHandle through_meet = board_.direction(board_.vector(place, *met));
             const auto [along, at_pin] = triangle(known, given.direction, through_meet);
             settle_line(pin, model_.action(place, through_meet), run);
@@ -488,7 +528,7 @@ private:
         }
         const auto along = by_moments(given, place, known);
         if (!along) return false;
-        say(Sentence::parallel_forces, {name(group), symbol_on(line, group), symbol_on(pin, group)}, "Ritter");
+        say_of(group, Sentence::parallel_forces, {symbol_on(line, group), symbol_on(pin, group)}, "Ritter");
         settle(line, *along, given.place, group, run);
         settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
         return true;
@@ -499,7 +539,7 @@ private:
         const Action given = *run.reactions[at(line)].action;
         const DirectionHandle normal = model_.bonds()[at(guide)].direction;
         if (board_.parallel(given.direction, normal)) return false;
-        say(Sentence::triangle, {name(group), symbol_on(line, group), symbol_on(guide, group)});
+        say_of(group, Sentence::triangle, {symbol_on(line, group), symbol_on(guide, group)});
         const auto [along, across] = triangle(known, given.direction, normal);
         settle(line, along, given.place, group, run);
         Wrench rest = known;
@@ -523,7 +563,7 @@ private:
     bool two_lines(const std::vector<int>& group, int one, int two, int couple, const Wrench& known, Run& run) {
         const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
         if (!board_.parallel(first.direction, second.direction)) {
-            say(Sentence::triangle, {name(group), symbol_on(one, group), symbol_on(two, group)});
+            say_of(group, Sentence::triangle, {symbol_on(one, group), symbol_on(two, group)});
             const auto [x, y] = triangle(known, first.direction, second.direction);
             settle(one, x, first.place, group, run);
             settle(two, y, second.place, group, run);
@@ -536,7 +576,7 @@ private:
         if (couple >= 0) return false;
         const auto x = by_moments(first, second.place, known);
         if (!x) return false;
-        say(Sentence::parallel_forces, {name(group), symbol_on(one, group), symbol_on(two, group)}, "Ritter");
+        say_of(group, Sentence::parallel_forces, {symbol_on(one, group), symbol_on(two, group)}, "Ritter");
         settle(one, *x, first.place, group, run);
         Wrench rest;
         rest.force = known.force ? board_.add(*known.force, *x) : *x;
@@ -576,10 +616,10 @@ private:
         if (known.force && !board_.parallel(board_.direction(*known.force), a.direction)) {
             const PlaceOnDrawing met = *board_.meet(model_.line_of(known), a.line);
             if (!board_.coincide(met, pivot)) {
-                say(Sentence::culmann_line,
-                    {name(group), PointName{meet_name(group, met)}, PointName{meet_name(group, pivot)}, symbol_on(one, group),
-                     symbol_on(two, group), symbol_on(three, group)},
-                    "Culmann");
+                say_of(group, Sentence::culmann_line,
+                       {PointName{meet_name(group, met)}, PointName{meet_name(group, pivot)}, symbol_on(one, group),
+                        symbol_on(two, group), symbol_on(three, group)},
+                       "Culmann");
                 const auto [first, pair] = triangle(known, a.direction, board_.direction(board_.vector(met, pivot)));
                 if (!board_.is_zero(pair)) rest.force = board_.negate(pair);
                 return {first, rest};
@@ -587,10 +627,9 @@ private:
         }
         const auto first = by_moments(a, pivot, known);
         KG_ASSERT(first, "a line that does not pass the pivot has a lever about it");
-        say(Sentence::culmann,
-            {name(group), PointName{meet_name(group, pivot)}, symbol_on(one, group), symbol_on(two, group),
-             symbol_on(three, group)},
-            "Ritter");
+        say_of(group, Sentence::culmann,
+               {PointName{meet_name(group, pivot)}, symbol_on(one, group), symbol_on(two, group), symbol_on(three, group)},
+               "Ritter");
         rest.force = known.force ? board_.add(*known.force, *first) : *first;
         if (board_.is_zero(*rest.force)) rest.force.reset();
         return {*first, rest};
@@ -635,7 +674,13 @@ private:
             fit(part);
             add_to(total, part, std::nullopt);
         }
+        found_in_parts(total);
         return total;
+    }
+    /// The sentence said last gives all at once.
+    void found_in_parts(Run& run) const {
+        run.in_parts = true;
+        for (Reaction& reaction : run.reactions) reaction.line_statement = reaction.force_statement = statement_;
     }
 
     /// a + s·b, bond by bond.
@@ -649,6 +694,7 @@ private:
             if (reaction.couple) reaction.couple = board_.product(share_a, *reaction.couple);
         }
         add_to(total, b, share_b);
+        found_in_parts(total);
         return total;
     }
 
@@ -800,10 +846,12 @@ private:
     ForceModel& model_;
     Board& board_;
     const Mechanism& mechanism_;
-    PlaceOnDrawing origin_;                                            ///< about which gaps are measured
-    int trials_ = 0;                                                   ///< trials under way, one in the other
-    NamedMeets meets_;                                                 ///< by member
-    std::vector<std::pair<PlaceOnDrawing, std::string>> named_meets_;  ///< all, each with its letter
+    PlaceOnDrawing origin_;                                                  ///< about which gaps are measured
+    int trials_ = 0;                                                         ///< trials under way, one in the other
+    int statement_ = -1;                                                     ///< said last
+    NamedMeets meets_;                                                       ///< by member
+    std::vector<NamedMeet> named_meets_;                                     ///< all, each with its letter
+    std::vector<std::pair<std::vector<int>, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ struct Side {
     Force force;
     int bond = -1;         ///< −1: a load
     bool external = true;  ///< a load, an effort or reaction of the frame
+    Quantity quantity;
 };
 
 class FreeBodies {
@@ -152,12 +153,13 @@ private:
             body.body = member;
         }
         std::vector<Side> sides;
+        body.in_parts = run.in_parts;
         const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
             if (force) {
                 applied.elements.force = force->element;
                 const bool external =
                     bond < 0 || model_.bonds()[at(bond)].first == frame || model_.bonds()[at(bond)].second == frame;
-                sides.push_back({applied.symbol, *force, bond, external});
+                sides.push_back({applied.symbol, *force, bond, external, quantity_of(body, applied)});
             }
             if (applied.elements.force >= 0 || applied.elements.couple >= 0) body.forces.push_back(std::move(applied));
         };
@@ -166,6 +168,7 @@ private:
             AppliedForce applied;
             applied.symbol = load.symbol;
             applied.kind = load.kind;
+            applied.given = load.given;
             applied.elements.at = load.place.element;
             if (load.couple) applied.elements.couple = load.couple->element;
             apply(std::move(applied), load.force, -1);
@@ -178,6 +181,10 @@ private:
             applied.symbol = reversed ? bond.reverse : bond.symbol;
             applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
             applied.joint = bond.joint;
+            applied.given = bond.effort;
+            if (bond.effort < 0) applied.line_statement = reaction.line_statement;
+            applied.force_statement = reaction.force_statement;
+            body.statement = std::max(body.statement, reaction.force_statement);
             applied.from = reversed ? bond.first : bond.second;
             if (model_.is_pin(applied.from)) applied.from = -1;
             applied.elements.at = bond.place.element;
@@ -195,22 +202,24 @@ private:
             }
             apply(std::move(applied), force, b);
         }
-        const auto meets = meets_.find(member);
-        if (meets != meets_.end()) {
-            for (const auto& meet : meets->second) {
-                const bool listed =
-                    std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.first == meet.first; });
-                if (listed) continue;
-                body.meets.emplace_back(meet.first, Vector{});
-                body.meet_elements.push_back(meet.second.element);
-            }
-        }
+        list_meets(member, body);
         if (!sides.empty()) {
             sort_round(sides);
             body.polygon = draw_polygon(member, sides);
             sides_.emplace_back(member, std::move(sides));
         }
         if (!body.forces.empty()) results_.bodies.push_back(std::move(body));
+    }
+
+    /// The points of concurrency used at a member.
+    void list_meets(int member, FreeBody& body) const {
+        const auto meets = meets_.find(member);
+        if (meets == meets_.end()) return;
+        for (const NamedMeet& meet : meets->second) {
+            const bool listed =
+                std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.name == meet.name; });
+            if (!listed) body.meets.push_back({meet.name, {}, meet.statement, meet.place.element});
+        }
     }
 
     /// Counter-clockwise by direction from the first on: the polygon is convex, and neighbours lie on the far sides of common
@@ -227,8 +236,9 @@ private:
         });
     }
 
-    int add_force_polygon(std::string id) {
+    int add_force_polygon(Polygon::Kind kind, std::string id) {
         Polygon polygon;
+        polygon.kind = kind;
         polygon.plane = Plane::force;
         polygon.id = std::move(id);
         return board_.add_polygon(std::move(polygon));
@@ -243,13 +253,14 @@ private:
         drawn.tail = tail.element;
         drawn.tip = tip.element;
         drawn.body = model_.is_pin(member) ? -1 : member;
+        drawn.quantity = side.quantity;
         drawn.role = side.external ? DrawnVector::Role::external : DrawnVector::Role::internal;
         board_.draw(std::move(drawn));
     }
 
     /// Tip to tail: the forces of a body in equilibrium close.
     int draw_polygon(int member, const std::vector<Side>& sides) {
-        const int polygon = add_force_polygon("forces-" + model_.member_name(member));
+        const int polygon = add_force_polygon(Polygon::Kind::body_forces, "forces-" + model_.member_name(member));
         place_sides(polygon, member, sides, 0, board_.pole<Plane::force>(), -1);
         return polygon;
     }
@@ -284,7 +295,8 @@ private:
         int count = 0;
         for (std::size_t first = 0; first < sides_.size(); ++first) {
             if (placed.count(sides_[first].first) != 0 || sides_.size() < 2) continue;
-            const int polygon = add_force_polygon(count == 0 ? "closure" : "closure-" + std::to_string(count + 1));
+            const int polygon =
+                add_force_polygon(Polygon::Kind::joined_forces, count == 0 ? "closure" : "closure-" + std::to_string(count + 1));
             ++count;
             struct Open {
                 std::size_t index, from;
@@ -326,6 +338,19 @@ private:
 };
 
 }  // namespace
+
+void note_first_use_of_lines(std::vector<FreeBody>& bodies) {
+    for (FreeBody& body : bodies) {
+        for (AppliedForce& applied : body.forces) {
+            if (applied.kind == AppliedForce::Kind::reaction) continue;
+            for (const FreeBody::Meet& meet : body.meets) {
+                if (!cross(applied.force, meet.place - applied.at).is_zero()) continue;
+                if (applied.line_statement < 0 || meet.statement < applied.line_statement)
+                    applied.line_statement = meet.statement;
+            }
+        }
+    }
+}
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
                       const NamedMeets& meets) {

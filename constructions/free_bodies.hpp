@@ -13,9 +13,17 @@
 namespace kinegraph::statics {
 
 /// Points of concurrency by the member on which they were used, with the letters they got.
-using NamedMeets = std::map<int, std::vector<std::pair<std::string, PlaceOnDrawing>>>;
+struct NamedMeet {
+    std::string name;
+    PlaceOnDrawing place;
+    int statement = -1;  ///< that names it first
+};
+using NamedMeets = std::map<int, std::vector<NamedMeet>>;
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
                       const NamedMeets& meets);
+
+/// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
+void note_first_use_of_lines(std::vector<FreeBody>& bodies);
 
 }  // namespace kinegraph::statics

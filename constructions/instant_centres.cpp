@@ -50,7 +50,7 @@ Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
 int InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
-    statement.section = "centres";
+    statement.section = Topic::centres;
     statement.source = "Aronhold–Kennedy";
     return board_.state(std::move(statement));
 }
@@ -341,7 +341,7 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
         const int statement =
             say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
-        board_.statement(statement).section = "velocity";
+        board_.statement(statement).section = Topic::velocity;
         const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);
         const auto from_body = board_.vector(*absolute.point, *relative.point);
         const ScalarHandle found = board_.product(track.spin(driver), board_.ratio(from_driver, from_body));

@@ -72,6 +72,12 @@ private:
         if (hand_ != Hand::solution) return -1;
         return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
+    /// A sentence that ends with the ω or α of a body.
+    template <Plane plane>
+    void begin_spin(BodyIndex found, Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        const int statement = begin<plane>(sentence, std::move(arguments), std::move(source));
+        if (found >= 0) said(statement).finds = {spin_quantity<plane>(found)};
+    }
     /// The sentence begun, to complete it; in a trial nothing is said, and what is written here is forgotten.
     Statement& said(int statement) { return statement < 0 ? unsaid_ : board_.statement(statement); }
     int trial() const { return hand_ == Hand::first_trial ? 1 : hand_ == Hand::second_trial ? 2 : 0; }
@@ -166,12 +172,13 @@ private:
         if (!track.turns(step.other)) return;
         const Joint& joint = mechanism_.joints[at(step.joint)];
         if (joint.pair().is_sleeve() && joint.bodies[1] == frame)
-            begin<plane>(either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
-                         {spin_of<plane>(step.body), body(step.body), place_of(joint)}, "");
+            begin_spin<plane>(step.body, either<plane>(Sentence::omega_by_fixed_guide, Sentence::alpha_by_fixed_guide),
+                              {spin_of<plane>(step.body), body(step.body), place_of(joint)}, "");
         else
-            begin<plane>(joint.pair().is_sleeve() ? either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve)
-                                                  : either<plane>(Sentence::omega_by_joint, Sentence::alpha_by_joint),
-                         {spin_of<plane>(step.body), spin_of<plane>(step.other), place_of(joint)}, "");
+            begin_spin<plane>(step.body,
+                              joint.pair().is_sleeve() ? either<plane>(Sentence::omega_by_sleeve, Sentence::alpha_by_sleeve)
+                                                       : either<plane>(Sentence::omega_by_joint, Sentence::alpha_by_joint),
+                              {spin_of<plane>(step.body), spin_of<plane>(step.other), place_of(joint)}, "");
         track.spins[at(step.body)] = track.spin(step.other);
     }
 
@@ -179,8 +186,8 @@ private:
     void spin_by_driver(Track<plane>& track, const Step& step) {
         if (!track.turns(step.other)) return;
         if (step.other != frame) {
-            begin<plane>(either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
-                         {spin_of<plane>(step.body), spin_of<plane>(step.other)}, "");
+            begin_spin<plane>(step.body, either<plane>(Sentence::omega_by_driver, Sentence::alpha_by_driver),
+                              {spin_of<plane>(step.body), spin_of<plane>(step.other)}, "");
         }
         const ScalarHandle given = driven<plane>(step.driver);
         ScalarHandle& spin = track.spins[at(step.body)].emplace(given);
@@ -208,7 +215,7 @@ private:
         slide.vector = board_.scale<plane>(driven<plane>(step.driver), board_.guide_unit(step.joint));
         slide.term.symbol = relative<plane>(slider, guide, is_velocity<plane> ? "" : "rel");
         slide.role = DrawnVector::Role::sliding;
-        slide.seen = sliding<plane>(step.joint, slider, guide);
+        slide.seen = sliding<plane>(step.joint, slider, guide, guide_body);
         links.push_back(slide);
         const bool show_parts = !at_rest(step.base);
         for (const Link<plane>& link : links) {
@@ -373,8 +380,8 @@ private:
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
         Symbol relative_symbol = at_rest(step.base) ? absolute<plane>(step.node, is_velocity<plane> ? "" : "t")
                                                     : relative<plane>(step.node, step.base, is_velocity<plane> ? "" : "t");
-        begin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
-                     {spin_of<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
+        begin_spin<plane>(step.body, either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
+                          {spin_of<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
         const auto turned = board_.turn(diagram_.join(step.base, step.node));
         const auto found = track.tangential.find({step.base, step.node});
         VectorOn<plane> tangential;
@@ -433,8 +440,9 @@ private:
     void spin_from_parallels(Track<plane>& track, const Step& step) {
         if (!ready(track, step.first) || !ready(track, step.second)) return;
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
-        begin<plane>(either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
-                     {spin_of<plane>(step.body), segment(step.first.holds(), step.second.holds()), body(step.body)}, "Rivals");
+        begin_spin<plane>(step.body, either<plane>(Sentence::omega_from_parallels, Sentence::alpha_from_parallels),
+                          {spin_of<plane>(step.body), segment(step.first.holds(), step.second.holds()), body(step.body)},
+                          "Rivals");
         const Chain<plane> first = chain(track, step.first);
         const Chain<plane> second = chain(track, step.second);
         draw_line(track, first.line, first.reason, {first.end.element});
@@ -503,8 +511,9 @@ private:
             }
         }
         hand_ = hand;
-        begin<plane>(step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
-                     closing_arguments<plane>(step), "");
+        begin_spin<plane>(step.node >= 0 ? -1 : step.body,
+                          step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
+                          closing_arguments<plane>(step), "");
         const ScalarHandle share = step.closing.locus ? share_by_line(missed, diagram_.direction(*step.closing.locus))
                                                       : board_.quotient(mismatch[0], board_.difference(mismatch[0], mismatch[1]));
         if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {

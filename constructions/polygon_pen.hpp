@@ -23,6 +23,43 @@ template <Plane plane>
 Symbol spin_symbol(std::string body) {
     return {is_velocity<plane> ? Symbol::Letter::omega : Symbol::Letter::alpha, std::move(body), {}};
 }
+template <Plane plane>
+Quantity spin_quantity(BodyIndex body) {
+    return {.kind = is_velocity<plane> ? Quantity::Kind::omega : Quantity::Kind::alpha, .body = body};
+}
+/// What a vector of motion is a value of.
+template <Plane plane>
+Quantity motion_quantity(const Seen& seen, DrawnVector::Role role) {
+    using Role = DrawnVector::Role;
+    using Part = Quantity::Part;
+    const auto part = [role] {
+        switch (role) {
+            case Role::relative:
+                return Part::relative;
+            case Role::normal:
+                return Part::normal;
+            case Role::tangential:
+                return Part::tangential;
+            case Role::transport:
+                return Part::transport;
+            case Role::sliding:
+                return Part::sliding;
+            case Role::coriolis:
+                return Part::coriolis;
+            default:
+                return Part::whole;
+        }
+    };
+    if (seen.of.body < 0) return {};
+    Quantity quantity{.kind = is_velocity<plane> ? Quantity::Kind::velocity : Quantity::Kind::acceleration,
+                      .body = seen.of.body,
+                      .point = seen.of.point,
+                      .part = part()};
+    if (quantity.part == Part::whole) return quantity;
+    quantity.other = seen.to.body;
+    quantity.seen_from = seen.to.point;
+    return quantity;
+}
 /// a, a'.
 template <Plane plane>
 Symbol image_symbol(std::string label) {
@@ -38,7 +75,7 @@ template <Plane plane>
 int state(Board& board, Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
-    statement.section = is_velocity<plane> ? "velocity" : "acceleration";
+    statement.section = is_velocity<plane> ? Topic::velocity : Topic::acceleration;
     statement.source = std::move(source);
     return board.state(std::move(statement));
 }
@@ -69,6 +106,7 @@ public:
         drawn.role = role;
         drawn.trial = trial_;
         drawn.seen = seen;
+        drawn.quantity = motion_quantity<plane>(seen, role);
         board_.draw(std::move(drawn));
     }
     /// A construction line through these point elements.

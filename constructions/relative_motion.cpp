@@ -55,6 +55,7 @@ private:
     int polygon(const char* kind) {
         Polygon polygon;
         polygon.point = structure_.node(point_).label;
+        polygon.kind = Polygon::Kind::relative_motion;
         polygon.translating = translating_;
         polygon.observer = translating_ ? structure_.node(transport_).label : structure_.body_name(observer_);
         polygon.id = std::string(kind) + "-" + polygon.point + (translating_ ? "-with-" : "-on-") + polygon.observer;
@@ -69,14 +70,18 @@ private:
             .vector(motion_symbol<plane>(structure_.node(point_).label, std::move(term)), seen_as(role), tail, tip, body, role);
     }
 
-    CarriedPlace carried(NodeIndex node) { return {diagram_.place(node).element, structure_.node(node).bodies.front()}; }
+    CarriedPlace carried(NodeIndex node) { return carried(node, structure_.node(node).bodies.front()); }
+    CarriedPlace carried(NodeIndex node, BodyIndex body) {
+        return {diagram_.place(node).element, body, structure_.node(node).point};
+    }
+    /// At a hinge the observer's place is of several bodies, of which its own tells how it turns.
+    CarriedPlace transport() { return translating_ ? carried(transport_) : carried(transport_, observer_); }
     Seen seen_as(DrawnVector::Role role) {
         if (role == DrawnVector::Role::absolute) return {carried(point_), {}, -1};
         // An observer that translates turns no more than the frame does.
-        if (role == DrawnVector::Role::coriolis && translating_)
-            return {carried(point_), {diagram_.place(transport_).element, frame}, -1};
-        if (role == DrawnVector::Role::transport) return {carried(transport_), {}, -1};
-        return {carried(point_), carried(transport_), -1};
+        if (role == DrawnVector::Role::coriolis && translating_) return {carried(point_), carried(transport_, frame), -1};
+        if (role == DrawnVector::Role::transport) return {transport(), {}, -1};
+        return {carried(point_), transport(), -1};
     }
 
     void say(Sentence rotating, Sentence translating, Symbol::Letter letter, const char* source) {
@@ -93,7 +98,7 @@ private:
         if (letter == Symbol::Letter::a && !translating_) arguments.emplace_back(symbol("cor"));
         arguments.emplace_back(symbol("rel"));
         statement.message = {translating_ ? translating : rotating, std::move(arguments)};
-        statement.section = "relative motion";
+        statement.section = Topic::relative_motion;
         statement.source = source;
         board_.state(std::move(statement));
     }
@@ -168,7 +173,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
         result.joint = static_cast<JointIndex>(j);
         const Symbol relative{Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
         const bool on_rest = joint.bodies[1] == frame;
-        const auto say = [&](Sentence sentence, const Symbol& symbol, const char* section) {
+        const auto say = [&](Sentence sentence, const Symbol& symbol, Topic section) {
             Statement statement;
             statement.message = {sentence, {symbol, PointName{structure.node(slider).label}}};
             if (on_rest) {
@@ -180,7 +185,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
             statement.section = section;
             board.state(std::move(statement));
         };
-        say(on_rest ? Sentence::slide_velocity_on_rest : Sentence::slide_velocity, relative, "velocity");
+        say(on_rest ? Sentence::slide_velocity_on_rest : Sentence::slide_velocity, relative, Topic::velocity);
         const auto velocity = board.vector(motion.velocity.tip(guide), motion.velocity.tip(slider));
         result.velocity = Recorded<Vector>::at(velocity.element);
         if (with_accelerations && motion.acceleration.has(slider) && motion.acceleration.has(guide) &&
@@ -188,7 +193,7 @@ std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Mot
             Symbol symbol = relative;
             symbol.letter = Symbol::Letter::a;
             symbol.term = "rel";
-            say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol, "acceleration");
+            say(on_rest ? Sentence::slide_acceleration_on_rest : Sentence::slide_acceleration, symbol, Topic::acceleration);
             const ScalarHandle twice = board.product(board.number(2), motion.velocity.spin(joint.bodies[1]));
             const auto coriolis = board.scale<Plane::acceleration>(twice, board.turn(velocity));
             const auto difference = board.vector(motion.acceleration.tip(guide), motion.acceleration.tip(slider));

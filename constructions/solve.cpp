@@ -8,6 +8,7 @@
 #include "constructions/check_rows.hpp"
 #include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
+#include "constructions/free_bodies.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
 #include "constructions/plan.hpp"
@@ -87,8 +88,9 @@ public:
         finish_record();
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
-        solution_.checks = std::move(comparison.rows);
-        solution_.numeric_moduli = std::move(comparison.moduli);
+        const std::vector<Comparison::Moved> moved = comparison.bodies;
+        enter(std::move(comparison), solution_);
+        for (Message& remark : disagreements(solution_, moved)) solution_.remarks.push_back(std::move(remark));
     }
 
 private:
@@ -133,6 +135,7 @@ private:
         protocol.values = std::move(values);
         protocol.program = std::move(record.program);
         read_values(solution_, protocol.values);
+        statics::note_first_use_of_lines(solution_.free_bodies);
         say_projections();
     }
 

@@ -24,9 +24,9 @@ public:
         : board_(board), diagram_(structure, board), velocities_(velocities) {}
 
     /// v_X = v_A + ω ∧ AX;  P = F·v_X + M ω.
-    VirtualWork::Entry of(const AppliedForce& applied, BodyIndex body, NodeIndex base) {
+    VirtualWork::Entry of(const AppliedForce& applied, const FreeBody& free, NodeIndex base) {
         const PointOn<Plane::drawing> at{applied.elements.at};
-        const ScalarHandle omega = velocities_.spin(body);
+        const ScalarHandle omega = velocities_.spin(free.body);
         const auto turned = board_.scale<Plane::velocity>(omega, board_.turn(board_.vector(diagram_.place(base), at)));
         const auto tip = board_.carry(velocities_.tip(base), turned);
         const auto velocity = board_.vector(board_.pole<Plane::velocity>(), tip);
@@ -38,7 +38,8 @@ public:
 
         VirtualWork::Entry entry;
         entry.symbol = applied.symbol;
-        entry.body = body;
+        entry.quantity = quantity_of(free, applied);
+        entry.body = free.body;
         entry.elements = {at.element,    velocity.element, applied.elements.force, applied.elements.couple,
                           omega.element, power->element};
         return entry;
@@ -64,7 +65,7 @@ std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board
         for (const AppliedForce& applied : free.forces) {
             if (applied.kind == AppliedForce::Kind::reaction) continue;
             if (!base) return std::nullopt;
-            work.entries.push_back(powers.of(applied, free.body, *base));
+            work.entries.push_back(powers.of(applied, free, *base));
         }
     }
     if (work.entries.empty()) return std::nullopt;

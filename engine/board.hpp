@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
 #include "engine/program.hpp"
+#include "engine/quantity.hpp"
 #include "engine/statement.hpp"
 
 namespace kinegraph {
@@ -57,11 +59,18 @@ struct Polygon {
     std::vector<int> vectors;  ///< indices into Protocol::vectors
     std::vector<int> images;   ///< indices into Protocol::images
     std::vector<Face> faces;   ///< force polygons: one for each body
+    enum class Kind {
+        motion,           ///< of all points: one for velocities, one for accelerations
+        relative_motion,  ///< of one point, as an observer sees it
+        body_forces,      ///< of one body
+        joined_forces     ///< of bodies side by side, on their common forces
+    } kind = Kind::motion;
 };
 /// A place as a body carries it.
 struct CarriedPlace {
     int place = -1;  ///< point element of the drawing
     BodyIndex body = -1;
+    PointIndex point = -1;  ///< the file's point there; −1: an auxiliary place
 };
 /// Whose motion a vector of motion is, or is part of, and how it is seen.
 struct Seen {
@@ -87,8 +96,9 @@ struct DrawnVector {
         internal
     } role = Role::absolute;
     int statement = -1;
-    int trial = 0;  ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
-    Seen seen;      ///< nothing for a force, nor for a component along a line
+    int trial = 0;      ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
+    Seen seen;          ///< nothing for a force, nor for a component along a line
+    Quantity quantity;  ///< nothing for a component along a line
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
 struct Image {
@@ -110,12 +120,19 @@ struct DrawnLine {
     int trial = 0;  ///< as DrawnVector::trial
 };
 
+/// What a sentence is about: the section of the solution that it stands in.
+enum class Topic { none, velocity, acceleration, relative_motion, centres, forces };
+/// As headings are looked up and results written: "relative motion".
+std::string_view name_of(Topic topic);
+
 /// A sentence of the solution with its equation and strokes.
 struct Statement {
     Message message;
     std::optional<Equation> equation;
-    std::string section;  ///< "centres", "velocity", "acceleration", "relative motion"
-    std::string source;   ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
+    Topic section = Topic::none;
+    std::string source;             ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
+    std::vector<Quantity> finds;    ///< ω, α and forces that it ends with, in the order it names them
+    std::vector<BodyIndex> bodies;  ///< forces: the bodies it takes together
 };
 
 /// What was drawn from trial values on the way, apart from the solution: thin broken lines of the same polygons.

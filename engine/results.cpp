@@ -401,7 +401,7 @@ private:
     std::string checks() const {
         std::vector<std::string> all;
         for (const CheckRow& row : solution_.checks)
-            all.push_back(object({{"quantity", quoted(row.quantity)},
+            all.push_back(object({{"quantity", quoted(name_of(row.quantity, solution_))},
                                   {"graphical", number(row.graphical)},
                                   {"numeric", number(row.numeric)},
                                   {"difference", number(row.difference)}}));

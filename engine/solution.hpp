@@ -14,6 +14,7 @@
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pose.hpp"
+#include "engine/quantity.hpp"
 #include "engine/recorded.hpp"
 #include "engine/statement.hpp"
 
@@ -93,21 +94,37 @@ struct AppliedForce {
         int force = -1, couple = -1, at = -1;
     } elements;                         ///< of the record, −1 where it vanishes
     bool line_by_construction = false;  ///< its line of action was deduced, not given
+    /// Index in Mechanism::loads (load, spring), masses (weight, inertia) or efforts (effort); −1: a reaction.
+    int given = -1;
+    /// The statement after which its line is known, or that first needs the line of what is given; −1: none does.
+    int line_statement = -1;
+    int force_statement = -1;  ///< that finds it; −1: it is given
+    /// By the check: the modulus in N; the couple in N m, as `couple` counts. None where equilibrium leaves them open.
+    std::optional<double> numeric_force, numeric_couple;
 };
 /// A body cut free, with all that acts on it; the forces close its polygon.
 struct FreeBody {
     BodyIndex body = -1;  ///< −1: the pin of a multiple hinge at `pin`
     PointIndex pin = -1;
-    std::vector<AppliedForce> forces;                   ///< in the order of the polygon: what was known first
-    std::vector<std::pair<std::string, Vector>> meets;  ///< points of concurrency used: name and place
-    std::vector<int> meet_elements;                     ///< by `meets`
-    int polygon = -1;                                   ///< index in Protocol::polygons; −1 where all forces vanish
+    std::vector<AppliedForce> forces;  ///< in the order of the polygon: what was known first
+    /// A point of concurrency that was used.
+    struct Meet {
+        std::string name;
+        Vector place;
+        int statement = -1;  ///< that finds it
+        int element = -1;    ///< of the record
+    };
+    std::vector<Meet> meets;
+    int polygon = -1;       ///< index in Protocol::polygons; −1 where all forces vanish
+    int statement = -1;     ///< after which all its forces are known
+    bool in_parts = false;  ///< its forces are sums of parts or trials: its polygon was closed by no one statement
 };
 /// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
 /// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
 struct VirtualWork {
     struct Entry {
         Symbol symbol;
+        Quantity quantity;  ///< the force or couple
         BodyIndex body = -1;
         Vector at;        ///< place of application, m
         Vector velocity;  ///< of that place, m/s
@@ -146,10 +163,11 @@ struct ActFigure {
     std::optional<Projections> differing;
     Recorded<Vector> acceleration_centre;  ///< the place of the body whose acceleration vanishes, m
     std::string acceleration_centre_name;  ///< "K", or the first of K2, K3 … that no point of the file has
+    int centre_statement = -1, acceleration_centre_statement = -1;
 };
 /// One scalar held against the check.
 struct CheckRow {
-    std::string quantity;  ///< "omega 3", "velocity B x"
+    Quantity quantity;  ///< of a vector: one component
     double graphical = 0, numeric = 0, difference = 0;
 };
 struct Unsolved {
@@ -215,7 +233,7 @@ void for_each_found(Solution& solution, See see) {
             held(applied.elements.couple, applied.couple);
             held(applied.elements.at, applied.at);
         }
-        for (std::size_t i = 0; i < body.meets.size(); ++i) held(body.meet_elements[i], body.meets[i].second);
+        for (FreeBody::Meet& meet : body.meets) held(meet.element, meet.place);
     }
     if (solution.virtual_work) {
         for (VirtualWork::Entry& entry : solution.virtual_work->entries) {
@@ -237,6 +255,12 @@ void for_each_found(Solution& solution, See see) {
 }
 /// Reads the value of every element that the results name from the elements of a record: the drawn pose's, or a replay's.
 void read_values(Solution& solution, const std::vector<Value>& values);
+/// What these are values of.
+Quantity velocity_of(const PointMotion& motion);
+Quantity acceleration_of(const PointMotion& motion);
+Quantity quantity_of(const InstantCentre& centre);
+Quantity quantity_of(const JointForce& action);
+Quantity quantity_of(const FreeBody& body, const AppliedForce& applied);
 
 /// Says a message in English.
 using Teller = std::function<std::string(const Message&)>;

@@ -130,6 +130,9 @@ enum class Sentence {
     bound_velocities,        ///< {0} count of freedoms, {1} count of conditions on them
     still_bodies,            ///< {0} bodies at rest in every motion
     unturning_bodies,        ///< {0} bodies that turn in none
+    check_differs,           ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
+    check_stands_still,      ///< {0} body: moves by the construction, is not determined by the check
+    check_moves,             ///< {0} body: moves by the check, is not determined by the construction
     // From here on phrases, without a capital and a full stop. What is not determined:
     motion_of_body,        ///< {0} body
     velocity_of_body,      ///< {0} body

@@ -469,7 +469,7 @@ TEST(Examples, ExamOf2001IsDrawnInTheOrderOfTheNotes) {
             if (solution.protocol.statements[s].message.sentence == sentence) return static_cast<int>(s);
         return -1;
     };
-    const auto image_of_a = [&solution](const std::string& section) {
+    const auto image_of_a = [&solution](Topic section) {
         for (std::size_t s = 0; s < solution.protocol.statements.size(); ++s) {
             const Statement& statement = solution.protocol.statements[s];
             if (statement.section != section || !statement.equation) continue;
@@ -480,9 +480,9 @@ TEST(Examples, ExamOf2001IsDrawnInTheOrderOfTheNotes) {
         return -1;
     };
     EXPECT_GE(first(Sentence::omega_from_parallels), 0);
-    EXPECT_LT(first(Sentence::omega_from_parallels), image_of_a("velocity"));
+    EXPECT_LT(first(Sentence::omega_from_parallels), image_of_a(Topic::velocity));
     EXPECT_LT(first(Sentence::omega_from_parallels), first(Sentence::alpha_from_parallels));
-    EXPECT_LT(first(Sentence::alpha_from_parallels), image_of_a("acceleration"));
+    EXPECT_LT(first(Sentence::alpha_from_parallels), image_of_a(Topic::acceleration));
 }
 
 TEST(Examples, PeaucelliersPointMovesAlongItsLineExactly) {

@@ -67,7 +67,7 @@ struct Statics {
     std::vector<std::string> order() const {
         std::vector<std::string> lines;
         for (const Statement& statement : solution.protocol.statements) {
-            if (statement.section != "forces") continue;
+            if (statement.section != Topic::forces) continue;
             std::string line = said(statement.message.sentence);
             for (const Argument& argument : statement.message.arguments) line += " " + written(argument);
             lines.push_back(line);
@@ -269,12 +269,12 @@ TEST(ForceLaws, ConcurrencyIsExact) {
         ASSERT_EQ(body.meets.size(), 1u) << file << named;
         EXPECT_EQ(body.forces.size(), 3u) << file << named;
         for (const AppliedForce& applied : body.forces)
-            EXPECT_EQ(cross(body.meets.front().second - applied.at, applied.force), Exact(0)) << file << name_of(applied.symbol);
+            EXPECT_EQ(cross(body.meets.front().place - applied.at, applied.force), Exact(0)) << file << name_of(applied.symbol);
     }
     const Statics exam(example("exam_2001"));
     const FreeBody& four = exam.free_body("4");
     for (const AppliedForce& applied : four.forces)
-        EXPECT_LE(std::abs(cross(four.meets.front().second - applied.at, applied.force).to_double()), 1e-25);
+        EXPECT_LE(std::abs(cross(four.meets.front().place - applied.at, applied.force).to_double()), 1e-25);
 }
 
 /// x ↦ a·x − s·b·y, y ↦ b·x + s·a·y; s = −1 mirrors.
@@ -350,7 +350,7 @@ void expect_moved(const std::string& name, const Similarity& map, const Exact& k
     for (std::size_t b = 0; b < as_is.solution.free_bodies.size(); ++b) {
         const auto &before = as_is.solution.free_bodies[b].meets, &after = there.solution.free_bodies[b].meets;
         ASSERT_EQ(after.size(), before.size());
-        for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i].second, map(before[i].second)) << before[i].first;
+        for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i].place, map(before[i].place)) << before[i].name;
     }
 }
 

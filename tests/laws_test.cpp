@@ -415,8 +415,8 @@ std::string reasons(const Solution& solution) {
 }
 void expect_no_nonsense(const Solution& solution) {
     for (const CheckRow& row : solution.checks) {
-        EXPECT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << row.quantity;
-        EXPECT_LT(std::abs(row.graphical), 1e9) << row.quantity;
+        EXPECT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << name_of(row.quantity, solution);
+        EXPECT_LT(std::abs(row.graphical), 1e9) << name_of(row.quantity, solution);
     }
     const std::string json = results_json(solution, true, english);
     for (const char* word : {"nan", "inf"}) EXPECT_EQ(json.find(word), std::string::npos) << json;
@@ -584,7 +584,7 @@ TEST(Redundant, TripleParallelCrankMovesAndIsRemarked) {
     ASSERT_EQ(solution.remarks.size(), 1u);
     for (const int turning : {1, 3, 4}) EXPECT_EQ(*solution.bodies[index(turning)].omega, 5);
     EXPECT_TRUE(solution.bodies[2].omega->is_zero());
-    for (const CheckRow& row : solution.checks) EXPECT_NEAR(row.difference, 0, 1e-12) << row.quantity;
+    for (const CheckRow& row : solution.checks) EXPECT_NEAR(row.difference, 0, 1e-12) << name_of(row.quantity, solution);
 }
 
 }  // namespace

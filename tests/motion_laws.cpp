@@ -59,40 +59,50 @@ private:
     Exact alpha(BodyIndex body) const { return body == 0 ? Exact() : solution_.bodies[at(body)].alpha.value(); }
 
     // --- the numeric check -------------------------------------------------------------------------------------------------
-    static std::string kind_of(const std::string& quantity) {
-        std::string kind = quantity.substr(0, quantity.find(' '));
-        if (kind != "sliding") return kind;
-        return quantity.find(" velocity ") != std::string::npos ? "velocity" : "acceleration";
+    using Kind = Quantity::Kind;
+
+    static Kind kind_of(const Quantity& quantity) {
+        switch (quantity.kind) {
+            case Kind::sliding_velocity:
+                return Kind::velocity;
+            case Kind::sliding_acceleration:
+            case Kind::sliding_coriolis:
+                return Kind::acceleration;
+            default:
+                return quantity.kind;
+        }
     }
 
     /// Rows that are the laws of statics' to hold.
-    static bool of_forces(const std::string& kind) { return kind == "force" || kind == "effort" || kind == "virtual"; }
+    static bool of_forces(Kind kind) {
+        return kind == Kind::force || kind == Kind::couple || kind == Kind::effort || kind == Kind::virtual_power;
+    }
 
     void checks_agree() {
-        std::map<std::string, double> largest;
-        std::map<std::string, int> rows;
+        std::map<Kind, double> largest;
+        std::map<Kind, int> rows;
         for (const CheckRow& row : solution_.checks) {
-            const std::string kind = kind_of(row.quantity);
+            const Kind kind = kind_of(row.quantity);
             largest[kind] = std::max(largest[kind], std::abs(row.numeric));
             ++rows[kind];
         }
         // Where nothing turns, a spin is measured by the speeds at the size of the drawing; and a speed by the spins.
         const double size = solution_.pose.size.to_double();
-        for (const auto& [spin, speed] : {std::pair("omega", "velocity"), std::pair("alpha", "acceleration")}) {
+        for (const auto& [spin, speed] : {std::pair(Kind::omega, Kind::velocity), std::pair(Kind::alpha, Kind::acceleration)}) {
             largest[spin] = std::max(largest[spin], largest[speed] / size);
             largest[speed] = std::max(largest[speed], largest[spin] * size);
         }
         for (const CheckRow& row : solution_.checks) {
             if (of_forces(kind_of(row.quantity))) continue;
-            ASSERT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << row.quantity;
+            ASSERT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << name_of(row.quantity, solution_);
             double scale = std::max(std::abs(row.numeric), largest[kind_of(row.quantity)]);
-            if (kind_of(row.quantity) == "centre") scale = reach_of_centre(row);
+            if (kind_of(row.quantity) == Kind::centre) scale = reach_of_centre(row);
             EXPECT_LE(std::abs(row.difference), tolerance * scale)
-                << row.quantity << ": " << row.graphical << ", numeric " << row.numeric;
+                << name_of(row.quantity, solution_) << ": " << row.graphical << ", numeric " << row.numeric;
         }
         const int moving = static_cast<int>(solution_.mechanism.bodies.size()) - 1;
-        EXPECT_EQ(rows["omega"], moving);
-        EXPECT_EQ(rows["alpha"], moving);
+        EXPECT_EQ(rows[Kind::omega], moving);
+        EXPECT_EQ(rows[Kind::alpha], moving);
         for (const PointMotion& point : solution_.points)
             ASSERT_TRUE(point.velocity && point.acceleration) << "nothing known of " << name(point.point);
         EXPECT_EQ(solution_.sliding.size(), sliding_joints());
@@ -101,10 +111,10 @@ private:
     /// A centre's coordinates are measured by its distance from the mechanism: the check divides by ω_rel, and where that is a
     /// small difference of large spins the centre is far off.
     double reach_of_centre(const CheckRow& row) const {
-        const std::string stem = row.quantity.substr(0, row.quantity.size() - 1);
+        const Quantity centre = row.quantity.along(Quantity::Component::none);
         double reach = solution_.pose.size.to_double();
         for (const CheckRow& other : solution_.checks) {
-            if (other.quantity.compare(0, stem.size(), stem) == 0) reach = std::max(reach, std::abs(other.numeric));
+            if (other.quantity.along(Quantity::Component::none) == centre) reach = std::max(reach, std::abs(other.numeric));
         }
         return reach;
     }
@@ -205,17 +215,20 @@ private:
     /// A term's vector as drawn by this statement, else as drawn before in the same figure.
     std::optional<Vector> drawn(const Symbol& symbol, int statement) const {
         const Protocol& protocol = solution_.protocol;
-        const std::string& section = protocol.statements[at(statement)].section;
+        const Plane plane = protocol.statements[at(statement)].section == Topic::velocity ? Plane::velocity : Plane::acceleration;
+        const auto is_of_it = [&](int polygon) {
+            return protocol.polygons[at(polygon)].kind == Polygon::Kind::motion && protocol.polygons[at(polygon)].plane == plane;
+        };
         std::optional<Vector> earlier;
         for (const DrawnVector& vector : protocol.vectors) {
-            if (!(vector.symbol == symbol) || protocol.polygons[at(vector.polygon)].id != section) continue;
+            if (!(vector.symbol == symbol) || !is_of_it(vector.polygon)) continue;
             if (vector.statement == statement) return protocol.value_of(vector);
             if (!earlier) earlier = protocol.value_of(vector);
         }
         if (earlier) return earlier;
         // Assur's point has an image, but no vector of its own.
         for (const Image& image : protocol.images) {
-            if (image.symbol.about == symbol.about && symbol.term.empty() && protocol.polygons[at(image.polygon)].id == section)
+            if (image.symbol.about == symbol.about && symbol.term.empty() && is_of_it(image.polygon))
                 return protocol.point(image.point).place();
         }
         return std::nullopt;
@@ -225,7 +238,8 @@ private:
     void equations_close() {
         for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
             const Statement& statement = solution_.protocol.statements[i];
-            if (!statement.equation || (statement.section != "velocity" && statement.section != "acceleration")) continue;
+            if (!statement.equation || (statement.section != Topic::velocity && statement.section != Topic::acceleration))
+                continue;
             std::optional<Vector> first;
             for (const std::vector<Term>& side : statement.equation->sides) {
                 Vector sum;
@@ -247,9 +261,9 @@ private:
     void drawn_vectors_are_the_results() {
         for (const DrawnVector& vector : solution_.protocol.vectors) {
             const Polygon& polygon = solution_.protocol.polygons[at(vector.polygon)];
-            const bool velocity = polygon.id == "velocity";
+            const bool velocity = polygon.plane == Plane::velocity;
             if (vector.role != DrawnVector::Role::absolute || !vector.symbol.term.empty() ||
-                (!velocity && polygon.id != "acceleration"))
+                polygon.kind != Polygon::Kind::motion)
                 continue;
             for (const PointMotion& point : solution_.points) {
                 if (point.label != vector.symbol.about) continue;

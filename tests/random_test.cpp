@@ -85,7 +85,7 @@ TEST(RandomMechanismsDrivenElsewhere, ObeyTheLawsOrSayWhyNot) {
             EXPECT_TRUE(dead_point || english(what.why).find("dead point") == std::string::npos) << english_of(what);
         }
         for (const CheckRow& row : solution->checks)
-            EXPECT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << row.quantity;
+            EXPECT_TRUE(std::isfinite(row.graphical) && std::isfinite(row.numeric)) << name_of(row.quantity, *solution);
     }
     EXPECT_GT(drawn, static_cast<int>(count) / 10);
     EXPECT_GT(unsolved, 0);

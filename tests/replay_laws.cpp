@@ -75,7 +75,6 @@ void put_in_order(Solution& solution) {
     for (FreeBody& body : solution.free_bodies) {
         std::sort(body.forces.begin(), body.forces.end(), by_name);
         body.meets.clear();
-        body.meet_elements.clear();
     }
     std::sort(solution.free_bodies.begin(), solution.free_bodies.end(),
               [](const FreeBody& a, const FreeBody& b) { return std::pair(a.body, a.pin) < std::pair(b.body, b.pin); });

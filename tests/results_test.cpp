@@ -57,7 +57,7 @@ TEST(Results, AreWrittenAsTheFormatSays) {
     everywhere.second = 2;
     everywhere.everywhere = true;
     solution.centres = {finite, far, everywhere};
-    solution.checks = {{"omega 2", -0.5, -0.5, -0.0}};
+    solution.checks = {{{.kind = Quantity::Kind::omega, .body = 1}, -0.5, -0.5, -0.0}};
     solution.unsolved = {{{Sentence::motion_of_body, {BodyName{"\"3\""}}}, {Sentence::stands_still, {}}}};
     EXPECT_EQ(results_json(solution, false, english), R"({
   "mobility": {"gruebler": 1, "effective": 2, "verdict": "mechanism"},
@@ -128,7 +128,7 @@ TEST(Results, APointAtInfinityHasNoSense) {
 TEST(Results, NoNumberIsNoJson) {
     Solution solution = sample();
     solution.bodies[1].omega = decimal("1e400");
-    solution.checks = {{"omega 2", std::numeric_limits<double>::infinity(), std::nan(""), -0.0}};
+    solution.checks = {{{.kind = Quantity::Kind::omega, .body = 1}, std::numeric_limits<double>::infinity(), std::nan(""), -0.0}};
     const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_TRUE(json["bodies"]["2"]["omega"].is_null());
     EXPECT_TRUE(json["checks"][0]["numeric"].is_null());

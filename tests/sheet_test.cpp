@@ -284,14 +284,15 @@ TEST(Results, AreBesideTheirOwnNumbers) {
         std::vector<Figure> figures;
         for (int p = 0; p < static_cast<int>(solution.protocol.polygons.size()); ++p)
             figures.push_back(polygon_figure(context, p, 150, 100));
-        std::map<std::string, double> largest;
+        std::map<std::pair<RowGroup, std::string>, double> largest;
         for (const ResultRow& row : result_rows(context, figures))
-            largest[row.group + row.unit] = std::max(largest[row.group + row.unit], std::abs(row.drawing));
+            largest[{row.group, row.unit}] = std::max(largest[{row.group, row.unit}], std::abs(row.drawing));
         for (const ResultRow& row : result_rows(context, figures)) {
             const bool component = row.symbol.term == "∥" || row.symbol.term == "⟂";
             EXPECT_TRUE(row.numeric || component || !determined) << name << ": " << row.name;
             if (row.numeric) {
-                EXPECT_NEAR(row.drawing, *row.numeric, 1e-9 * largest[row.group + row.unit] + 1e-12) << name << ": " << row.name;
+                EXPECT_NEAR(row.drawing, *row.numeric, (1e-9 * largest[{row.group, row.unit}]) + 1e-12)
+                    << name << ": " << row.name;
                 ++compared;
             }
         }

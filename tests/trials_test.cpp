@@ -24,7 +24,7 @@ Solution solved(const std::string& text) {
     return *std::move(solution);
 }
 
-long said(const Solution& solution, Sentence sentence, const std::string& section) {
+long said(const Solution& solution, Sentence sentence, Topic section) {
     return std::count_if(
         solution.protocol.statements.begin(), solution.protocol.statements.end(),
         [&](const Statement& statement) { return statement.message.sentence == sentence && statement.section == section; });
@@ -58,7 +58,7 @@ TEST(Trials, CloseTheDoubleButterfly) {
     const Solution solution = solved(double_butterfly(R"({"body": 5, "omega": 2, "alpha": 1})"));
     expect_whole_motion(solution);
     EXPECT_TRUE(solution.pose.exact);
-    for (const char* section : {"velocity", "acceleration"}) {
+    for (const Topic section : {Topic::velocity, Topic::acceleration}) {
         EXPECT_EQ(said(solution, Sentence::trial_on_line, section), 1);
         EXPECT_EQ(said(solution, Sentence::trial_closes_on_line, section), 1);
     }
@@ -187,8 +187,8 @@ int hold_cubic_chains(int binaries, std::uint32_t count) {
             if (solution.mobility.driven < solution.mobility.effective || !solution.mobility.idle_drivers.empty()) continue;
             ++held;
             expect_whole_motion(solution);
-            const long trials =
-                said(solution, Sentence::trial_on_line, "velocity") + said(solution, Sentence::trial_of_spin, "velocity");
+            const long trials = said(solution, Sentence::trial_on_line, Topic::velocity) +
+                                said(solution, Sentence::trial_of_spin, Topic::velocity);
             nested += trials > 1 ? 1 : 0;
         }
     }

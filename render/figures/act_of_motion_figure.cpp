@@ -115,23 +115,7 @@ private:
     // --- the statements that find what is drawn ------------------------------------------------------------------------------
     /// −1: the velocity is given, or none finds it.
     int statement_of(const Shown& shown) const {
-        return shown.given ? -1 : statement_of_velocity(solution_.protocol, shown.name);
-    }
-    int statement_of_centre() const {
-        const std::vector<Statement>& statements = solution_.protocol.statements;
-        const auto finds_it = std::find_if(statements.begin(), statements.end(), [](const Statement& statement) {
-            switch (statement.message.sentence) {
-                case Sentence::act_perpendiculars:
-                case Sentence::act_tips:
-                case Sentence::act_point_at_rest:
-                case Sentence::act_translation:
-                case Sentence::act_parallels:
-                    return statement.section != "acceleration";
-                default:
-                    return false;
-            }
-        });
-        return finds_it == statements.end() ? -1 : static_cast<int>(finds_it - statements.begin());
+        return shown.given ? -1 : statement_of_velocity(solution_, act_.body, shown.point);
     }
 
     void draw_velocities(Sketch& sketch, double scale) const {
@@ -177,7 +161,7 @@ private:
         const bool near = centre_near(unscaled_box(sketch)).has_value();
         const std::size_t join = sketch.construction.size();
         if (act_.found == Found::tips) draw_join_of_tips(sketch, at, near, scale);
-        belong(sketch.construction, join, statement_of_centre());
+        belong(sketch.construction, join, act_.centre_statement);
         std::vector<Spot> far_ends;
         for (PointIndex point = 0; at_index(point) < solution_.pose.points.size(); ++point) {
             const bool by = std::find(act_.points.begin(), act_.points.end(), point) != act_.points.end();
@@ -188,7 +172,7 @@ private:
             if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
             // The rays that found the centre come with it, each other one with the velocity that is normal to it.
             const Shown* const shown = by ? nullptr : shown_at(point);
-            belong(sketch.construction, ray, std::max(statement_of_centre(), shown ? statement_of(*shown) : -1));
+            belong(sketch.construction, ray, std::max(act_.centre_statement, shown ? statement_of(*shown) : -1));
         }
         if (!near) return name_far_centre(sketch, at, far_ends);
         draw_dot(sketch, at);
@@ -269,7 +253,7 @@ private:
             }
             draw_arrow(sketch.construction, from, end, context_.theme.thin, context_.theme.secondary);
         }
-        belong(sketch.construction, first, statement_of_centre());
+        belong(sketch.construction, first, act_.centre_statement);
         LabelRequest label = name_of_centre(sketch);
         label.anchor = end;
         label.clearance = 1.2;
@@ -282,7 +266,7 @@ private:
             sketch.id("centre", solution_.mechanism.bodies[0].name + "." + solution_.mechanism.bodies[at_index(act_.body)].name),
             plain(name_of_centre(sketch).text),
             {},
-            statement_of_centre()});
+            act_.centre_statement});
         sketch.centres.emplace_back(tinted(disc(at, 1.15, context_.theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, context_.theme.text));
         sketch.centres.emplace_back(GroupEnd{});
@@ -295,7 +279,7 @@ private:
     LabelRequest name_of_centre(const Sketch& sketch) const {
         LabelRequest label;
         label.text = typeset(symbol_of(sketch.mechanism, *centre_), context_.language);
-        label.statement = statement_of_centre();
+        label.statement = act_.centre_statement;
         label.names = {name_of(symbol_of(sketch.mechanism, *centre_))};
         label.size = context_.theme.label;
         label.colour = context_.theme.text;
@@ -334,7 +318,8 @@ private:
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);
         const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
-        const int statement = std::max(statement_of_centre(), statement_of_turning(solution_, symbol));
+        const int statement =
+            std::max(act_.centre_statement, statement_of_turning(solution_, {.kind = Quantity::Kind::omega, .body = act_.body}));
         const std::size_t first = sketch.arrows.size();
         draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);
         belong(sketch.arrows, first, statement);
@@ -357,12 +342,8 @@ private:
         if (!contains(grown(sketch.mechanism_box(), 0.6 * sketch.size()), at)) return;
         const Theme& theme = context_.theme;
         sketch.centres.emplace_back(ring(at, 1.0, theme.paper, {theme.outline, theme.text, {}, false}));
-        const std::vector<Statement>& statements = solution_.protocol.statements;
-        const auto finds_it = std::find_if(statements.begin(), statements.end(), [](const Statement& statement) {
-            return statement.message.sentence == Sentence::act_acceleration_centre;
-        });
         LabelRequest label;
-        if (finds_it != statements.end()) label.statement = static_cast<int>(finds_it - statements.begin());
+        label.statement = act_.acceleration_centre_statement;
         belong(sketch.centres, sketch.centres.size() - 1, label.statement);
         label.text = typeset(Symbol{Symbol::Letter::point, act_.acceleration_centre_name, ""}, context_.language);
         append(label.text, one_piece(" ("));

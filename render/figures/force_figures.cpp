@@ -8,7 +8,6 @@
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/force_statements.hpp"
 #include "render/tables/force_tables.hpp"
 
 namespace kinegraph::render {
@@ -27,13 +26,13 @@ int lines_through(const FreeBody& body, Spot place, double near) {
 }
 double near_a_line(const Solution& solution) { return 1e-7 * solution.pose.size.to_double(); }
 
-using Meets = std::vector<std::pair<std::string, Vector>>;
+using Meets = std::vector<FreeBody::Meet>;
 
 /// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
 Meets shown_meets(const Solution& solution, const FreeBody& body) {
     Meets shown;
     for (const auto& meet : body.meets)
-        if (lines_through(body, paper_spot(meet.second), near_a_line(solution)) >= 2) shown.push_back(meet);
+        if (lines_through(body, paper_spot(meet.place), near_a_line(solution)) >= 2) shown.push_back(meet);
     return shown;
 }
 
@@ -42,9 +41,9 @@ Meets all_shown_meets(const Solution& solution) {
     Meets shown;
     for (const FreeBody& body : solution.free_bodies)
         for (const auto& meet : body.meets) {
-            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.first == meet.first; });
+            const bool listed = std::any_of(shown.begin(), shown.end(), [&](const auto& m) { return m.name == meet.name; });
             const bool met = std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
-                return lines_through(other, paper_spot(meet.second), near_a_line(solution)) >= 2;
+                return lines_through(other, paper_spot(meet.place), near_a_line(solution)) >= 2;
             });
             if (!listed && met) shown.push_back(meet);
         }
@@ -83,8 +82,8 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
             box.include(at);
     // A point of concurrency is shown where it does not make the body tiny.
     const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
-    for (const auto& [letter, place] : shown_meets(subject.solution, body))
-        if (const Spot at = paper_spot(place); contains(near, at)) box.include(at);
+    for (const FreeBody::Meet& meet : shown_meets(subject.solution, body))
+        if (const Spot at = paper_spot(meet.place); contains(near, at)) box.include(at);
     return {own, box};
 }
 
@@ -132,16 +131,16 @@ public:
     ActionLines(Sketch& sketch, const Box& view) : sketch_(sketch), view_(view) {}
 
     /// The line of a force with the points of concurrency on it, as far as there are any.
-    ActionLine line_of(const AppliedForce& applied, const Meets& meets, int statement) const {
+    ActionLine line_of(const AppliedForce& applied, const Meets& meets) const {
         const Spot at = sketch_.spot(applied.at);
-        ActionLine action{at, paper_direction(applied.force), {at}, statement, {}};
-        for (const auto& [letter, place] : meets) {
-            const Spot meet = sketch_.spot(place);
-            if (std::abs(cross(action.along, meet - at)) > 0.05 + 1e-9 * length(meet - at)) continue;
-            if (contains(view_, meet))
-                action.marks.push_back(meet);
+        ActionLine action{at, paper_direction(applied.force), {at}, applied.line_statement, {}};
+        for (const FreeBody::Meet& meet : meets) {
+            const Spot place = sketch_.spot(meet.place);
+            if (std::abs(cross(action.along, place - at)) > 0.05 + 1e-9 * length(place - at)) continue;
+            if (contains(view_, place))
+                action.marks.push_back(place);
             else
-                action.far_meets.push_back(letter);
+                action.far_meets.push_back(meet.name);
         }
         return action;
     }
@@ -157,14 +156,12 @@ public:
         lines_.push_back(std::move(added));
     }
 
-    void draw_meets(const Meets& meets, const ForceStatements& statements) {
-        for (const auto& [letter, place] : meets) {
-            const int statement = statements.meet(letter);
-            if (const Spot at = sketch_.spot(place); contains(view_, at))
-                draw_meet(sketch_, letter, at, statement);
+    void draw_meets(const Meets& meets) {
+        for (const FreeBody::Meet& meet : meets)
+            if (const Spot at = sketch_.spot(meet.place); contains(view_, at))
+                draw_meet(sketch_, meet.name, at, meet.statement);
             else
-                draw_far_meet(letter, at, statement);
-        }
+                draw_far_meet(meet.name, at, meet.statement);
     }
 
     void draw(std::vector<Mark>& layer) const {
@@ -268,7 +265,6 @@ public:
           unit_(sketch.mechanism.units.force),
           colour_(sketch.theme.colour_of(body.body)),
           meets_(shown_meets(sketch.subject.solution, body)),
-          statements_(sketch.subject.solution),
           lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3)) {}
 
     void draw() {
@@ -281,10 +277,10 @@ public:
         for (const AppliedForce& applied : body_.forces) {
             if (!applied.couple.is_zero())
                 draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
-                            applied.couple.sign() > 0, colour_, statements_.force(body_, applied));
+                            applied.couple.sign() > 0, colour_, applied.force_statement);
             if (!applied.force.is_zero()) draw_force(applied);
         }
-        lines_.draw_meets(meets_, statements_);
+        lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
     }
 
@@ -355,7 +351,7 @@ private:
     }
     void draw_arrow_of(const AppliedForce& applied, const Bar& arrow, double value, bool to_scale) {
         const Theme& theme = sketch_.theme;
-        const int statement = statements_.force(body_, applied);
+        const int statement = applied.force_statement;
         const std::string unique = unique_name(name_of(applied.symbol));
         sketch_.arrows.emplace_back(GroupBegin{to_scale ? "vector" : "sense",
                                                sketch_.id("", unique),
@@ -379,7 +375,7 @@ private:
                              [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
     }
     void add_line_of(const AppliedForce& applied) {
-        ActionLine action = lines_.line_of(applied, meets_, statements_.line(body_, applied));
+        ActionLine action = lines_.line_of(applied, meets_);
         if (action.joins() || carries_two_forces() || (applied.joint >= 0 && applied.line_by_construction))
             lines_.add(std::move(action));
     }
@@ -396,7 +392,6 @@ private:
     const Unit& unit_;
     BodyColour colour_;
     Meets meets_;
-    ForceStatements statements_;
     Clutter clutter_;
     ActionLines lines_;
     std::vector<Bar> standing_;  // the arrows
@@ -470,16 +465,16 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     label.names = {name_of(applied.symbol)};
 }
 
-void draw_action_lines(Sketch& sketch, const Meets& meets, const ForceStatements& statements, const Box& view) {
+void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view) {
     const Solution& solution = sketch.subject.solution;
     ActionLines lines(sketch, view);
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& applied : body.forces) {
             if (applied.force.is_zero()) continue;
-            ActionLine action = lines.line_of(applied, shown_meets(solution, body), statements.line(body, applied));
+            ActionLine action = lines.line_of(applied, shown_meets(solution, body));
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
-    lines.draw_meets(meets, statements);
+    lines.draw_meets(meets);
     lines.draw(sketch.construction);
 }
 
@@ -533,14 +528,13 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y) {
     const Solution& solution = context.solution;
     const Subject subject(solution);
-    const ForceStatements statements(solution);
     const auto asked = asked_scale(solution.mechanism, "mechanism");
     const Meets meets = all_shown_meets(solution);
     // A point of concurrency is what the figure is for: it may make the mechanism smaller.
     const Box near = grown(subject.box, 0.7 * subject.size());
     Box extent = subject.box;
-    for (const auto& [letter, place] : meets)
-        if (const Spot at = paper_spot(place); contains(near, at)) extent.include(at);
+    for (const FreeBody::Meet& meet : meets)
+        if (const Spot at = paper_spot(meet.place); contains(near, at)) extent.include(at);
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
     const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true};
@@ -552,11 +546,11 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         clutter.add(sketch.bodies);
         clutter.add(sketch.ground);
         const Box drawn{(1 / trial.scale) * extent.min, (1 / trial.scale) * extent.max};
-        draw_action_lines(sketch, meets, statements, grown(drawn, line_overshoot + 4));
+        draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4));
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (is_shown_on_mechanism(body, applied))
-                    draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), statements.force(body, applied));
+                    draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word("mechanism and lines of action", context.language));
         sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length);

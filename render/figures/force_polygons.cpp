@@ -8,7 +8,6 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/force_statements.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/force_tables.hpp"
 
@@ -150,7 +149,7 @@ std::vector<int> shown_polygons(const Solution& solution) {
 /// Polygons in rows, each with its body's name above and its table below.
 class Rows {
 public:
-    Rows(const DrawingContext& context, bool with_tables) : context_(context), statements_(context.solution) {
+    Rows(const DrawingContext& context, bool with_tables) : context_(context) {
         for (const int polygon : shown_polygons(context.solution)) {
             Item item{polygon, ForcePolygon(context, polygon), {}, nullptr};
             for (const FreeBody& body : context.solution.free_bodies)
@@ -281,10 +280,10 @@ private:
             set_cell(all, items_[i], cells[i], {x, y}, tallest);
             if (const Block& table = items_[i].table; !table.marks.empty()) {
                 const Spot at{x + 0.5 * (cells[i].size.x - table.width), y + head + tallest + above_table};
-                set_table(all, table, at, statements_.polygon(*items_[i].body));
+                set_table(all, table, at, items_[i].body->statement);
                 // What the rows are stands before the first of them.
                 if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, -1);
-                named = true;
+                named = all.has_table = true;
             }
             x += cells[i].size.x + spread;
         }
@@ -300,9 +299,9 @@ private:
         figure.move(at.x - figure.box.min.x + 0.5 * (cell.size.x - figure.box.width()),
                     at.y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
         append(all.marks, figure.marks);
-        all.measured.insert(all.measured.end(), figure.measured.begin(), figure.measured.end());
+        all.axes.insert(all.axes.end(), figure.axes.begin(), figure.axes.end());
         all.details.insert(all.details.end(), figure.details.begin(), figure.details.end());
-        belong(all.marks, first, statements_.polygon(*item.body));
+        belong(all.marks, first, item.body->statement);
     }
     static void set_table(Figure& all, const Block& table, Spot at, int statement) {
         std::vector<Mark> marks = table.marks;
@@ -350,7 +349,6 @@ private:
     }
 
     const DrawingContext& context_;
-    ForceStatements statements_;
     std::vector<Item> items_;
 };
 

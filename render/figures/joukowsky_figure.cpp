@@ -45,7 +45,6 @@ public:
           velocity_(context.solution.mechanism.units.velocity),
           force_(context.solution.mechanism.units.force) {
         double most = 0;
-        const ForceStatements statements(context.solution);
         for (const VirtualWork::Entry& entry : work_of(context.solution).entries) {
             if (entry.force.is_zero()) continue;
             const Spot v = in(entry.velocity, velocity_), f = in(entry.force, force_);
@@ -53,8 +52,8 @@ public:
                                {v.y, -v.x},
                                f,
                                kinegraph::length(entry.force) / force_.si.to_double(),
-                               statement_of_force(context.solution, statements, entry.symbol),
-                               statement_of_velocity(context.solution.protocol, point_of(entry))});
+                               statement_of_force(context.solution, entry.quantity),
+                               statement_of_motion(entry)});
             most = std::max(most, placed_.back().value);
         }
         force_scale_ = choose_scale(most, 0, longest_force, 1, std::nullopt);
@@ -96,12 +95,15 @@ private:
         Spot tail, tip;
     };
 
-    /// Name of the body's point that a force acts at; empty: it has none.
-    std::string point_of(const VirtualWork::Entry& entry) const {
-        const Mechanism& mechanism = context_.solution.mechanism;
-        for (const PointIndex p : mechanism.bodies[at_index(entry.body)].points)
-            if ((context_.solution.pose.at(p) - entry.at).is_zero()) return mechanism.points[at_index(p)].name;
-        return "";
+    /// The body's point that a force acts at; −1: it has none.
+    PointIndex point_of(const VirtualWork::Entry& entry) const {
+        for (const PointIndex p : context_.solution.mechanism.bodies[at_index(entry.body)].points)
+            if ((context_.solution.pose.at(p) - entry.at).is_zero()) return p;
+        return -1;
+    }
+    int statement_of_motion(const VirtualWork::Entry& entry) const {
+        const PointIndex point = point_of(entry);
+        return point < 0 ? -1 : statement_of_velocity(context_.solution, entry.body, point);
     }
 
     static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }
@@ -228,9 +230,9 @@ private:
         const Symbol pole{Symbol::Letter::pole, "v", ""};
         std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}}};
         for (const Placed& each : placed_) {
-            const std::string point = point_of(*each.entry);
-            if (point.empty()) continue;
-            const Symbol image{Symbol::Letter::image, point, ""};
+            const PointIndex point = point_of(*each.entry);
+            if (point < 0) continue;
+            const Symbol image{Symbol::Letter::image, context_.solution.mechanism.points[at_index(point)].name, ""};
             const Spot at = tip_of(each, figure.scale);
             const auto same =
                 std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });

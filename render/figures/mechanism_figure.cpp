@@ -159,7 +159,7 @@ void draw_velocity(Sketch& sketch, const ShownVelocity& shown, const Bar& arrow)
     const BodyColour colour = sketch.theme.colour_of(shown.body);
     const std::string name = name_of(symbol);
     const RichText text = typeset(symbol, sketch.context.language);
-    const int statement = statement_of_velocity(sketch.subject.solution.protocol, shown.name);
+    const int statement = statement_of_velocity(sketch.subject.solution, shown.motion->bodies.front(), shown.motion->point);
     sketch.arrows.emplace_back(GroupBegin{
         "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(shown.value)}}, statement});
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);

@@ -1,9 +1,9 @@
 // Arrows of motion on the mechanism: drivers as the file gives them, angular velocities and accelerations as they are found.
+#include <algorithm>
 #include <cmath>
 
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
-#include "render/scene/sentences.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -149,11 +149,13 @@ std::string given_number(double value, Language language) {
     return four.size() + 1 < six.size() ? four : six;
 }
 
-int statement_of_turning(const Solution& solution, const Symbol& sought) {
+int statement_of_turning(const Solution& solution, const Quantity& sought) {
     const std::vector<Statement>& statements = solution.protocol.statements;
-    for (std::size_t i = 0; i < statements.size(); ++i)
-        if (const Symbol* found = turning_found(statements[i].message); found && *found == sought) return static_cast<int>(i);
-    return -1;
+    const auto finds_it = [&](const Statement& statement) {
+        return std::find(statement.finds.begin(), statement.finds.end(), sought) != statement.finds.end();
+    };
+    const auto found = std::find_if(statements.begin(), statements.end(), finds_it);
+    return found == statements.end() ? -1 : static_cast<int>(found - statements.begin());
 }
 
 void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
@@ -166,7 +168,8 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
         if (!value || value->is_zero()) continue;
         const Symbol symbol{letter, sketch.mechanism.body(body).name, ""};
-        const int statement = statement_of_turning(solution, symbol);
+        const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
+        const int statement = statement_of_turning(solution, {.kind = kind, .body = body});
         if (statement < 0) continue;
         const RichText text = typeset(symbol, sketch.context.language);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);

@@ -8,8 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "render/figures/figure.hpp"
 #include "render/mechanism/layout.hpp"
+#include "render/page/figure.hpp"
+#include "render/page/labels.hpp"
+#include "render/page/scale.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render::drawing {
 
@@ -77,7 +80,7 @@ void draw_drivers(Sketch& sketch);
 /// What turns, as the solution finds it: ω or α of the bodies as arcs, each with the statement that ends with it.
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
 /// The statement that ends with the angular velocity (or acceleration) of a body; −1: none does.
-int statement_of_turning(const Solution& solution, const Symbol& sought);
+int statement_of_turning(const Solution& solution, const Quantity& sought);
 void draw_centres(Sketch& sketch);
 /// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
 void draw_pole(Sketch& sketch, const InstantCentre& centre);

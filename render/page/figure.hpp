@@ -58,6 +58,7 @@ struct Figure {
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
     bool has_scale = true;             ///< a diagram has none, nor has a polygon of which all vectors are zero
+    bool has_table = false;            ///< what is known of its vectors, or their powers, stands in it
     bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
 
     // What it shows, told by those who draw it.

@@ -1,19 +1,37 @@
 // Drawn by: see drawn_by.hpp.
 #include "render/scene/drawn_by.hpp"
 
-namespace kinegraph::render {
+#include <algorithm>
 
-int statement_of_velocity(const Protocol& protocol, const std::string& label) {
-    for (const DrawnVector& vector : protocol.vectors)
-        if (vector.role == DrawnVector::Role::absolute && vector.symbol == Symbol{Symbol::Letter::v, label, ""})
+namespace kinegraph::render {
+namespace {
+
+bool holds(const std::vector<BodyIndex>& bodies, BodyIndex body) {
+    return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+}
+/// All that move with a body's point.
+std::vector<BodyIndex> pinned_to(const Solution& solution, BodyIndex body, PointIndex point) {
+    for (const PointMotion& motion : solution.points)
+        if (motion.point == point && holds(motion.bodies, body)) return motion.bodies;
+    return {body};
+}
+
+}  // namespace
+
+int statement_of_velocity(const Solution& solution, BodyIndex body, PointIndex point) {
+    const std::vector<BodyIndex> bodies = pinned_to(solution, body, point);
+    for (const DrawnVector& vector : solution.protocol.vectors) {
+        const Quantity& drawn = vector.quantity;
+        if (drawn == Quantity{.kind = Quantity::Kind::velocity, .body = drawn.body, .point = point} && holds(bodies, drawn.body))
             return vector.statement;
+    }
     return -1;
 }
 
-int statement_of_force(const Solution& solution, const ForceStatements& statements, const Symbol& symbol) {
+int statement_of_force(const Solution& solution, const Quantity& force) {
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& applied : body.forces)
-            if (applied.symbol == symbol) return statements.force(body, applied);
+            if (quantity_of(body, applied) == force) return applied.force_statement;
     return -1;
 }
 

@@ -32,17 +32,13 @@ const Unit& unit_of(const Polygon& polygon, const Units& units) {
 PolygonScene::Kind kind_of(const Polygon& polygon) {
     if (polygon.plane == Plane::acceleration) return PolygonScene::Kind::acceleration;
     if (polygon.plane == Plane::velocity) return PolygonScene::Kind::velocity;
-    return polygon.id.starts_with("closure") ? PolygonScene::Kind::closure : PolygonScene::Kind::forces;
+    return polygon.kind == Polygon::Kind::joined_forces ? PolygonScene::Kind::closure : PolygonScene::Kind::forces;
 }
 
 class Reading {
 public:
     Reading(const Solution& solution, int polygon)
-        : solution_(solution),
-          protocol_(solution.protocol),
-          index_(polygon),
-          polygon_(protocol_.polygons[at(polygon)]),
-          force_statements_(solution) {
+        : solution_(solution), protocol_(solution.protocol), index_(polygon), polygon_(protocol_.polygons[at(polygon)]) {
         scene_.kind = kind_of(polygon_);
         scene_.id = polygon_.id;
         scene_.point = polygon_.point;
@@ -133,9 +129,9 @@ private:
     /// A force is drawn by what finds it; the polygon of one body by what closes it, with all its sides.
     int statement_of(const DrawnVector& vector) const {
         if (of_motion()) return vector.statement;
-        if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, force_statements_, vector.symbol);
+        if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, vector.quantity);
         for (const FreeBody& body : solution_.free_bodies)
-            if (body.polygon == index_) return force_statements_.polygon(body);
+            if (body.polygon == index_) return body.statement;
         return -1;
     }
 
@@ -179,8 +175,8 @@ private:
                 add(each.points.front(), each.points.back(), true, each.statement);
         for (const Image& image : trials.images)
             if (image.polygon == index_ && is_near(image.point))
-                scene_.images.push_back({SceneImage::Kind::trial, image.symbol, place(image.point), image.trial,
-                                         protocol_.strokes[at(image.point)].statement});
+                scene_.images.push_back(
+                    {SceneImage::Kind::trial, image.symbol, place(image.point), image.trial, image.statement});
     }
 
     void add_images() {
@@ -203,14 +199,13 @@ private:
             const DrawnVector& vector = protocol_.vectors[at(index)];
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
         }
-        return protocol_.strokes[at(image.point)].statement;
+        return image.statement;
     }
 
     const Solution& solution_;
     const Protocol& protocol_;
     int index_;
     const Polygon& polygon_;
-    ForceStatements force_statements_;
     bool si_is_one_ = true;
     std::map<int, Place> places_;      // by element
     std::map<int, Place> directions_;  // by element
@@ -227,8 +222,7 @@ PolygonScene polygon_scene(const Solution& solution, int polygon) {
 std::vector<int> closed_polygons(const Solution& solution) {
     std::vector<int> found;
     for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p)
-        if (solution.protocol.polygons[p].plane == Plane::force && solution.protocol.polygons[p].id.starts_with("closure") &&
-            solution.protocol.polygons[p].faces.size() > 1)
+        if (solution.protocol.polygons[p].kind == Polygon::Kind::joined_forces && solution.protocol.polygons[p].faces.size() > 1)
             found.push_back(static_cast<int>(p));
     return found;
 }

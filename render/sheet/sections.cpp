@@ -6,7 +6,6 @@
 #include <string>
 
 #include "render/page/shapes.hpp"
-#include "render/scene/force_statements.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
@@ -19,12 +18,7 @@ class SectionWriter {
 public:
     SectionWriter(const DrawingContext& context, const SheetFormat& format, const WantedFigures& figures,
                   const FigurePages& pages)
-        : context_(context),
-          solution_(context.solution),
-          format_(format),
-          wanted_(figures),
-          pages_(pages),
-          force_statements_(context.solution) {}
+        : context_(context), solution_(context.solution), format_(format), wanted_(figures), pages_(pages) {}
 
     std::vector<Section> write() {
         write_sections();
@@ -42,14 +36,7 @@ private:
         return paragraph_block(context_, format_.measure, text, indent, number_text);
     }
 
-    bool lever_has_table() const {
-        const std::string sum = word("sum", context_.language);
-        return wanted_.lever && std::any_of(pages_.drawn[*wanted_.lever].marks.begin(), pages_.drawn[*wanted_.lever].marks.end(),
-                                            [&](const Mark& mark) {
-                                                const auto* text = std::get_if<TextMark>(&mark);
-                                                return text && text->words == sum;
-                                            });
-    }
+    bool lever_has_table() const { return wanted_.lever && pages_.drawn[*wanted_.lever].has_table; }
 
     void write_sections() {
         write_results();
@@ -107,41 +94,32 @@ private:
     void write_steps() {
         const Solution& s = solution_;
         int step = 0;
-        std::vector<std::string> order{"velocity", "acceleration", "relative motion", "centres"};
-        // An angular velocity found a second time belongs to the velocities.
-        const auto section_of = [](const Statement& statement) -> std::string {
-            return statement.message.sentence == Sentence::second_way ? "velocity" : statement.section;
-        };
-        for (const Statement& statement : s.protocol.statements)
-            if (std::find(order.begin(), order.end(), section_of(statement)) == order.end())
-                order.push_back(section_of(statement));
-        for (const std::string& name : order) {
+        for (const auto part : {Topic::velocity, Topic::acceleration, Topic::relative_motion, Topic::centres, Topic::forces}) {
             Section section;
-            section.in_order = name != "centres";  // these explain the first figure and are read with it
-            if (name == "centres") section.home = 0;
-            if (name == "forces") {
+            const bool of_forces = part == Topic::forces;
+            section.in_order = part != Topic::centres;  // these explain the first figure and are read with it
+            if (part == Topic::centres) section.home = 0;
+            if (of_forces) {
                 section.home = static_cast<int>(wanted_.first_of_forces);
                 section.of_forces = true;
             }
             for (std::size_t p = 0; p < s.protocol.polygons.size() && section.home < 0; ++p) {
                 const Polygon& polygon = s.protocol.polygons[p];
                 if (polygon.plane == Plane::force) continue;
-                if (polygon.point.empty() ? name == (polygon.plane == Plane::acceleration ? "acceleration" : "velocity")
-                                          : name == "relative motion")
-                    section.home = static_cast<int>(p) + 1;
+                const auto explained_by = polygon.kind == Polygon::Kind::relative_motion ? Topic::relative_motion
+                                          : polygon.plane == Plane::acceleration         ? Topic::acceleration
+                                                                                         : Topic::velocity;
+                if (part == explained_by) section.home = static_cast<int>(p) + 1;
             }
             for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
                 const Statement& statement = s.protocol.statements[i];
-                if (section_of(statement) != name || told_by_list(statement.message.sentence)) continue;
+                if (statement.section != part || told_by_list(statement.message.sentence)) continue;
                 if (section.rows.empty())
-                    set_heading(section, word(std::find(order.begin(), order.begin() + 4, name) != order.begin() + 4 ||
-                                                      (name == "forces" && is_mixed(solution_))
-                                                  ? "steps " + name
-                                                  : "steps",
+                    set_heading(section, word(!of_forces || is_mixed(solution_) ? "steps " + std::string(name_of(part)) : "steps",
                                               context_.language));
                 section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
                 belong(section.rows.back().marks, 0, static_cast<int>(i));
-                if (name == "forces") add_force_equations(section, i);
+                if (of_forces) add_force_equations(section, i);
                 const auto placed = wanted_.equation_polygon.find(i);
                 if (statement.equation &&
                     (placed == wanted_.equation_polygon.end() || pages_.unplaced.contains(placed->second))) {
@@ -221,7 +199,7 @@ private:
 
     /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.
     void add_force_equations(Section& section, std::size_t statement) const {
-        const std::vector<const FreeBody*> closed = force_statements_.closed_by(statement);
+        const std::vector<const FreeBody*> closed = closed_by(solution_, statement);
         if (closed.empty() || figures_have_force_equations()) return;
         for (const FreeBody* body : closed) {
             Block block = force_equation_block(context_, *body, true);
@@ -234,13 +212,8 @@ private:
         }
     }
     bool figures_have_force_equations() const {
-        const std::string heading = word("magnitude", context_.language);
-        return std::any_of(pages_.drawn.begin(), pages_.drawn.end(), [&](const Figure& figure) {
-            return figure.kind == "forces" && std::any_of(figure.marks.begin(), figure.marks.end(), [&](const Mark& mark) {
-                       const auto* text = std::get_if<TextMark>(&mark);
-                       return text && text->words == heading;
-                   });
-        });
+        return std::any_of(pages_.drawn.begin(), pages_.drawn.end(),
+                           [](const Figure& figure) { return figure.kind == "forces" && figure.has_table; });
     }
 
     RichText mobility_words() const {
@@ -300,7 +273,6 @@ private:
     const SheetFormat& format_;
     const WantedFigures& wanted_;
     const FigurePages& pages_;
-    ForceStatements force_statements_;
     std::vector<Section> sections_;
 };
 

@@ -11,7 +11,6 @@
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
-#include "render/scene/force_statements.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
@@ -103,7 +102,6 @@ public:
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           wanted_(context_, format_.measure, false),
-          force_statements_(solution),
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
           beside_context_(context_) {
@@ -139,7 +137,7 @@ private:
     /// What one page adds.
     struct Step {
         std::string figure;  ///< name in wanted_, or "mechanism"
-        std::string section;
+        Topic section = Topic::none;
         std::vector<std::size_t> statements;
         std::vector<Block> rows;
         double height = 0;
@@ -167,16 +165,16 @@ private:
         };
         for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
         for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
-        std::map<std::string, std::string> last_in;  // figure by section
+        std::map<Topic, std::string> last_in;  // figure by section
         for (const std::size_t i : in_order()) {
             const Statement& statement = statements()[i];
             std::string figure;
             const auto found = polygon_of.find(i);
-            if (statement.section == "forces")
+            if (statement.section == Topic::forces)
                 figure = completes_a_polygon(static_cast<int>(i)) ? "forces" : "lines-of-action";
             else if (found != polygon_of.end() && is_plane_of_motion(found->second))
                 figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
-            else if (statement.section == "centres" || statement.message.sentence == Sentence::second_way)
+            else if (statement.section == Topic::centres || statement.message.sentence == Sentence::second_way)
                 figure = "centres";
             else
                 figure = last_in[statement.section];
@@ -189,21 +187,21 @@ private:
             for (const std::size_t statement : steps_[s].statements) page_of_[statement] = s;
         for (const Wanted& wanted : wanted_.list) {
             if (!wanted.name.starts_with("closure")) continue;
-            Step joined{wanted.name, "forces", {}, {}, 0, false, true};
+            Step joined{wanted.name, Topic::forces, {}, {}, 0, false, true};
             joined.rows.push_back(paragraph(one_piece(word("polygons joined", context_.language))));
             steps_.push_back(std::move(joined));
         }
-        if (steps_.empty()) steps_.push_back({"mechanism", "", {}, {}, 0, false, true});
+        if (steps_.empty()) steps_.push_back({"mechanism", Topic::none, {}, {}, 0, false, true});
     }
     /// Statements section by section, as each section is opened: a sliding told after the centres stands with its polygon. What
     /// is found a second time comes after the section that has found it.
     std::vector<std::size_t> in_order() const {
-        std::vector<std::string> sections;
+        std::vector<Topic> sections;
         for (const Statement& statement : statements())
             if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
                 sections.push_back(statement.section);
         std::vector<std::size_t> order;
-        for (const std::string& section : sections)
+        for (const Topic section : sections)
             for (const bool again : {false, true})
                 for (std::size_t i = 0; i < statements().size(); ++i)
                     if (statements()[i].section == section && (statements()[i].message.sentence == Sentence::second_way) == again)
@@ -213,15 +211,15 @@ private:
     bool completes_a_polygon(int statement) const {
         return is_wanted("forces") &&
                std::any_of(solution_.free_bodies.begin(), solution_.free_bodies.end(), [&](const FreeBody& body) {
-                   return has_force_polygon(solution_, body) && force_statements_.polygon(body) == statement;
+                   return has_force_polygon(solution_, body) && body.statement == statement;
                });
     }
     bool is_plane_of_motion(int polygon) const {
         return solution_.protocol.polygons[static_cast<std::size_t>(polygon)].plane != Plane::force;
     }
-    std::string first_polygon_of(const std::string& section) const {
+    std::string first_polygon_of(Topic section) const {
         for (const Polygon& polygon : solution_.protocol.polygons)
-            if (polygon.plane == (section == "acceleration" ? Plane::acceleration : Plane::velocity)) return polygon.id;
+            if (polygon.plane == (section == Topic::acceleration ? Plane::acceleration : Plane::velocity)) return polygon.id;
         return "";
     }
 
@@ -272,8 +270,7 @@ private:
         const Statement& statement = statements()[index];
         std::vector<Block> found;
         if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
-        for (const FreeBody* body : force_statements_.closed_by(index))
-            found.push_back(force_equation_block(context_, *body, true));
+        for (const FreeBody* body : closed_by(solution_, index)) found.push_back(force_equation_block(context_, *body, true));
         std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
         for (Block& block : found) {
             render::move(block.marks, 0, 2.5);
@@ -295,10 +292,12 @@ private:
         for (const Argument& argument : statement.message.arguments)
             if (const auto* symbol = std::get_if<Symbol>(&argument)) symbols.push_back(*symbol);
         std::vector<RichText> found;
+        for (const Quantity& quantity : statement.finds)
+            if (auto value = value_of(quantity, static_cast<int>(index))) found.push_back(std::move(*value));
         std::set<std::string> told;
         for (const Symbol& symbol : symbols)
             if (told.insert(name_of(symbol)).second)
-                if (const auto value = value_found(index, symbol)) found.push_back(with_value(symbol, *value));
+                if (const auto value = vector_drawn(index, symbol)) found.push_back(with_value(symbol, *value));
         return found;
     }
     struct Value {
@@ -306,35 +305,43 @@ private:
         std::string unit;
     };
     static Value in_unit(double si, const Unit& unit) { return {si / unit.si.to_double(), unit.symbol}; }
-    std::optional<Value> value_found(std::size_t index, const Symbol& symbol) const {
-        const Message& message = statements()[index].message;
-        const Units& units = solution_.mechanism.units;
-        if (const Symbol* turning = turning_found(message); turning && *turning == symbol) {
-            const bool omega = symbol.letter == Symbol::Letter::omega;
-            const auto body = solution_.mechanism.body_named(symbol.about);
-            if (!body) return std::nullopt;
-            const BodyMotion& motion = solution_.bodies[static_cast<std::size_t>(*body)];
-            const auto& value = omega ? motion.omega : motion.alpha;
-            if (!value) return std::nullopt;
-            if (omega) return in_unit(value->to_double(), units.angular_velocity);
-            return Value{value->to_double(), "rad/s²"};
+    std::optional<RichText> value_of(const Quantity& quantity, int statement) const {
+        switch (quantity.kind) {
+            case Quantity::Kind::omega:
+            case Quantity::Kind::alpha:
+                return turning_found(quantity);
+            default:
+                return force_found(quantity, statement);
         }
-        if (symbol.letter == Symbol::Letter::v || symbol.letter == Symbol::Letter::a)
-            for (const DrawnVector& vector : solution_.protocol.vectors)
-                if (vector.statement == static_cast<int>(index) && vector.symbol == symbol)
-                    return in_unit(length(solution_.protocol.value_of(vector)),
-                                   symbol.letter == Symbol::Letter::v ? units.velocity : units.acceleration);
-        if ((symbol.letter == Symbol::Letter::F || symbol.letter == Symbol::Letter::M) && closes_a_polygon(message.sentence))
-            for (const FreeBody& body : solution_.free_bodies) {
-                if (!speaks_of(solution_, message, body)) continue;
-                for (const AppliedForce& applied : body.forces) {
-                    // A part of it, before parts are added, is no value of its own.
-                    if (force_statements_.force(body, applied) != static_cast<int>(index)) continue;
-                    if (applied.symbol == symbol && !applied.force.is_zero()) return in_unit(length(applied.force), units.force);
-                    if (couple_symbol(applied) == symbol && !applied.couple.is_zero())
-                        return in_unit(applied.couple.to_double(), units.moment);
-                }
+    }
+    std::optional<RichText> turning_found(const Quantity& quantity) const {
+        const bool omega = quantity.kind == Quantity::Kind::omega;
+        const BodyMotion& motion = solution_.bodies[static_cast<std::size_t>(quantity.body)];
+        const auto& value = omega ? motion.omega : motion.alpha;
+        if (!value) return std::nullopt;
+        const Symbol symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha,
+                            solution_.mechanism.bodies[static_cast<std::size_t>(quantity.body)].name, ""};
+        return with_value(symbol, omega ? in_unit(value->to_double(), solution_.mechanism.units.angular_velocity)
+                                        : Value{value->to_double(), "rad/s²"});
+    }
+    std::optional<RichText> force_found(const Quantity& quantity, int statement) const {
+        const Units& units = solution_.mechanism.units;
+        for (const FreeBody& body : solution_.free_bodies)
+            for (const AppliedForce& applied : body.forces) {
+                // A part of it, before parts are added, is no value of its own.
+                if (applied.force_statement != statement || quantity_of(body, applied) != quantity) continue;
+                if (!applied.force.is_zero()) return with_value(applied.symbol, in_unit(length(applied.force), units.force));
+                return with_value(couple_symbol(applied), in_unit(applied.couple.to_double(), units.moment));
             }
+        return std::nullopt;
+    }
+    std::optional<Value> vector_drawn(std::size_t index, const Symbol& symbol) const {
+        const Units& units = solution_.mechanism.units;
+        if (symbol.letter != Symbol::Letter::v && symbol.letter != Symbol::Letter::a) return std::nullopt;
+        for (const DrawnVector& vector : solution_.protocol.vectors)
+            if (vector.statement == static_cast<int>(index) && vector.symbol == symbol)
+                return in_unit(length(solution_.protocol.value_of(vector)),
+                               symbol.letter == Symbol::Letter::v ? units.velocity : units.acceleration);
         return std::nullopt;
     }
     RichText with_value(const Symbol& symbol, const Value& value) const {
@@ -395,10 +402,10 @@ private:
         std::string name = itself ? "" : "mechanism";
         if (step.figure == "centres")
             name = "circle-diagram";
-        else if (!itself && step.section == "forces")
+        else if (!itself && step.section == Topic::forces)
             name = "lines-of-action";
         else if (!itself && !solution_.act_of_motion)
-            name = step.section == "acceleration" ? "alpha" : "omega";
+            name = step.section == Topic::acceleration ? "alpha" : "omega";
         const auto [found, fresh] = small_figures_.try_emplace(name);
         if (!fresh || name.empty()) return found->second;
         Figure& figure = found->second;
@@ -482,9 +489,8 @@ private:
         const Mechanism& mechanism = solution_.mechanism;
         for (const std::size_t index : indices) {
             const Message& message = statements()[index].message;
-            for (const FreeBody& free : solution_.free_bodies)
-                if (free.body > 0 && speaks_of(solution_, message, free))
-                    links.insert("link-" + legal_id(mechanism.bodies[static_cast<std::size_t>(free.body)].name));
+            for (const BodyIndex body : statements()[index].bodies)
+                links.insert("link-" + legal_id(mechanism.bodies[static_cast<std::size_t>(body)].name));
             for (const Argument& argument : message.arguments) {
                 if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
                 const auto* symbol = std::get_if<Symbol>(&argument);
@@ -499,9 +505,8 @@ private:
         return links.empty() ? joints : links;
     }
     std::string heading_of(const Step& step) const {
-        for (const char* known : {"velocity", "acceleration", "relative motion", "centres", "forces"})
-            if (step.section == known) return word("steps " + step.section, context_.language);
-        return word("steps", context_.language);
+        if (step.section == Topic::none) return word("steps", context_.language);
+        return word("steps " + std::string(name_of(step.section)), context_.language);
     }
 
     static constexpr double head_height = 9;
@@ -511,7 +516,6 @@ private:
     SheetFormat format_;
     Signature signature_;
     WantedFigures wanted_;
-    ForceStatements force_statements_;
     Theme prose_theme_;
     DrawingContext prose_context_, beside_context_;
     Box large_, small_, prose_;

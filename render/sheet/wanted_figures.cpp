@@ -263,6 +263,7 @@ Figure WantedFigures::lever_with_table(double room_x, double room_y) const {
     }
     if (!best || best->scale > 6 * alone.scale) return alone;
     best->marks.insert(best->marks.end(), table.begin(), table.end());
+    best->has_table = true;
     best->box = box_of(best->marks);
     return *best;
 }

@@ -1,42 +1,50 @@
-// Checked numbers: what the check says, by the names of its rows and by the vectors drawn, SI units. Looks up and computes
-// nothing but the modulus of two components.
+// Checked numbers: what the check says of quantities, of the vectors drawn and of the forces, SI units. What is rounding beside
+// the largest of its kind is nothing here. Looks up and computes no mechanics.
 #pragma once
 
-#include <cmath>
 #include <map>
 #include <optional>
-#include <string>
 
+#include "engine/magnitudes.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph::render {
 
 class CheckedNumbers {
 public:
-    explicit CheckedNumbers(const Solution& solution) : moduli_(solution.numeric_moduli) {
+    explicit CheckedNumbers(const Solution& solution) : solution_(solution), magnitudes_(solution) {
         for (const CheckRow& row : solution.checks) rows_.emplace(row.quantity, row.numeric);
     }
 
-    std::optional<double> scalar(const std::string& quantity) const {
+    std::optional<double> of(const Quantity& quantity) const {
         const auto found = rows_.find(quantity);
-        if (found == rows_.end()) return std::nullopt;
-        return found->second;
+        return found == rows_.end() ? std::nullopt : clean(quantity, found->second);
     }
-    /// Of a quantity with rows for its components.
-    std::optional<double> modulus(const std::string& quantity) const {
-        const auto x = scalar(quantity + " x"), y = scalar(quantity + " y");
-        if (!x || !y) return std::nullopt;
-        return std::hypot(*x, *y);
-    }
-    /// Of Protocol::vectors.
-    std::optional<double> modulus(int vector) const {
+    /// The modulus of one of Protocol::vectors.
+    std::optional<double> of_vector(int vector) const {
         const auto index = static_cast<std::size_t>(vector);
-        return index < moduli_.size() ? moduli_[index] : std::nullopt;
+        if (index >= solution_.numeric_moduli.size()) return std::nullopt;
+        return clean(solution_.protocol.vectors[index].quantity, solution_.numeric_moduli[index]);
+    }
+    /// The modulus of a force.
+    std::optional<double> force_of(const FreeBody& body, const AppliedForce& applied) const {
+        return clean(quantity_of(body, applied), applied.numeric_force);
+    }
+    std::optional<double> couple_of(const FreeBody& body, const AppliedForce& applied) const {
+        Quantity quantity = quantity_of(body, applied);
+        if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::inertia)
+            quantity.kind = Quantity::Kind::couple;
+        return clean(quantity, applied.numeric_couple);
     }
 
 private:
-    const std::vector<std::optional<double>>& moduli_;
-    std::map<std::string, double> rows_;
+    std::optional<double> clean(const Quantity& quantity, std::optional<double> value) const {
+        return value && magnitudes_.is_noise(quantity, *value) ? 0 : value;
+    }
+
+    const Solution& solution_;
+    Magnitudes magnitudes_;
+    std::map<Quantity, double> rows_;
 };
 
 }  // namespace kinegraph::render

@@ -44,8 +44,8 @@ bool on_line(const AppliedForce& applied, const Vector& place, const Exact& size
     return away < 1e-7 * size.to_double();
 }
 
-/// The line of a force as the table names it.
-RichText line_of(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
+/// The line of a force as the table names it; nothing: any line, none was deduced.
+std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const Language language = context.language;
@@ -68,15 +68,15 @@ RichText line_of(const DrawingContext& context, const FreeBody& body, const Appl
             return text;
         }
     // Its own concurrency, or that of the body it comes from.
-    std::vector<std::pair<std::string, Vector>> meets = body.meets;
+    std::vector<FreeBody::Meet> meets = body.meets;
     for (const FreeBody& other : solution.free_bodies)
         if (other.body == applied.from && applied.from > 0) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
-    for (const auto& [letter, place] : meets)
-        if (on_line(applied, place, solution.pose.size) && !(place - own).is_zero()) {
-            append(text, typeset(Symbol{Symbol::Letter::point, letter, ""}, language));
+    for (const FreeBody::Meet& meet : meets)
+        if (on_line(applied, meet.place, solution.pose.size) && !(meet.place - own).is_zero()) {
+            append(text, typeset(Symbol{Symbol::Letter::point, meet.name, ""}, language));
             return text;
         }
-    return one_piece(word("any line", language));
+    return std::nullopt;
 }
 
 std::optional<Measured> measured(const std::vector<Figure>& figures, const std::string& name) {
@@ -114,9 +114,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     const Theme& theme = context.theme;
     const Language language = context.language;
     Block block;
-    if (body.polygon < 0) return block;
-    for (const Statement& statement : solution.protocol.statements)
-        if (statement.message.sentence == Sentence::superposition || statement.message.sentence == Sentence::trial) return block;
+    if (body.polygon < 0 || body.in_parts) return block;
     // Forces of one direction are found by moments: no triangle to be closed.
     if (std::all_of(body.forces.begin(), body.forces.end(),
                     [&](const AppliedForce& each) { return cross(each.force, body.forces.front().force).is_zero(); }))
@@ -131,7 +129,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     for (const int index : solution.protocol.polygons[at_index(body.polygon)].vectors) {
         const DrawnVector& vector = solution.protocol.vectors[at_index(index)];
         const auto applied = std::find_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& each) {
-            return each.symbol == vector.symbol && !each.force.is_zero();
+            return !each.force.is_zero() && quantity_of(body, each) == vector.quantity;
         });
         if (applied == body.forces.end()) return {};
         Column column;
@@ -139,11 +137,11 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
         if (applied->kind == Kind::reaction)
             if (const FreeBody* other = opposite(solution, body, *applied)) column.magnitude = other < &body;
         // A hinge whose line nothing gave: both are sought, the polygon has them at once.
-        column.direction = column.magnitude || applied->kind != Kind::reaction ||
-                           plain(line_of(context, body, *applied)) != word("any line", language);
+        const std::optional<RichText> line = line_of(context, body, *applied);
+        column.direction = column.magnitude || applied->kind != Kind::reaction || line;
         sought += (column.magnitude ? 0 : 1) + (column.direction ? 0 : 1);
         column.symbol = context.fonts.shape(typeset(vector.symbol, language), theme.equation);
-        column.line = context.fonts.shape(line_of(context, body, *applied), theme.small);
+        column.line = context.fonts.shape(line ? *line : one_piece(word("any line", language)), theme.small);
         column.width = std::max({9.0, column.symbol.width + 2, column.line.width + 2.4});
         columns.push_back(std::move(column));
     }
@@ -222,105 +220,100 @@ RichText beside_guide(const DrawingContext& context, const FreeBody& body, const
     return text;
 }
 
-std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
-    const Solution& solution = context.solution;
-    const Mechanism& mechanism = solution.mechanism;
-    const Unit &force = mechanism.units.force, &moment = mechanism.units.moment;
-    const CheckedNumbers checks(solution);
-    std::vector<ResultRow> rows, couples;
-    std::set<std::string> seen;
-    std::set<std::tuple<JointIndex, BodyIndex, BodyIndex>> joints;
+namespace {
 
-    const auto given = [&](const AppliedForce& applied, const FreeBody& body) -> std::optional<double> {
-        for (const Mass& mass : mechanism.masses) {
-            if (mass.body != body.body) continue;
-            if (applied.kind == Kind::weight && mechanism.gravity)
-                return mass.mass.to_double() * kinegraph::length(*mechanism.gravity);
-            if (applied.kind != Kind::inertia) continue;
-            const std::string name = "acceleration " + mechanism.points[at_index(mass.centre)].name;
-            auto a = checks.modulus(name);
-            if (!a) a = checks.modulus(name + " on " + body_name(mechanism, body.body));
-            if (a) return mass.mass.to_double() * *a;
+/// Rows of forces and couples, each action and its reaction once.
+class ForceRows {
+public:
+    ForceRows(const DrawingContext& context, const std::vector<Figure>& figures)
+        : solution_(context.solution), mechanism_(context.solution.mechanism), figures_(figures), checks_(context.solution) {}
+
+    std::vector<ResultRow> rows() && {
+        for (const FreeBody& body : solution_.free_bodies)
+            for (const AppliedForce& applied : body.forces) {
+                if (!is_first(body, applied)) continue;
+                const auto [on, own] = own_end(body, applied);
+                if (!own->force.is_zero()) forces_.push_back(force_row(*on, *own));
+                if (!own->couple.is_zero()) couples_.push_back(couple_row(*on, *own));
+            }
+        forces_.insert(forces_.end(), std::make_move_iterator(couples_.begin()), std::make_move_iterator(couples_.end()));
+        return std::move(forces_);
+    }
+
+private:
+    /// Of an action on two bodies, of a mass's force and couple.
+    bool is_first(const FreeBody& body, const AppliedForce& applied) {
+        Quantity quantity = quantity_of(body, applied);
+        if (quantity.body > quantity.other) std::swap(quantity.body, quantity.other);
+        return seen_.emplace(quantity, applied.force.is_zero()).second;
+    }
+    /// A couple between two bodies is told as it acts on the one that the file names first.
+    std::pair<const FreeBody*, const AppliedForce*> own_end(const FreeBody& body, const AppliedForce& applied) const {
+        const auto* couple =
+            applied.kind == Kind::effort ? std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(applied.given)]) : nullptr;
+        if (couple == nullptr) return {&body, &applied};
+        for (const FreeBody& other : solution_.free_bodies)
+            for (const AppliedForce& its : other.forces)
+                if (other.body == couple->body && its.kind == Kind::effort && its.given == applied.given) return {&other, &its};
+        return {&body, &applied};
+    }
+    /// Where only the reverse is drawn, that is measured.
+    Symbol symbol_measured(const FreeBody& body, const AppliedForce& applied) const {
+        if (applied.kind != Kind::reaction || measured(figures_, name_of(applied.symbol))) return applied.symbol;
+        if (const FreeBody* other = opposite(solution_, body, applied))
+            for (const AppliedForce& its : other->forces)
+                if (its.joint == applied.joint && its.from == body.body && measured(figures_, name_of(its.symbol)))
+                    return its.symbol;
+        return applied.symbol;
+    }
+    ResultRow force_row(const FreeBody& body, const AppliedForce& applied) const {
+        const Unit& unit = mechanism_.units.force;
+        ResultRow row;
+        row.quantity = quantity_of(body, applied);
+        row.symbol = symbol_measured(body, applied);
+        row.name = name_of(row.symbol);
+        row.drawing = kinegraph::length(Vector{applied.force.x / unit.si, applied.force.y / unit.si});
+        if (const auto found = measured(figures_, row.name)) {
+            row.millimetres = found->millimetres;
+            row.detail = found->detail;
         }
-        for (const Load& load : mechanism.loads) {
-            if (const auto* each = std::get_if<ForceLoad>(&load); each && each->name == applied.symbol.about)
-                return each->value ? kinegraph::length(*each->value) : std::abs(each->magnitude->first.to_double());
-            if (const auto* each = std::get_if<SpringLoad>(&load); each && each->name == applied.symbol.about)
-                return std::abs(each->magnitude.to_double());
-        }
-        return std::nullopt;
-    };
+        if (const auto numeric = checks_.force_of(body, applied)) row.numeric = *numeric / unit.si.to_double();
+        row.unit = unit.symbol;
+        row.group.section = Topic::forces;
+        return row;
+    }
+    ResultRow couple_row(const FreeBody& body, const AppliedForce& applied) const {
+        const Unit& unit = mechanism_.units.moment;
+        ResultRow row;
+        row.quantity = quantity_of(body, applied);
+        row.symbol = couple_symbol(applied);
+        row.name = name_of(row.symbol);
+        row.drawing = (applied.couple / unit.si).to_double();
+        if (const auto numeric = checks_.couple_of(body, applied)) row.numeric = *numeric / unit.si.to_double();
+        row.unit = unit.symbol;
+        row.group = {Topic::forces, -1, true};
+        return row;
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    const std::vector<Figure>& figures_;
+    CheckedNumbers checks_;
+    std::set<std::pair<Quantity, bool>> seen_;
+    std::vector<ResultRow> forces_, couples_;
+};
+
+}  // namespace
+
+std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
+    return ForceRows(context, figures).rows();
+}
+
+std::vector<const FreeBody*> closed_by(const Solution& solution, std::size_t statement) {
+    std::vector<const FreeBody*> closed;
     for (const FreeBody& body : solution.free_bodies)
-        for (const AppliedForce& applied : body.forces) {
-            const std::string own = name_of(applied.symbol);
-            std::string check;
-            Symbol symbol = applied.symbol;
-            if (applied.kind == Kind::reaction) {
-                const auto key = std::tuple(applied.joint, std::min(applied.from, body.body), std::max(applied.from, body.body));
-                if (!joints.insert(key).second) continue;
-                check = "force " + mechanism.joints[at_index(applied.joint)].name + " " +
-                        (applied.from < 0 ? "pin" : body_name(mechanism, applied.from)) + " on " +
-                        (body.body < 0 ? "pin" : body_name(mechanism, body.body));
-                // Where only the reverse is drawn, that is measured.
-                if (!measured(figures, own))
-                    if (const FreeBody* other = opposite(solution, body, applied))
-                        for (const AppliedForce& its : other->forces)
-                            if (its.joint == applied.joint && its.from == body.body && measured(figures, name_of(its.symbol)))
-                                symbol = its.symbol;
-            } else if (!seen.insert(own).second) {
-                continue;
-            }
-            if (!applied.force.is_zero()) {
-                ResultRow row;
-                row.symbol = symbol;
-                row.name = name_of(symbol);
-                row.drawing = kinegraph::length(Vector{applied.force.x / force.si, applied.force.y / force.si});
-                if (const auto found = measured(figures, row.name)) {
-                    row.millimetres = found->millimetres;
-                    row.detail = found->detail;
-                }
-                std::optional<double> numeric;
-                if (applied.kind == Kind::reaction) {
-                    numeric = checks.modulus(check);
-                    // The pin of a multiple hinge has no row of its own.
-                    if (!numeric && body.body < 0 && applied.from > 0)
-                        numeric = checks.modulus("force " + mechanism.joints[at_index(applied.joint)].name + " pin on " +
-                                                 body_name(mechanism, applied.from));
-                } else if (applied.kind == Kind::effort) {
-                    numeric = checks.scalar("effort " + applied.symbol.about);
-                    if (numeric) numeric = std::abs(*numeric);
-                } else {
-                    numeric = given(applied, body);
-                }
-                if (numeric) row.numeric = *numeric / force.si.to_double();
-                row.unit = force.symbol;
-                row.group = "forces";
-                rows.push_back(std::move(row));
-            }
-            if (!applied.couple.is_zero()) {
-                ResultRow row;
-                row.symbol = couple_symbol(applied);
-                row.name = name_of(row.symbol);
-                row.drawing = (applied.couple / moment.si).to_double();
-                std::optional<double> numeric;
-                if (applied.kind == Kind::reaction) numeric = checks.scalar(check + " couple");
-                if (applied.kind == Kind::effort) numeric = checks.scalar("effort " + applied.symbol.about);
-                for (const Load& load : mechanism.loads)
-                    if (const auto* each = std::get_if<CoupleLoad>(&load); each && each->name == applied.symbol.about)
-                        numeric = each->value.to_double();
-                if (applied.kind == Kind::inertia)
-                    for (const Mass& mass : mechanism.masses)
-                        if (mass.body == body.body)
-                            if (const auto alpha = checks.scalar("alpha " + body_name(mechanism, body.body)))
-                                numeric = -mass.inertia.to_double() * *alpha;
-                if (numeric) row.numeric = *numeric / moment.si.to_double();
-                row.unit = moment.symbol;
-                row.group = "couples";
-                couples.push_back(std::move(row));
-            }
-        }
-    rows.insert(rows.end(), couples.begin(), couples.end());
-    return rows;
+        if (!body.in_parts && body.statement == static_cast<int>(statement)) closed.push_back(&body);
+    return closed;
 }
 
 std::vector<Block> reaction_lines(const DrawingContext& context, double width) {

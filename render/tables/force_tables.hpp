@@ -12,6 +12,9 @@ namespace kinegraph::render {
 /// The couple of an applied force or couple, as it is written: M_12 beside F_12.
 Symbol couple_symbol(const AppliedForce& applied);
 
+/// The bodies whose polygons a statement closes: nothing of theirs is left to be found by a later one.
+std::vector<const FreeBody*> closed_by(const Solution& solution, std::size_t statement);
+
 /// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. Empty (no width) where the
 /// forces were not found by closing this polygon alone.
 Block force_equation_block(const DrawingContext& context, const FreeBody& body, bool with_names);

@@ -50,16 +50,6 @@ std::string cell(double value, std::optional<int> decimals, Language language) {
     return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
 }
 
-/// Where a body does not turn at all, the rounding of a check that has it turn so slowly that across the whole drawing nothing
-/// moves by it; rad/s, or rad/s² where the group is of accelerations.
-double negligible_turn(const Solution& solution, const std::string& group) {
-    double largest = 0;
-    for (const PointMotion& motion : solution.points)
-        if (const auto& vector = group == "velocity" ? motion.velocity : motion.acceleration)
-            largest = std::max(largest, length(*vector));
-    return 1e-9 * largest / solution.pose.size.to_double();
-}
-
 /// An equation in the making: its terms as columns, what stands before each, and how it is set.
 class EquationTable {
 public:
@@ -203,65 +193,92 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
     return EquationTable(context, equation, settings[1]).set(most);
 }
 
-std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
-    const Solution& solution = context.solution;
-    const Units& units = solution.mechanism.units;
-    const CheckedNumbers checks(solution);
-    std::vector<ResultRow> rows;
+namespace {
 
-    const auto add_bodies = [&](Symbol::Letter letter, const std::string& quantity, const Unit& unit, const std::string& group) {
+/// Rows of motion: what is drawn, by polygon, and ω and α by body.
+class MotionRows {
+public:
+    MotionRows(const DrawingContext& context, const std::vector<Figure>& figures)
+        : solution_(context.solution), units_(context.solution.mechanism.units), figures_(figures), checks_(context.solution) {}
+
+    std::vector<ResultRow> rows() && {
+        add_polygons(Plane::velocity, Polygon::Kind::motion);
+        add_bodies(Quantity::Kind::omega);
+        add_polygons(Plane::acceleration, Polygon::Kind::motion);
+        add_bodies(Quantity::Kind::alpha);
+        add_polygons(Plane::velocity, Polygon::Kind::relative_motion);
+        add_polygons(Plane::acceleration, Polygon::Kind::relative_motion);
+        return std::move(rows_);
+    }
+
+private:
+    void add_bodies(Quantity::Kind kind) {
+        const bool is_omega = kind == Quantity::Kind::omega;
+        const Unit unit = is_omega ? units_.angular_velocity : Unit{"rad/s²", 1};
         const double si = unit.si.to_double();
-        for (std::size_t b = 1; b < solution.bodies.size(); ++b) {
-            const auto& value = letter == Symbol::Letter::omega ? solution.bodies[b].omega : solution.bodies[b].alpha;
+        for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
+            const auto& value = is_omega ? solution_.bodies[b].omega : solution_.bodies[b].alpha;
             if (!value) continue;
             ResultRow row;
-            row.symbol = {letter, solution.mechanism.bodies[b].name, ""};
+            row.quantity = {.kind = kind, .body = static_cast<BodyIndex>(b)};
+            row.symbol = {is_omega ? Symbol::Letter::omega : Symbol::Letter::alpha, solution_.mechanism.bodies[b].name, ""};
             row.name = name_of(row.symbol);
             row.drawing = value->to_double() / si;
-            if (const auto numeric = checks.scalar(quantity + " " + solution.mechanism.bodies[b].name))
-                row.numeric = value->is_zero() && std::abs(*numeric) < negligible_turn(solution, group) ? 0 : *numeric / si;
+            if (const auto numeric = checks_.of(row.quantity)) row.numeric = *numeric / si;
+            row.unit = unit.symbol;
+            row.group.section = is_omega ? Topic::velocity : Topic::acceleration;
+            rows_.push_back(std::move(row));
+        }
+    }
+
+    void add_polygons(Plane plane, Polygon::Kind kind) {
+        for (std::size_t p = 0; p < solution_.protocol.polygons.size(); ++p) {
+            const Polygon& polygon = solution_.protocol.polygons[p];
+            if (polygon.plane == plane && polygon.kind == kind) add_polygon(polygon, static_cast<int>(p));
+        }
+    }
+    void add_polygon(const Polygon& polygon, int index) {
+        const bool is_acceleration = polygon.plane == Plane::acceleration;
+        const Unit& unit = is_acceleration ? units_.acceleration : units_.velocity;
+        RowGroup group{is_acceleration ? Topic::acceleration : Topic::velocity};
+        if (polygon.kind == Polygon::Kind::relative_motion) group = {Topic::relative_motion, index};
+        const auto figure =
+            std::find_if(figures_.begin(), figures_.end(), [&](const Figure& each) { return each.id == legal_id(polygon.id); });
+        std::set<std::string> names;
+        for (const int v : polygon.vectors) {
+            const DrawnVector& vector = solution_.protocol.vectors[static_cast<std::size_t>(v)];
+            ResultRow row;
+            row.quantity = vector.quantity;
+            row.symbol = vector.symbol;
+            row.name = name_of(vector.symbol);
+            if (!names.insert(row.name).second) continue;
+            const Vector value = solution_.protocol.value_of(vector);
+            row.drawing = kinegraph::length(value) / unit.si.to_double();
+            const auto found = figure == figures_.end() ? std::nullopt : measured_on(*figure, row.name);
+            if (found && !value.is_zero()) {
+                row.millimetres = found->millimetres;
+                row.detail = found->detail;
+            } else if (figure != figures_.end() || value.is_zero()) {
+                row.millimetres = 0;
+            }
+            if (const auto numeric = checks_.of_vector(v)) row.numeric = *numeric / unit.si.to_double();
             row.unit = unit.symbol;
             row.group = group;
-            rows.push_back(std::move(row));
+            rows_.push_back(std::move(row));
         }
-    };
-    const auto add_polygons = [&](Plane plane, bool relative) {
-        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
-            const Polygon& polygon = solution.protocol.polygons[p];
-            if (polygon.plane != plane || polygon.point.empty() == relative) continue;
-            const Unit& unit = plane == Plane::acceleration ? units.acceleration : units.velocity;
-            const Figure* figure = nullptr;
-            for (const Figure& each : figures)
-                if (each.id == legal_id(polygon.id)) figure = &each;
-            std::set<std::string> names;
-            for (const int index : polygon.vectors) {
-                const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(index)];
-                ResultRow row;
-                row.symbol = vector.symbol;
-                row.name = name_of(vector.symbol);
-                if (!names.insert(row.name).second) continue;
-                const Vector value = solution.protocol.value_of(vector);
-                row.drawing = kinegraph::length(value) / unit.si.to_double();
-                if (const auto found = figure ? measured_on(*figure, row.name) : std::nullopt; found && !value.is_zero()) {
-                    row.millimetres = found->millimetres;
-                    row.detail = found->detail;
-                } else if (figure || value.is_zero()) {
-                    row.millimetres = 0;
-                }
-                if (const auto numeric = checks.modulus(index)) row.numeric = *numeric / unit.si.to_double();
-                row.unit = unit.symbol;
-                row.group = polygon.id;
-                rows.push_back(std::move(row));
-            }
-        }
-    };
-    add_polygons(Plane::velocity, false);
-    add_bodies(Symbol::Letter::omega, "omega", units.angular_velocity, "velocity");
-    add_polygons(Plane::acceleration, false);
-    add_bodies(Symbol::Letter::alpha, "alpha", Unit{"rad/s²", 1}, "acceleration");
-    add_polygons(Plane::velocity, true);
-    add_polygons(Plane::acceleration, true);
-    return rows;
+    }
+
+    const Solution& solution_;
+    const Units& units_;
+    const std::vector<Figure>& figures_;
+    CheckedNumbers checks_;
+    std::vector<ResultRow> rows_;
+};
+
+}  // namespace
+
+std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
+    return MotionRows(context, figures).rows();
 }
 
 Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, const std::string& heading) {
@@ -273,7 +290,7 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
     };
     const auto shape = [&](const std::string& text, double size) { return fonts.shape(with_powers(text), size); };
 
-    std::map<std::pair<std::string, std::string>, double> largest;  // by group and unit
+    std::map<std::pair<RowGroup, std::string>, double> largest;  // by group and unit
     for (const ResultRow& row : rows) {
         double& most = largest[{row.group, row.unit}];
         most = std::max({most, std::abs(row.drawing), std::abs(row.numeric.value_or(0))});
@@ -290,7 +307,7 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
     for (const ResultRow& row : rows) {
         const double most = largest[{row.group, row.unit}];
         const auto decimals = decimals_for(most);
-        const bool is_scalar = row.symbol.letter == Symbol::Letter::omega || row.symbol.letter == Symbol::Letter::alpha;
+        const bool is_scalar = row.quantity.kind == Quantity::Kind::omega || row.quantity.kind == Quantity::Kind::alpha;
         const auto value = [&](double v) {
             std::string text = cell(v, decimals, language);
             // Positive turns are said to be so.

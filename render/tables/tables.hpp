@@ -17,8 +17,17 @@ namespace kinegraph::render {
 /// its terms are set closer and smaller, down to `least` points, and where that is not enough it goes on in a further row.
 Block equation_block(const DrawingContext& context, const Equation& equation, double most, double least = 9);
 
+/// What stands between two rules of the table of results.
+struct RowGroup {
+    Topic section = Topic::none;
+    int polygon = -1;      ///< relative motion: one of Protocol::polygons
+    bool couples = false;  ///< after the forces
+
+    friend auto operator<=>(const RowGroup&, const RowGroup&) = default;
+};
 /// One row of the results: a vector as drawn or a scalar of a body.
 struct ResultRow {
+    Quantity quantity;
     Symbol symbol;
     std::string name;                   ///< plain, for the tests and the terminal
     std::optional<double> millimetres;  ///< measured on the drawing
@@ -26,7 +35,7 @@ struct ResultRow {
     double drawing = 0;                 ///< by the construction, in `unit`
     std::optional<double> numeric;      ///< by the check, in `unit`
     std::string unit;
-    std::string group;  ///< "velocity", "acceleration" or the polygon's id; a rule separates groups
+    RowGroup group;
 };
 /// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);

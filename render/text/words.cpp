@@ -272,6 +272,13 @@ constexpr std::array sentences{
     Row{Sentence::unturning_bodies,
         "{0|Body|Bodies} {0} {0|does|do} not turn in any motion that this position allows: no angular velocity can be driven there.",
         "{0|Il corpo|I corpi} {0} non {0|ruota|ruotano} in alcun moto possibile in questa configurazione: la velocità angolare non può essere assegnata."},
+    Row{Sentence::check_differs,
+        "The numeric check does not confirm {0}: {1} by the construction, off by {2}[; nor {3} more of its kind].",
+        "La verifica numerica non conferma {0}: {1} dalla costruzione, con uno scarto di {2}[; né {3} {3|altra|altre} dello stesso tipo]."},
+    Row{Sentence::check_stands_still, "By the construction body {0} moves; the numeric check finds its motion not determined.",
+        "Per la costruzione il corpo {0} si muove; per la verifica numerica il suo moto non è determinato."},
+    Row{Sentence::check_moves, "By the numeric check body {0} moves; by the construction its motion is not determined.",
+        "Per la verifica numerica il corpo {0} si muove; per la costruzione il suo moto non è determinato."},
     // what is not determined
     Row{Sentence::motion_of_body, "motion of body {0}", "moto del corpo {0}"},
     Row{Sentence::velocity_of_body, "velocity of body {0}", "velocità del corpo {0}"},

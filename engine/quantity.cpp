@@ -1,0 +1,159 @@
+// Names of quantities, as the results file prints them.
+#include "engine/quantity.hpp"
+
+#include <algorithm>
+
+#include "engine/assert.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Kind = Quantity::Kind;
+
+class Namer {
+public:
+    explicit Namer(const Solution& solution) : solution_(solution), mechanism_(solution.mechanism) {}
+
+    std::string name(const Quantity& q) const {
+        const std::string whole = part_of_name(q) + stem(q);
+        switch (q.component) {
+            case Quantity::Component::none:
+                return whole;
+            case Quantity::Component::x:
+                return whole + " x";
+            case Quantity::Component::y:
+                return whole + " y";
+        }
+        KG_ASSERT(false, "a component is x or y");
+    }
+
+private:
+    std::string stem(const Quantity& q) const {
+        switch (q.kind) {
+            case Kind::none:
+                return "";
+            case Kind::velocity:
+                return "velocity " + carried(q);
+            case Kind::acceleration:
+                return "acceleration " + carried(q);
+            case Kind::omega:
+                return "omega " + body(q.body);
+            case Kind::alpha:
+                return "alpha " + body(q.body);
+            case Kind::centre:
+                return "centre " + body(q.body) + "," + body(q.other);
+            case Kind::sliding_velocity:
+                return "sliding " + joint(q.joint) + " velocity";
+            case Kind::sliding_acceleration:
+                return "sliding " + joint(q.joint) + " acceleration";
+            case Kind::sliding_coriolis:
+                return "sliding " + joint(q.joint) + " coriolis";
+            case Kind::force:
+                return action(q);
+            case Kind::couple:
+                return action(q) + " couple";
+            case Kind::load:
+                return "load " + std::visit([](const auto& load) { return load.name; }, mechanism_.loads[at(q.given)]);
+            case Kind::weight:
+                return "weight " + body(mechanism_.masses[at(q.given)].body);
+            case Kind::inertia:
+                return "inertia " + body(mechanism_.masses[at(q.given)].body);
+            case Kind::effort:
+                return "effort " + std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(q.given)]);
+            case Kind::virtual_power:
+                return "virtual power";
+        }
+        KG_ASSERT(false, "a quantity has a kind");
+    }
+    static std::string part_of_name(const Quantity& q) {
+        switch (q.part) {
+            case Quantity::Part::whole:
+                return "";
+            case Quantity::Part::relative:
+                return "relative ";
+            case Quantity::Part::normal:
+                return "normal ";
+            case Quantity::Part::tangential:
+                return "tangential ";
+            case Quantity::Part::sliding:
+                return "sliding ";
+            case Quantity::Part::coriolis:
+                return "coriolis ";
+            case Quantity::Part::transport:
+                return "transport ";
+        }
+        KG_ASSERT(false, "a part is one of these");
+    }
+
+    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+    std::string body(BodyIndex index) const { return index < 0 ? "pin" : mechanism_.bodies[at(index)].name; }
+    std::string joint(JointIndex index) const { return mechanism_.joints[at(index)].name; }
+    std::string carried(const Quantity& q) const {
+        // A place that the recipe needed and the file does not name.
+        const std::string letter = q.point < 0 ? "S" : mechanism_.points[at(q.point)].name;
+        return is_of_several_bodies(q.point) ? letter + " on " + body(q.body) : letter;
+    }
+    std::string action(const Quantity& q) const {
+        return "force " + joint(q.joint) + " " + body(q.other) + " on " + body(q.body);
+    }
+    /// A pin and the point of the slot under it move differently under one letter.
+    bool is_of_several_bodies(PointIndex point) const {
+        return std::count_if(solution_.points.begin(), solution_.points.end(),
+                             [&](const PointMotion& each) { return each.point == point; }) > 1;
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+};
+
+}  // namespace
+
+std::string name_of(const Quantity& quantity, const Solution& solution) { return Namer(solution).name(quantity); }
+
+std::string_view name_of(Topic topic) {
+    switch (topic) {
+        case Topic::none:
+            return "";
+        case Topic::velocity:
+            return "velocity";
+        case Topic::acceleration:
+            return "acceleration";
+        case Topic::relative_motion:
+            return "relative motion";
+        case Topic::centres:
+            return "centres";
+        case Topic::forces:
+            return "forces";
+    }
+    KG_ASSERT(false, "a sentence has a topic");
+}
+
+Quantity velocity_of(const PointMotion& motion) {
+    return {.kind = Kind::velocity, .body = motion.bodies.front(), .point = motion.point};
+}
+Quantity acceleration_of(const PointMotion& motion) {
+    return {.kind = Kind::acceleration, .body = motion.bodies.front(), .point = motion.point};
+}
+Quantity quantity_of(const InstantCentre& centre) { return {.kind = Kind::centre, .body = centre.first, .other = centre.second}; }
+Quantity quantity_of(const JointForce& action) {
+    return {.kind = Kind::force, .body = action.on, .other = action.from, .joint = action.joint};
+}
+Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
+    switch (applied.kind) {
+        case AppliedForce::Kind::reaction:
+            return {.kind = Kind::force, .body = body.body, .other = applied.from, .joint = applied.joint};
+        case AppliedForce::Kind::load:
+        case AppliedForce::Kind::spring:
+            return {.kind = Kind::load, .given = applied.given};
+        case AppliedForce::Kind::weight:
+            return {.kind = Kind::weight, .given = applied.given};
+        case AppliedForce::Kind::inertia:
+            return {.kind = Kind::inertia, .given = applied.given};
+        case AppliedForce::Kind::effort:
+            return {.kind = Kind::effort, .given = applied.given};
+    }
+    KG_ASSERT(false, "what acts is of one kind");
+}
+
+}  // namespace kinegraph

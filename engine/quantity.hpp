@@ -1,0 +1,55 @@
+// Quantities: what a solution may hold a value of, as data: the kind, of whom, where, seen from where. One quantity said twice
+// compares equal. Knows no value and no typography.
+#pragma once
+
+#include <compare>
+#include <string>
+
+#include "engine/mechanism.hpp"
+
+namespace kinegraph {
+
+struct Solution;
+
+struct Quantity {
+    enum class Kind {
+        none,
+        velocity,      ///< of `point` as `body` carries it; a part of it or seen by `other`: see `part`
+        acceleration,  ///< the same
+        omega,         ///< of `body`
+        alpha,
+        centre,            ///< of `body` and `other`
+        sliding_velocity,  ///< at `joint`, of its first body on its second
+        sliding_acceleration,
+        sliding_coriolis,
+        force,   ///< at `joint`, of `other` on `body` (−1: the pin of a multiple hinge)
+        couple,  ///< the same, about the joint's point
+        load,    ///< `given` counts Mechanism::loads
+        weight,  ///< `given` counts Mechanism::masses
+        inertia,
+        effort,        ///< `given` counts Mechanism::efforts
+        virtual_power  ///< of all that acts from outside
+    } kind = Kind::none;
+    BodyIndex body = -1, other = -1;
+    PointIndex point = -1;
+    JointIndex joint = -1;
+    int given = -1;
+    /// Of a velocity or an acceleration.
+    enum class Part { whole, relative, normal, tangential, sliding, coriolis, transport } part = Part::whole;
+    PointIndex seen_from = -1;  ///< the point of `other` that a part is counted from
+    enum class Component { none, x, y } component = Component::none;
+
+    friend auto operator<=>(const Quantity&, const Quantity&) = default;
+
+    Quantity along(Component axis) const {
+        Quantity result = *this;
+        result.component = axis;
+        return result;
+    }
+};
+
+/// The name that `checks` of the results file prints (docs/format.md): "omega 3", "velocity B x", "force A 3 on 2 couple". Points
+/// that several bodies carry apart are told by their body: "velocity A on 4 y".
+std::string name_of(const Quantity& quantity, const Solution& solution);
+
+}  // namespace kinegraph
