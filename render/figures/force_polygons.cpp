@@ -300,7 +300,7 @@ private:
         figure.move(at.x - figure.box.min.x + 0.5 * (cell.size.x - figure.box.width()),
                     at.y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
         append(all.marks, figure.marks);
-        all.measured.insert(all.measured.end(), figure.measured.begin(), figure.measured.end());
+        all.axes.insert(all.axes.end(), figure.axes.begin(), figure.axes.end());
         all.details.insert(all.details.end(), figure.details.begin(), figure.details.end());
         belong(all.marks, first, statements_.polygon(*item.body));
     }

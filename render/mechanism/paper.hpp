@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "engine/exact.hpp"
-#include "render/figures/figure.hpp"
+#include "render/page/figure.hpp"
+#include "render/page/labels.hpp"
+#include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render::drawing {
 

@@ -8,8 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "render/figures/figure.hpp"
 #include "render/mechanism/layout.hpp"
+#include "render/page/figure.hpp"
+#include "render/page/labels.hpp"
+#include "render/page/scale.hpp"
+#include "render/scene/drawing_context.hpp"
 
 namespace kinegraph::render::drawing {
 

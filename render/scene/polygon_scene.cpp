@@ -180,7 +180,7 @@ private:
         for (const Image& image : trials.images)
             if (image.polygon == index_ && is_near(image.point))
                 scene_.images.push_back({SceneImage::Kind::trial, image.symbol, place(image.point), image.trial,
-                                         protocol_.strokes[at(image.point)].statement});
+                                         image.statement});
     }
 
     void add_images() {
@@ -203,7 +203,7 @@ private:
             const DrawnVector& vector = protocol_.vectors[at(index)];
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
         }
-        return protocol_.strokes[at(image.point)].statement;
+        return image.statement;
     }
 
     const Solution& solution_;
