@@ -140,7 +140,7 @@ int Board::make(Verb verb, Plane plane, int a, int b) {
         ask(Guard::Question::zero_vector, before_turning(protocol_.program, b), -1);
     if (verb == Verb::quotient) ask(Guard::Question::zero_scalar, b, -1);
     struct Once {
-        using Number = Exact;
+        using Number [[maybe_unused]] = Exact;
         const Memory& from;
         std::optional<Value> made;
         const ProjectivePoint& point(int i) const { return from.point(i); }
