@@ -9,7 +9,11 @@ if(PROJECT_IS_TOP_LEVEL)
     find_program(KINEGRAPH_CCACHE ccache)
     mark_as_advanced(KINEGRAPH_CCACHE)
     if(KINEGRAPH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-        set(CMAKE_CXX_COMPILER_LAUNCHER ${KINEGRAPH_CCACHE})
+        # Precompiled headers are cached only where it is said that what they define counts by the headers' own bytes.
+        set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${KINEGRAPH_CCACHE})
+        if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+            add_compile_options(-fpch-preprocess)
+        endif()
     endif()
 endif()
 
@@ -22,6 +26,8 @@ target_compile_options(kinegraph_flags INTERFACE
     -fno-semantic-interposition)                      # nobody puts a function of his own in the place of one of ours
 
 if(KINEGRAPH_SANITIZE)
+    # This build also sees whether every file includes what it uses; and clang-tidy reads its commands.
+    set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
     # Everything that is linked together must agree, so these are for the whole tree.
     set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)

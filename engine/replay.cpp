@@ -54,17 +54,18 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
         const Kind kind = kind_of(stroke.verb);
         const bool is_small_beside_size = stroke.plane == Plane::drawing && kind != Kind::scalar;
         memory_.lines[i] = kind == Kind::line ? 1 : 0;
-        noted_.push_back(kind == Kind::line || is_small_beside_size ? Noted::nothing
-                         : kind == Kind::scalar                     ? Noted::scalar
-                                                                    : Noted::vector);
+        const Noted noted = kind == Kind::line || is_small_beside_size ? Noted::nothing
+                            : kind == Kind::scalar                     ? Noted::scalar
+                                                                       : Noted::vector;
         if (stroke.given >= 0) {
             element_of_given_[at(stroke.given)] = element;
+            if (noted != Noted::nothing) noted_givens_.push_back({stroke, element, noted});
         } else if (stroke.verb == Verb::pole) {
             carry_out(stroke, element, memory_);
         } else {
-            carried_out_.push_back(element);
+            steps_.push_back({stroke, element, noted});
         }
-        made[i + 1] = static_cast<int>(carried_out_.size());
+        made[i + 1] = static_cast<int>(steps_.size());
     }
     for (Guard guard : program.guards) {
         guard.before = made[at(guard.before)];
@@ -81,28 +82,27 @@ void Replay::give(int given, const ValueOf<double>& value) {
 
 std::optional<int> Replay::run() {
     largest_ = at_start_;
-    for (const int element : element_of_given_) note(element);
+    for (const Step& given : noted_givens_) note(given);
     next_ = 0;
     const std::size_t count = guards_.size();
     for (std::size_t i = 0; i < count; ++i) {
         carry_out_until(at(guards_[i].before));
         if (!holds(guards_[i])) return static_cast<int>(i);
     }
-    carry_out_until(carried_out_.size());
+    carry_out_until(steps_.size());
     return std::nullopt;
 }
 
-inline void Replay::note(int element) {
-    const Noted noted = noted_[at(element)];
-    if (noted == Noted::vector) largest_.note(strokes_[at(element)].plane, memory_.vector(element));
-    if (noted == Noted::scalar) largest_.note(strokes_[at(element)].plane, memory_.scalar(element));
+inline void Replay::note(const Step& step) {
+    if (step.noted == Noted::vector) largest_.note(step.stroke.plane, memory_.vector(step.element));
+    if (step.noted == Noted::scalar) largest_.note(step.stroke.plane, memory_.scalar(step.element));
 }
 
 inline void Replay::carry_out_until(std::size_t end) {
     for (; next_ < end; ++next_) {
-        const int element = carried_out_[next_];
-        carry_out(strokes_[at(element)], element, memory_);
-        note(element);
+        const Step& step = steps_[next_];
+        carry_out(step.stroke, step.element, memory_);
+        note(step);
     }
 }
 

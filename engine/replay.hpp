@@ -24,7 +24,7 @@ public:
     PointOf<double> point(int element) const { return memory_.point(element); }
     VectorOf<double> vector(int element) const { return memory_.vector(element); }
     double scalar(int element) const { return memory_.scalar(element); }
-    std::size_t strokes() const { return carried_out_.size(); }  ///< those carried out by a run; givens and poles are not
+    std::size_t strokes() const { return steps_.size(); }  ///< those carried out by a run; givens and poles are not
 
 private:
     /// Elements in a row, three numbers each.
@@ -47,21 +47,27 @@ private:
         void put(int i, const VectorOf<double>& v) { cells[static_cast<std::size_t>(i)] = {v.x, v.y, 0}; }
         void put(int i, double s) { cells[static_cast<std::size_t>(i)] = {s, 0, 0}; }
     };
-    void note(int element);
-    void carry_out_until(std::size_t end);
-    bool holds(const Guard& guard) const;
-
     /// What is noted of an element for what others are small beside.
     enum class Noted : std::uint8_t { nothing, vector, scalar };
 
-    std::vector<Stroke> strokes_;   ///< all, by element
-    std::vector<Noted> noted_;      ///< by element
-    std::vector<int> carried_out_;  ///< the elements that a run makes: all but givens and poles
-    std::vector<Guard> guards_;     ///< `before` counts carried_out_
+    /// A stroke that a run carries out: all but givens and poles.
+    struct Step {
+        Stroke stroke;
+        int element = -1;
+        Noted noted = Noted::nothing;
+    };
+    void note(const Step& step);
+    void carry_out_until(std::size_t end);
+    bool holds(const Guard& guard) const;
+
+    std::vector<Stroke> strokes_;  ///< all, by element
+    std::vector<Step> steps_;      ///< in a row, as a run needs them
+    std::vector<Step> noted_givens_;
+    std::vector<Guard> guards_;  ///< `before` counts steps_
     std::vector<int> element_of_given_;
     Memory memory_;
     Largest<double> at_start_, largest_;
-    std::size_t next_ = 0;  ///< how far the run is in carried_out_
+    std::size_t next_ = 0;  ///< how far the run is in steps_
 };
 
 }  // namespace kinegraph
