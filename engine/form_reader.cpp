@@ -159,13 +159,13 @@ const KnownUnit& FormReader::bare_unit(QuantityKind kind) const {
     return set == bare_units_.end() ? default_unit(kind) : **set;
 }
 
-std::optional<Quantity> FormReader::quantity_as_written(JsonValue value, QuantityKind kind) {
+std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, QuantityKind kind) {
     if (!value) return std::nullopt;
-    tl::expected<Quantity, std::string> result = tl::make_unexpected(std::string());
+    tl::expected<WrittenQuantity, std::string> result = tl::make_unexpected(std::string());
     if (value.is_number()) {
         auto number = read_decimal(value.text());
         if (number) {
-            result = Quantity{std::move(*number), &bare_unit(kind)};
+            result = WrittenQuantity{std::move(*number), &bare_unit(kind)};
         } else {
             result = tl::make_unexpected(std::move(number.error()));
         }

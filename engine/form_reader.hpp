@@ -80,7 +80,7 @@ protected:
     // ----- numbers
     const KnownUnit& bare_unit(QuantityKind kind) const;
     /// A number or a string with a unit, as written; range checked in SI.
-    std::optional<Quantity> quantity_as_written(JsonValue value, QuantityKind kind);
+    std::optional<WrittenQuantity> quantity_as_written(JsonValue value, QuantityKind kind);
     /// In SI.
     std::optional<Exact> quantity(JsonValue value, QuantityKind kind);
     Exact quantity_or_zero(JsonValue value, QuantityKind kind);

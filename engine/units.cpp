@@ -281,7 +281,7 @@ bool is_within_range(const Exact& si_value) {
     return smallest <= magnitude && magnitude <= largest;
 }
 
-tl::expected<Quantity, std::string> read_quantity(std::string_view text, QuantityKind wanted) {
+tl::expected<WrittenQuantity, std::string> read_quantity(std::string_view text, QuantityKind wanted) {
     const std::size_t length = number_length(text);
     const std::string_view number = text.substr(0, length);
     const std::string example =
@@ -300,7 +300,7 @@ tl::expected<Quantity, std::string> read_quantity(std::string_view text, Quantit
         return tl::make_unexpected(quoted(text) + " has no unit; add one" + example + ", or write the number without quotes");
     const KnownUnit* known = unit_spelt(unit);
     if (known == nullptr) return tl::make_unexpected(unknown_unit_message(unit, wanted));
-    return Quantity{std::move(*value), known};
+    return WrittenQuantity{std::move(*value), known};
 }
 
 std::string shown(std::string_view text, std::size_t longest) {

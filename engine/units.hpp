@@ -58,14 +58,15 @@ tl::expected<Exact, std::string> read_decimal(std::string_view text);
 /// The rule of magnitudes: zero, or 1e-60 ≤ |si_value| ≤ 1e60.
 bool is_within_range(const Exact& si_value);
 
-struct Quantity {
+/// As a file writes it.
+struct WrittenQuantity {
     Exact value;  ///< in `unit`
     const KnownUnit* unit = nullptr;
     Exact in_si() const { return value * unit->si; }
 };
 
 /// Number, optional space, unit. `wanted` serves the messages alone: the unit may be of another kind.
-tl::expected<Quantity, std::string> read_quantity(std::string_view text, QuantityKind wanted);
+tl::expected<WrittenQuantity, std::string> read_quantity(std::string_view text, QuantityKind wanted);
 
 /// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut short.
 std::string quoted(std::string_view text);
