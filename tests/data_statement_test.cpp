@@ -122,7 +122,7 @@ TEST_P(DataStatement, StandsOnEverySentence) {
         if (message_of(solution, statement).sentence == Sentence::kennedy) continue;
         const std::string sentence = plain(say(message_of(solution, statement), Language::en));
         EXPECT_TRUE(words.find(sentence.substr(0, 20)) != std::string::npos ||
-                    solution.protocol.statements[static_cast<std::size_t>(statement)].section == "centres")
+                    solution.protocol.statements[static_cast<std::size_t>(statement)].section == Topic::centres)
             << words << "\n  instead of\n"
             << sentence;
     }
