@@ -356,8 +356,7 @@ private:
     void settle_couple(int b, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
         found(b, group, run);
         if (board_.is_zero(couple_on_group)) return;
-        run.reactions[at(b)].couple =
-            in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
+        run.reactions[at(b)].couple = in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
     }
 
     void note(const std::vector<int>& group, Run& run) {

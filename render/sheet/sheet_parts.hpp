@@ -44,11 +44,11 @@ struct Run {
 struct Section {
     std::vector<Block> rows{};
     std::vector<std::size_t> spare_rows{};  ///< of rows, ascending: those that may be left out
-    Block heading_again{};                ///< stands above what is left of the rows where they go on below something else
-    int home = -1;                        ///< the figure it explains; −1: none
-    bool continued = false;               ///< its first rows stand already: the rest comes after them
-    bool of_forces = false;               ///< not before the pages of forces
-    bool in_order = false;                ///< steps that are read after those before them: it stands in no column before theirs
+    Block heading_again{};                  ///< stands above what is left of the rows where they go on below something else
+    int home = -1;                          ///< the figure it explains; −1: none
+    bool continued = false;                 ///< its first rows stand already: the rest comes after them
+    bool of_forces = false;                 ///< not before the pages of forces
+    bool in_order = false;                  ///< steps that are read after those before them: it stands in no column before theirs
     double height() const {
         double sum = 0;
         for (const Block& row : rows) sum += row.height;

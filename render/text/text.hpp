@@ -9,8 +9,8 @@
 
 #include <tl/expected.hpp>
 
-#include "render/text/glyphs.hpp"
 #include "render/ink/path.hpp"
+#include "render/text/glyphs.hpp"
 #include "render/text/rich_text.hpp"
 
 namespace kinegraph::render {
