@@ -16,7 +16,7 @@ public:
     explicit Namer(const Solution& solution) : solution_(solution), mechanism_(solution.mechanism) {}
 
     std::string name(const Quantity& q) const {
-        const std::string whole = part_of_name(q) + stem(q);
+        std::string whole = part_of_name(q) + stem(q);
         switch (q.component) {
             case Quantity::Component::none:
                 return whole;
