@@ -39,7 +39,8 @@ struct Quantity {
     PointIndex seen_from = -1;  ///< the point of `other` that a part is counted from
     enum class Component { none, x, y } component = Component::none;
 
-    friend auto operator<=>(const Quantity&, const Quantity&) = default;
+    // clang-tidy 14 takes the 0 that the compiler compares with for a pointer.
+    friend auto operator<=>(const Quantity&, const Quantity&) = default;  // NOLINT(modernize-use-nullptr)
 
     Quantity along(Component axis) const {
         Quantity result = *this;
