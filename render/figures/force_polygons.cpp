@@ -51,11 +51,7 @@ public:
         figure.caption = one_piece(word(joined ? "closed force polygon" : "force polygon", context_.language));
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
-        figure.marks.emplace_back(
-            GroupBegin{"figure",
-                       figure.id,
-                       plain(figure.caption),
-                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", figure.unit}}});
+        open_group(figure);
         return figure;
     }
     PolygonParts parts_of(const Figure& figure) const {

@@ -49,11 +49,7 @@ public:
         figure.scale = scale;
         figure.has_scale = !scene_.vectors.empty();
         figure.unit = scene_.unit.symbol;
-        figure.marks.emplace_back(
-            GroupBegin{"figure",
-                       figure.id,
-                       plain(figure.caption),
-                       {{"data-figure", figure.kind}, {"data-scale", shortest(scale)}, {"data-unit", figure.unit}}});
+        open_group(figure);
         return figure;
     }
     PolygonParts parts_of(const Figure& figure) const {

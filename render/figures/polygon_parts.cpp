@@ -437,12 +437,7 @@ private:
         int statement = -1;
         for (const PolygonVector& vector : parts.vectors)
             if (statement < 0 || vector.statement < statement) statement = vector.statement;
-        inset.marks.emplace_back(
-            GroupBegin{"figure",
-                       inset.id,
-                       plain(inset.caption),
-                       {{"data-figure", inset.kind}, {"data-scale", shortest(detail.scale)}, {"data-unit", inset.unit}},
-                       statement});
+        open_group(inset, statement);
         inset.marks.emplace_back(circle({0, 0}, radius, {theme.thin, theme.text, {}, false}));
         draw_parts(inset, context_, parts, inner);
         for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
@@ -685,6 +680,15 @@ private:
 };
 
 }  // namespace
+
+void open_group(Figure& figure, int statement) {
+    figure.marks.emplace_back(
+        GroupBegin{"figure",
+                   figure.id,
+                   plain(figure.caption),
+                   {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}},
+                   statement});
+}
 
 void letter_details_on(Figure& figure, const DrawingContext& context, std::size_t before) {
     if (!figure.details.empty() && before > 0) Lettering(figure, context, before).change();

@@ -30,6 +30,9 @@ struct PolygonVector {
     bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
     int statement = -1;
 };
+/// Begins the group of a polygon, once it has its kind, caption, scale and unit; drawn by a statement where one is named.
+void open_group(Figure& figure, int statement = -1);
+
 /// What a detail shows of a vector that leaves it.
 struct PolygonPiece {
     Spot from, to;
