@@ -75,7 +75,7 @@ private:
             if (bond.joint < 0 || !run.reactions[b].force) continue;
             const Joint& joint = mechanism_.joints[at(bond.joint)];
             if (!joint.pushes || board_.along_sign(board_.push(bond.joint), *run.reactions[b].force) >= 0) continue;
-            results_.remarks.push_back({Sentence::lift_off, {PointName{joint.name}}});
+            results_.remarks.push_back({Sentence::lift_off, {file_name(joint)}});
         }
     }
 
