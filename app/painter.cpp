@@ -15,12 +15,13 @@ std::string bytes_of(CairoFunctions::Bytes bytes) {
 
 }  // namespace
 
-tl::expected<Painter, std::string> Painter::open() {
+tl::expected<Painter, Words> Painter::open() {
     // A bare name: the loader looks where the program's RPATH says.
     void* const module = ::dlopen("kinegraph_cairo.so", RTLD_LAZY | RTLD_LOCAL);
     if (module == nullptr)
-        return tl::unexpected(std::string("PNG and PDF are drawn by a module of the program, which cannot be loaded: ") +
-                              ::dlerror());
+        return tl::unexpected(Words("PNG and PDF are drawn by a module of the program, which cannot be loaded: {0}",
+                                    "PNG e PDF sono disegnati da un modulo del programma, che non si può caricare: {0}",
+                                    std::string(::dlerror())));
     const void* const functions = ::dlsym(module, "kinegraph_cairo");
     KG_ASSERT(functions != nullptr, "the module exports what it draws with");
     return Painter(*static_cast<const CairoFunctions*>(functions));

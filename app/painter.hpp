@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "app/modules/cairo.hpp"
+#include "engine/words.hpp"
 
 namespace kinegraph::app {
 
@@ -15,7 +16,7 @@ class Painter {
 public:
     /// Looks for kinegraph_cairo.so where the program is told to at its making: beside it in the build tree, in
     /// lib/kinegraph where it is installed. Error: a line that says what is missing.
-    static tl::expected<Painter, std::string> open();
+    static tl::expected<Painter, Words> open();
 
     std::string to_png(const render::Page& page, const render::Glyphs& glyphs, double dpi) const;
     std::string to_pdf(const std::vector<render::Page>& pages, const render::Glyphs& glyphs) const;

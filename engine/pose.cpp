@@ -47,14 +47,14 @@ struct Ray {
     Vector along;
     bool rational_angle = true;
     bool touched = false;  ///< lies where it does through an earlier root
-    std::string name;      ///< "through O2"
+    Words name;            ///< "through O2"
 };
 struct Disc {
     Vector centre;
     Exact radius;
     PointIndex point = -1;
     bool touched = false;
-    std::string name;  ///< "A (radius 50 mm)"
+    Words name;  ///< "A (radius 50 mm)"
 };
 using Stroke = std::variant<Ray, Disc>;
 
@@ -90,8 +90,11 @@ private:
     enum class State { waiting, under_way, done, failed };
 
     // --- words ---------------------------------------------------------------------------------------------------------------
-    std::string in_file_units(double metres) const {
-        return number_text(metres / mechanism_.units.length.si.to_double()) + " " + mechanism_.units.length.symbol;
+    Words in_file_units(double metres) const {
+        const std::string number = number_text(metres / mechanism_.units.length.si.to_double());
+        std::string with_comma = number;
+        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+        return {number + " " + mechanism_.units.length.symbol, with_comma + " " + mechanism_.units.length.symbol};
     }
     Amount amount(double metres) const {
         return {metres / mechanism_.units.length.si.to_double(), mechanism_.units.length.symbol};
@@ -104,7 +107,7 @@ private:
     }
     const std::string& name_of(PointIndex point) const { return mechanism_.point(point).name; }
 
-    bool fail(std::string where, std::string message, ErrorCode code = ErrorCode::bad_input) {
+    bool fail(std::string where, Words message, ErrorCode code = ErrorCode::bad_input) {
         errors_.push_back({code, std::move(where), std::move(message)});
         return false;
     }
@@ -163,8 +166,9 @@ private:
         const Vector direction = pose_.at(between.to) - pose_.at(between.from);
         const bool nothing = touched(between) ? is_small(direction) : direction.is_zero();
         if (!nothing) return direction;
-        fail(where, name_of(between.from) + " and " + name_of(between.to) +
-                        " coincide, so they give no direction; name two other points");
+        fail(where, {"{0} and {1} coincide, so they give no direction; name two other points",
+                     "{0} e {1} coincidono, quindi non danno una direzione; indicare altri due punti", name_of(between.from),
+                     name_of(between.to)});
         return std::nullopt;
     }
     bool is_small(const Vector& a) const {
@@ -246,8 +250,11 @@ private:
     std::optional<Stroke> stroke(const CircleCurve& circle, const std::string&) {
         if (!drawn(circle.centre)) return std::nullopt;
         const auto* point = std::get_if<PointIndex>(&circle.centre);
-        return Disc{at(circle.centre), circle.radius, point == nullptr ? -1 : *point, touched(circle.centre),
-                    name_of(circle.centre) + " (radius " + in_file_units(circle.radius.to_double()) + ")"};
+        return Disc{at(circle.centre),
+                    circle.radius,
+                    point == nullptr ? -1 : *point,
+                    touched(circle.centre),
+                    {"{0} (radius {1})", "{0} (raggio {1})", name_of(circle.centre), in_file_units(circle.radius.to_double())}};
     }
     std::optional<Stroke> stroke(const LineCurve& line, const std::string& where) {
         bool ready = drawn(line.through);
@@ -255,17 +262,18 @@ private:
         const bool by_bearing = line.by == LineCurve::By::parallel || line.by == LineCurve::By::perpendicular;
         if (by_bearing) ready = drawn(line.bearing) && ready;
         if (!ready) return std::nullopt;
-        Ray ray{at(line.through), {}, true, touched(line.through), "through " + name_of(line.through)};
+        Ray ray{at(line.through), {}, true, touched(line.through), {"through {0}", "per {0}", name_of(line.through)}};
         if (line.by == LineCurve::By::angle) {
             ray.along = direction_of(line.angle, pose_.bits);
             ray.rational_angle = is_rational(line.angle);
         } else if (line.by == LineCurve::By::to) {
             ray.along = pose_.at(line.to) - ray.through;
             ray.touched = ray.touched || touched_[at_index(line.to)];
-            ray.name += " and " + name_of(line.to);
+            ray.name += Words(" and {0}", " e {0}", name_of(line.to));
             if (ray.touched ? is_small(ray.along) : ray.along.is_zero()) {
-                fail(where, name_of(line.through) + " and " + name_of(line.to) +
-                                " coincide, so they give no line; name two other points");
+                fail(where, {"{0} and {1} coincide, so they give no line; name two other points",
+                             "{0} e {1} coincidono, quindi non danno una retta; indicare altri due punti", name_of(line.through),
+                             name_of(line.to)});
                 return std::nullopt;
             }
         } else {
@@ -276,7 +284,7 @@ private:
             }
             ray.along = direction_of(line.bearing, pose_);
             if (ray.along.is_zero()) {
-                fail(where, "the vector [0, 0] gives no direction");
+                fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
                 return std::nullopt;
             }
             if (line.by == LineCurve::By::perpendicular) ray.along = quarter_turn(ray.along);
@@ -324,21 +332,27 @@ private:
             const bool tie = found.touched ? apart < Exact::power_of_two(bits_in_doubt - pose_.bits) * square(estimated_size_)
                                            : apart.is_zero();
             if (!tie) return found.places[first < second ? 0 : 1];
-            fail(named.where,
-                 "both intersections for " + named.name +
-                     " are equally far from \"near\"; give \"side\": \"left\" or \"right\" instead, or move \"near\"");
+            fail(
+                named.where,
+                {"both intersections for {0} are equally far from \"near\"; give \"side\": \"left\" or \"right\" instead, or move \"near\"",
+                 "le due intersezioni per {0} sono ugualmente lontane da \"near\"; assegnare invece \"side\": \"left\" o \"right\", o spostare \"near\"",
+                 named.name});
             return std::nullopt;
         }
         if (meet.side != Meet::Side::none) {
             // Circles: left and right of first centre → second. On a line both intersections lie on the line itself: they are
             // taken as they look when the line's direction points to the right, so that "right" is the one further along it.
             // (Seen from the centre they would change places whenever the centre crosses the line, as a crank pin does.)
-            const bool left = meet.side == Meet::Side::left;
-            return found.places[left ? 0 : 1];
+            const bool first = meet.side == Meet::Side::left || meet.side == Meet::Side::behind;
+            return found.places[first ? 0 : 1];
         }
-        fail(named.where, std::string(how == PositionStep::How::circles ? "the circles" : "the line and the circle") +
-                              " meet twice; choose the intersection for " + named.name +
-                              " by \"near\": [x, y] or by \"side\": \"left\" or \"right\"");
+        fail(
+            named.where,
+            {"{0} meet twice; choose the intersection for {1} by \"near\": [x, y] or by \"side\": \"left\" or \"right\"",
+             "{0} si incontrano due volte; scegliere l’intersezione per {1} con \"near\": [x, y] o con \"side\": \"left\" o \"right\"",
+             how == PositionStep::How::circles ? Words("the circles", "le circonferenze")
+                                               : Words("the line and the circle", "la retta e la circonferenza"),
+             named.name});
         return std::nullopt;
     }
 
@@ -349,10 +363,12 @@ private:
         const Exact doubt = inexact ? Exact::power_of_two(2 * (bits_in_doubt - pose_.bits)) : Exact();
         if (square(slant) <= doubt * squared_length(a.along) * squared_length(b.along)) {
             const bool same = square(cross(across, a.along)) <= doubt * squared_length(a.along) * square(estimated_size_);
-            const std::string apart =
-                same ? std::string("they are one and the same")
-                     : in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)) + " apart";
-            fail(where, "the lines " + a.name + " and " + b.name + " do not meet: they are parallel, " + apart,
+            const Words apart = same ? Words("they are one and the same", "e sono la stessa")
+                                     : Words("{0} apart", "a distanza {0}",
+                                             in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)));
+            fail(where,
+                 {"the lines {0} and {1} do not meet: they are parallel, {2}",
+                  "le rette {0} e {1} non si incontrano: sono parallele, {2}", a.name, b.name, apart},
                  ErrorCode::cannot_meet);
             return std::nullopt;
         }
@@ -387,11 +403,12 @@ private:
         }
         if (room.sign() < 0) {
             const double distance = length(to_line);
-            fail(where,
-                 "the circle about " + circle.name + " and the line " + line.name + " do not meet: the line passes " +
-                     in_file_units(distance) + " from the centre, " + in_file_units(distance - circle.radius.to_double()) +
-                     " too far",
-                 ErrorCode::cannot_meet);
+            fail(
+                where,
+                {"the circle about {0} and the line {1} do not meet: the line passes {2} from the centre, {3} too far",
+                 "la circonferenza di centro {0} e la retta {1} non si incontrano: la retta passa a {2} dal centro, {3} di troppo",
+                 circle.name, line.name, in_file_units(distance), in_file_units(distance - circle.radius.to_double())},
+                ErrorCode::cannot_meet);
             return std::nullopt;
         }
         const int scale = magnitude_of_length(line.along) + 1;
@@ -416,9 +433,11 @@ private:
         const bool inexact = a.touched || b.touched;
         if (inexact ? is_small(across) : across.is_zero()) {
             fail(where,
-                 "the circles about " + a.name + " and " + b.name + " do not meet in points: they have the same centre" +
-                     (a.radius == b.radius ? " and radius"
-                                           : ", and radii " + in_file_units(abs(a.radius - b.radius).to_double()) + " apart"),
+                 {"the circles about {0} and {1} do not meet in points: they have the same centre{2}",
+                  "le circonferenze di centro {0} e {1} non si incontrano in punti: hanno lo stesso centro{2}", a.name, b.name,
+                  a.radius == b.radius ? Words(" and radius", " e raggio")
+                                       : Words(", and radii {0} apart", ", e raggi che differiscono di {0}",
+                                               in_file_units(abs(a.radius - b.radius).to_double()))},
                  ErrorCode::cannot_meet);
             return std::nullopt;
         }
@@ -434,8 +453,10 @@ private:
             const double difference = std::abs((a.radius - b.radius).to_double());
             const bool far = distance > sum;
             fail(where,
-                 "the circles about " + a.name + " and " + b.name + " do not meet: their centres are " + in_file_units(distance) +
-                     " apart, " + in_file_units(far ? distance - sum : difference - distance) + (far ? " too far" : " too near"),
+                 {"the circles about {0} and {1} do not meet: their centres are {2} apart, {3} {4}",
+                  "le circonferenze di centro {0} e {1} non si incontrano: i centri distano {2}, {3} {4}", a.name, b.name,
+                  in_file_units(distance), in_file_units(far ? distance - sum : difference - distance),
+                  far ? Words("too far", "di troppo") : Words("too near", "troppo poco")},
                  ErrorCode::cannot_meet);
             return std::nullopt;
         }
@@ -485,7 +506,7 @@ private:
         if (const auto* angle = std::get_if<Angle>(&bearing.form)) pose_.exact = pose_.exact && is_rational(*angle);
         Vector result = direction_of(bearing, pose_);
         if (!result.is_zero()) return result;
-        fail(where, "the vector [0, 0] gives no direction");
+        fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
         return std::nullopt;
     }
 
@@ -564,7 +585,8 @@ private:
         if (!tangent && centres.empty()) {
             if (!joint.tangent) {
                 fail(joint.where,
-                     "nothing says how the bodies touch at " + name_of(joint.point) + "; give \"profiles\" or \"tangent\"");
+                     {"nothing says how the bodies touch at {0}; give \"profiles\" or \"tangent\"",
+                      "nulla dice come i corpi si toccano in {0}; assegnare \"profiles\" o \"tangent\"", name_of(joint.point)});
                 return;
             }
             tangent = direction(*joint.tangent, joint.where + "/tangent");
@@ -616,9 +638,11 @@ private:
         const Exact excess = squared_length(arm) - square(circle->radius);
         const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());
         if (is_refused(misfit)) {
-            return fail(joint.where, name_of(joint.point) + " lies " + in_file_units(length(arm)) + " from " + name_of(centre) +
-                                         ", but the circle of body " + mechanism_.body(body).name + " has radius " +
-                                         in_file_units(circle->radius.to_double()) + ": " + in_file_units(misfit) + " off");
+            return fail(joint.where,
+                        {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off",
+                         "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}",
+                         name_of(joint.point), in_file_units(length(arm)), name_of(centre), mechanism_.body(body).name,
+                         in_file_units(circle->radius.to_double()), in_file_units(misfit)});
         }
         if (!is_noise(misfit)) {
             pose_.remarks.push_back({Sentence::off_its_circle,
@@ -640,11 +664,13 @@ private:
             pose_.remarks.push_back(std::move(message));
         };
         if (is_refused(misfit)) {
-            const std::string onto = centres.size() == 1
-                                         ? "the foot of " + name_of(centres[0]) + " on the line"
-                                         : "the line of the centres " + name_of(centres[0]) + " and " + name_of(centres[1]);
-            return fail(joint.where, name + " is " + in_file_units(misfit) + " off " + onto + ", where the bodies touch; move " +
-                                         name + " there or correct the profile");
+            const Words onto = centres.size() == 1
+                                   ? Words("the foot of {0} on the line", "dal piede di {0} sulla retta", name_of(centres[0]))
+                                   : Words("the line of the centres {0} and {1}", "dalla retta dei centri {0} e {1}",
+                                           name_of(centres[0]), name_of(centres[1]));
+            return fail(joint.where, {"{0} is {1} off {2}, where the bodies touch; move {0} there or correct the profile",
+                                      "{0} dista {1} {2}, dove i corpi si toccano; spostarvi {0} o correggere il profilo", name,
+                                      in_file_units(misfit), onto});
         }
         if (claimed_twice(joint.point)) {
             if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::off_its_foot : Sentence::off_its_centres);

@@ -539,7 +539,7 @@ Fonts::Fonts(Fonts&&) noexcept = default;
 Fonts& Fonts::operator=(Fonts&&) noexcept = default;
 Fonts::~Fonts() = default;
 
-tl::expected<Fonts, std::string> Fonts::open() {
+tl::expected<Fonts, Words> Fonts::open() {
     const char* chosen = std::getenv("KINEGRAPH_FONT_DIR");
     const std::string directory = chosen != nullptr && *chosen != '\0' ? chosen : debian_directory;
     auto state = std::make_unique<State>();
@@ -551,9 +551,10 @@ tl::expected<Fonts, std::string> Fonts::open() {
         const unsigned glyphs = face != nullptr ? hb_face_get_glyph_count(face) : 0;
         if (glyphs == 0) {
             hb_face_destroy(face);
-            return tl::unexpected(
-                path + (f.blob ? " is no font" : " cannot be read") +
-                ": install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR");
+            return tl::unexpected(Words(
+                "{0} {1}: install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR",
+                "{0} {1}: installare il pacchetto Debian fonts-stix, o indicare la cartella dei suoi file in KINEGRAPH_FONT_DIR",
+                path, f.blob ? Words("is no font", "non è un font") : Words("cannot be read", "non si può leggere")));
         }
         f.font.reset(hb_font_create(face));  // its scale is the face's units for each em, so nothing is rounded
         f.unit = 1.0 / hb_face_get_upem(face);

@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/words.hpp"
 #include "render/ink/path.hpp"
 #include "render/text/glyphs.hpp"
 #include "render/text/rich_text.hpp"
@@ -44,7 +45,7 @@ struct ShapedLine {
 class Fonts final : public Glyphs {
 public:
     /// Opens the faces. Error: names the missing file and the Debian package (`fonts-stix`).
-    static tl::expected<Fonts, std::string> open();
+    static tl::expected<Fonts, Words> open();
     Fonts(Fonts&&) noexcept;
     Fonts& operator=(Fonts&&) noexcept;
     ~Fonts() override;
