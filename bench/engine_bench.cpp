@@ -105,7 +105,7 @@ void replay(benchmark::State& state, const std::string& text, bool with_forces) 
     Solution solution = *solve(read(text));
     std::vector<int> wanted;
     const auto want = [&](const auto& found) {
-        if (found.element() >= 0) wanted.push_back(found.element());
+        if (found.element() != none) wanted.push_back(found.element());
     };
     for (const PointMotion& point : solution.points) {
         want(point.velocity);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -12,16 +11,15 @@
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
-
 /// Bodies that hang together, as far as they have been joined.
 class Groups {
 public:
-    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int of(BodyIndex body) const {
-        int at = static_cast<int>(body);
-        while (parent_[at_index(at)] != at) at = parent_[at_index(at)];
-        return at;
+    explicit Groups(std::size_t count) {
+        for (const BodyIndex body : indices<BodyIndex>(count)) parent_.push_back(body);
+    }
+    BodyIndex of(BodyIndex body) const {
+        while (parent_[at_index(body)] != body) body = parent_[at_index(body)];
+        return body;
     }
     void join(const std::vector<BodyIndex>& bodies) {
         for (const BodyIndex body : bodies) {
@@ -31,7 +29,7 @@ public:
     }
 
 private:
-    std::vector<int> parent_;
+    std::vector<BodyIndex> parent_;
 };
 
 class Search {
@@ -54,10 +52,9 @@ private:
     std::vector<std::vector<PointIndex>> places() const {
         const double step = pose_.size.to_double() * 1e-9;
         std::map<std::pair<double, double>, std::vector<PointIndex>> by_place;
-        for (std::size_t i = 0; i < mechanism_.points.size(); ++i) {
-            const Vector& at = pose_.points[i];
-            by_place[{std::round(at.x.to_double() / step), std::round(at.y.to_double() / step)}].push_back(
-                static_cast<PointIndex>(i));
+        for (const PointIndex point : indices_of(mechanism_.points)) {
+            const Vector& at = pose_.at(point);
+            by_place[{std::round(at.x.to_double() / step), std::round(at.y.to_double() / step)}].push_back(point);
         }
         std::vector<std::vector<PointIndex>> places;
         for (auto& [at, points] : by_place) places.push_back(std::move(points));
@@ -67,9 +64,8 @@ private:
 
     void find_unjoined_pins() {
         std::vector<std::vector<BodyIndex>> carriers(mechanism_.points.size());
-        for (std::size_t body = 0; body < mechanism_.bodies.size(); ++body)
-            for (const PointIndex point : mechanism_.bodies[body].points)
-                carriers[at_index(point)].push_back(static_cast<BodyIndex>(body));
+        for (const BodyIndex body : indices_of(mechanism_.bodies))
+            for (const PointIndex point : mechanism_.body(body).points) carriers[at_index(point)].push_back(body);
         for (const std::vector<PointIndex>& place : places()) {
             Groups groups(mechanism_.bodies.size());
             for (const Joint& joint : mechanism_.joints)
@@ -91,13 +87,12 @@ private:
         named_.insert({first, second});
         found_.push_back(
             {Sentence::unjoined_pin,
-             {body(first), body(second), point(at), point(other == at ? PointIndex{-1} : other), hinge(at, first, second)}});
+             {body(first), body(second), point(at), point(other == at ? PointIndex() : other), hinge(at, first, second)}});
     }
 
     void find_loose_bodies() {
-        for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i) {
-            const auto index = static_cast<BodyIndex>(i);
-            const auto& joints = joints_of_[i];
+        for (const BodyIndex index : indices<BodyIndex>(mechanism_.bodies.size(), frame.next())) {
+            const auto& joints = joints_of_[at_index(index)];
             if (named_.contains(index) || joints.size() > 1) continue;
             if (joints.empty())
                 found_.push_back({Sentence::body_without_joint, {body(index), hinge_with_frame(index)}});
@@ -113,10 +108,9 @@ private:
     void find_groups_off_the_frame() {
         Groups groups(mechanism_.bodies.size());
         for (const Joint& joint : mechanism_.joints) groups.join(joint.bodies);
-        std::map<int, std::vector<BodyIndex>> apart;
-        for (std::size_t i = 1; i < mechanism_.bodies.size(); ++i)
-            if (const auto body = static_cast<BodyIndex>(i); groups.of(body) != groups.of(frame))
-                apart[groups.of(body)].push_back(body);
+        std::map<BodyIndex, std::vector<BodyIndex>> apart;
+        for (const BodyIndex body : indices<BodyIndex>(mechanism_.bodies.size(), frame.next()))
+            if (groups.of(body) != frame) apart[groups.of(body)].push_back(body);
         for (const auto& [root, bodies] : apart) {
             if (std::any_of(bodies.begin(), bodies.end(), [&](BodyIndex each) { return named_.contains(each); })) continue;
             Names names;
@@ -167,7 +161,7 @@ private:
                ", " + quoted(mechanism_.body(second).name) + "]}";
     }
     BodyName body(BodyIndex index) const { return {mechanism_.body(index).name}; }
-    PointName point(PointIndex index) const { return {index < 0 ? std::string() : mechanism_.point(index).name}; }
+    PointName point(PointIndex index) const { return {index == none ? std::string() : mechanism_.point(index).name}; }
 
     const Mechanism& mechanism_;
     const Pose& pose_;

@@ -101,14 +101,14 @@ PointIndex FormReader::look_up_point(JsonValue at, std::string_view name) {
     if (points_known_)
         fault(at, {"no point is named {0}{1}", "nessun punto si chiama {0}{1}", quoted(name),
                    did_you_mean(speller_.nearest(name, point_names_))});
-    return -1;
+    return none;
 }
 
 PointIndex FormReader::point(JsonValue value, bool in_array) {
-    if (!value) return -1;
+    if (!value) return none;
     if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
     wrong(value, {"a point's name", "il nome di un punto"});
-    return -1;
+    return none;
 }
 
 BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
@@ -117,19 +117,19 @@ BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
     if (bodies_known_)
         fault(at, {"no body is named {0}{1}", "nessun corpo si chiama {0}{1}", quoted(name),
                    did_you_mean(speller_.nearest(name, body_names_))});
-    return -1;
+    return none;
 }
 
 BodyIndex FormReader::body(JsonValue value) {
-    if (!value) return -1;
+    if (!value) return none;
     if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
     wrong(value, {"a body's name", "il nome di un corpo"});
-    return -1;
+    return none;
 }
 
 BodyIndex FormReader::moving_body(JsonValue value, const Words& why) {
     const BodyIndex found = body(value);
-    if (found == 0) fault(value, why);
+    if (found == frame) fault(value, why);
     return found;
 }
 
@@ -274,7 +274,7 @@ Bearing::Between FormReader::between(JsonValue value) {
     const JsonValue first = *value.begin();
     const JsonValue second = *++value.begin();
     const Bearing::Between ends{point(first, true), point(second, true)};
-    if (ends.from >= 0 && ends.from == ends.to)
+    if (ends.from != none && ends.from == ends.to)
         fault(value, {"a point and itself give no direction; name two points",
                       "un punto e se stesso non danno una direzione; indicare due punti"});
     return ends;

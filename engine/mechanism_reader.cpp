@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -159,7 +160,7 @@ private:
     // ----- points
 
     void register_point(JsonValue member) {
-        if (!points_by_name_.emplace(member.key(), static_cast<PointIndex>(point_names_.size())).second) return;
+        if (!points_by_name_.emplace(member.key(), PointIndex(point_names_.size())).second) return;
         point_names_.push_back(member.key());
         check_name(member, member.key());
     }
@@ -171,7 +172,7 @@ private:
         collected_ = &graph.targets;
         mechanism_.points.reserve(point_names_.size());
         for (const JsonValue member : points) {
-            const bool again = points_by_name_.at(member.key()) != static_cast<PointIndex>(mechanism_.points.size());
+            const bool again = points_by_name_.at(member.key()) != PointIndex(mechanism_.points.size());
             if (again) {
                 // A second one of the same name: its own faults are told, but it is not in the drawing.
                 const std::size_t kept = graph.targets.size();
@@ -189,12 +190,12 @@ private:
 
     void report_cycle(const std::vector<PointIndex>& cycle, const std::vector<JsonValue>& places) {
         constexpr std::size_t most_named = 12;
-        const auto name = [&](PointIndex i) { return quoted(point_names_[static_cast<std::size_t>(i)]); };
+        const auto name = [&](PointIndex i) { return quoted(point_names_[at_index(i)]); };
         Words chain = name(cycle.front());
         for (std::size_t i = 1; i < std::min(cycle.size(), most_named); ++i) chain += " → " + name(cycle[i]);
         if (cycle.size() > most_named) chain += Words(" → … ({0} points)", " → … ({0} punti)", std::to_string(cycle.size()));
         chain += " → " + name(cycle.front());
-        fault(places[static_cast<std::size_t>(cycle.front())],
+        fault(places[at_index(cycle.front())],
               cycle.size() == 1
                   ? Words("the point {0} is placed by itself; place it by others or by coordinates",
                           "il punto {0} è definito per mezzo di se stesso; definirlo con altri o con coordinate",
@@ -250,7 +251,7 @@ private:
         along.from = point(
             required(form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
         along.to = point(required(form, "to", {"the point towards which it is taken", "il punto verso cui si misura"}));
-        if (along.from >= 0 && along.from == along.to)
+        if (along.from != none && along.from == along.to)
             fault(form["to"], {"a point and itself give no line; name another",
                                "un punto e se stesso non danno una retta; indicarne un altro"});
         if (const JsonValue amount = one_of(form, {"distance", "ratio"})) {
@@ -323,7 +324,7 @@ private:
             line.by = LineCurve::By::to;
             line.to = point(how);
             const auto* through = std::get_if<PointIndex>(&line.through);
-            if (through != nullptr && *through >= 0 && *through == line.to)
+            if (through != nullptr && *through != none && *through == line.to)
                 fault(how, {"a point and itself give no line; name another",
                             "un punto e se stesso non danno una retta; indicarne un altro"});
         } else {
@@ -347,7 +348,7 @@ private:
             }
         }
         const auto add = [&](std::string_view name, std::string where) {
-            if (!bodies_by_name_.emplace(name, static_cast<BodyIndex>(body_names_.size())).second) return false;
+            if (!bodies_by_name_.emplace(name, BodyIndex(body_names_.size())).second) return false;
             body_names_.push_back(name);
             Body added;
             added.name = name;
@@ -366,11 +367,12 @@ private:
         }
     }
 
-    Body& body_at(BodyIndex index) { return mechanism_.bodies[static_cast<std::size_t>(index)]; }
+    Body& body_at(BodyIndex index) { return mechanism_.bodies[at_index(index)]; }
 
     void carry(BodyIndex on, PointIndex carried) {
-        if (on < 0 || carried < 0) return;
-        const std::uint64_t pair = (static_cast<std::uint64_t>(on) << 32U) | static_cast<std::uint64_t>(carried);
+        if (on == none || carried == none) return;
+        const std::uint64_t pair =
+            (static_cast<std::uint64_t>(on.number()) << 32U) | static_cast<std::uint64_t>(carried.number());
         if (carried_.insert(pair).second) body_at(on).points.push_back(carried);
     }
 
@@ -463,7 +465,7 @@ private:
         }
         if (const JsonValue arm = form["arm"]) {
             joint.arm = body(arm);
-            if (joint.connects(joint.arm) && joint.arm >= 0) {
+            if (joint.connects(joint.arm) && joint.arm != none) {
                 fault(arm, {"the carrier of the two gears is a third body", "il portatreno delle due ruote è un terzo corpo"});
             }
         }
@@ -477,7 +479,7 @@ private:
                               "due coppie con scorrimento si chiamano {0} (l’altra è {1}); dare a una un \"name\"",
                               quoted(joint.name), found->second});
             } else {
-                sliding_by_name_.emplace(joint.name, static_cast<JointIndex>(mechanism_.joints.size()));
+                sliding_by_name_.emplace(joint.name, JointIndex(mechanism_.joints.size()));
                 sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
             }
         }
@@ -513,14 +515,14 @@ private:
         const bool any_number = joint.pair().joins_many;
         if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
             fault(bodies, {"{0} are wanted here, not {1}", "qui servono {0}, non {1}",
-                           any_number ? Words({"two bodies or more", "due o più corpi"}, "due o più corpi")
-                                      : Words({"two bodies", "due corpi"}, "due corpi"),
+                           any_number ? Words("two bodies or more", "due o più corpi")
+                                      : Words("two bodies", "due corpi"),
                            described(bodies)});
         }
-        std::unordered_set<BodyIndex> seen;
+        std::set<BodyIndex> seen;
         for (const JsonValue name : bodies) {
             const BodyIndex connected = body(name);
-            if (connected >= 0 && !seen.insert(connected).second) {
+            if (connected != none && !seen.insert(connected).second) {
                 fault(name, {"the body {0} stands twice in one joint", "il corpo {0} compare due volte nella stessa coppia",
                              quoted(name.text())});
             }
@@ -535,7 +537,7 @@ private:
             joint.along = bearing(shape);
         } else {
             joint.arc = point(shape);
-            if (joint.arc >= 0 && joint.arc == joint.point)
+            if (joint.arc != none && joint.arc == joint.point)
                 fault(shape, {"a slot about its own pin has no radius; name the arc's centre",
                               "un glifo attorno al proprio perno non ha raggio; indicare il centro dell’arco"});
         }
@@ -555,7 +557,7 @@ private:
             return;
         }
         if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
-        bool complete = joint.bodies.size() == 2 && joint.bodies[0] >= 0 && joint.bodies[1] >= 0;
+        bool complete = joint.bodies.size() == 2 && joint.bodies[0] != none && joint.bodies[1] != none;
         if (shape) {
             if (!expect(shape, Kind::object, {"an object of profiles by body", "un oggetto con i profili per corpo"})) return;
             for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
@@ -566,7 +568,7 @@ private:
             if (joint.profiles.contains(on)) continue;
             const Body& owner = body_at(on);
             if (owner.circle) {
-                if (owner.circle->centre == joint.point && joint.point >= 0) {
+                if (owner.circle->centre == joint.point && joint.point != none) {
                     fault(place, {"the circle of body {0} has its centre at the contact itself",
                                   "la circonferenza del corpo {0} ha il centro nel contatto stesso", quoted(owner.name)});
                 }
@@ -596,8 +598,8 @@ private:
 
     bool read_profile(JsonValue member, Joint& joint) {
         const BodyIndex on = look_up_body(member, member.key());
-        if (on >= 0 && !joint.connects(on)) {
-            if (!joint.connects(-1)) {
+        if (on != none && !joint.connects(on)) {
+            if (!joint.connects(none)) {
                 fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia", quoted(member.key())});
             }
             return false;
@@ -615,7 +617,7 @@ private:
             joint.profiles.emplace(on, LineProfile{*along});
         } else if (shape.key() == "circle") {
             const PointIndex centre = point(shape);
-            if (centre >= 0 && centre == joint.point)
+            if (centre != none && centre == joint.point)
                 fault(shape, {"a circle about the contact itself has no radius; name its centre",
                               "una circonferenza attorno al contatto stesso non ha raggio; indicarne il centro"});
             joint.profiles.emplace(on, CircleProfile{centre});
@@ -626,12 +628,12 @@ private:
             }
             joint.profiles.emplace(on, TipProfile{});
         }
-        return on >= 0;
+        return on != none;
     }
 
-    /// A sliding joint by its name, or −1 with a fault; `remedy` is for those who name a joint of another kind.
+    /// A sliding joint by its name, or none with a fault; `remedy` is for those who name a joint of another kind.
     JointIndex sliding_joint(JsonValue value, const Words& remedy) {
-        if (!value || !expect(value, Kind::string, {"a joint's name", "il nome di una coppia"})) return -1;
+        if (!value || !expect(value, Kind::string, {"a joint's name", "il nome di una coppia"})) return none;
         const std::string name(value.text());
         if (const auto found = sliding_by_name_.find(name); found != sliding_by_name_.end()) return found->second;
         if (const auto other = other_joints_.find(name); other != other_joints_.end()) {
@@ -640,7 +642,7 @@ private:
             fault(value, {"no sliding joint is named {0}{1}", "nessuna coppia con scorrimento si chiama {0}{1}", quoted(name),
                           did_you_mean(speller_.nearest(name, sliding_names_))});
         }
-        return -1;
+        return none;
     }
 
     void wrong_kind(JsonValue joint, std::string_view kind, const Words& remedy) {
@@ -661,7 +663,7 @@ private:
                 form["joint"],
                 {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
                  "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
-            if (driver.joint >= 0 && mechanism_.joint(driver.joint).arc >= 0) {
+            if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
                 fault(form["joint"],
                       {"the slot of {0} is curved; drive a \"body\" instead",
                        "il glifo di {0} è curvo; comandare invece un corpo con \"body\"", quoted(form["joint"].text())});
@@ -707,7 +709,7 @@ private:
             frame_rests);
         if (const JsonValue base = form["relative to"]) {
             driver.relative_to = body(base);
-            if (driver.relative_to > 0 && driver.relative_to == driver.body)
+            if (driver.relative_to > frame && driver.relative_to == driver.body)
                 fault(base, {"a body does not turn against itself; name another",
                              "un corpo non ruota rispetto a se stesso; indicarne un altro"});
         }
@@ -790,7 +792,7 @@ private:
             if (bodies.is_array() && bodies.size() == 2) {
                 const JsonValue second = *++bodies.begin();
                 spring.bodies = {body(*bodies.begin()), body(second)};
-                if (spring.bodies[0] >= 0 && spring.bodies[0] == spring.bodies[1]) {
+                if (spring.bodies[0] != none && spring.bodies[0] == spring.bodies[1]) {
                     fault(second, {"the body {0} stands twice; a spring is between two bodies",
                                    "il corpo {0} compare due volte; una molla sta fra due corpi", quoted(second.text())});
                 }
@@ -859,7 +861,7 @@ private:
             couple.where = value.pointer();
             couple.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
             if (const JsonValue from = form["from"]) couple.from = body(from);
-            if (couple.body >= 0 && couple.body == couple.from) {
+            if (couple.body != none && couple.body == couple.from) {
                 fault(form["from"] ? form["from"] : form["body"],
                       form["from"] ? Words("a couple from a body on itself balances nothing; name another",
                                            "una coppia di forze da un corpo su se stesso non equilibra nulla; indicarne un altro")
@@ -875,7 +877,7 @@ private:
             actuator.where = value.pointer();
             const Words remedy("an actuator works in a prismatic joint", "un attuatore agisce in una coppia prismatica");
             actuator.joint = sliding_joint(form["joint"], remedy);
-            if (actuator.joint >= 0) {
+            if (actuator.joint != none) {
                 const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
                 if (!pair.is_sleeve()) wrong_kind(form["joint"], pair.key, remedy);
             }
@@ -1040,10 +1042,10 @@ private:
 };
 
 template <class Item>
-std::optional<int> named_in(const std::vector<Item>& items, std::string_view name) {
+std::optional<ListIndex<Item>> named_in(const std::vector<Item>& items, std::string_view name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
     if (found == items.end()) return std::nullopt;
-    return static_cast<int>(found - items.begin());
+    return ListIndex<Item>(found - items.begin());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// Of the largest force. The construction is exact, the check a system in doubles: a mechanism that a draw brings near a dead
 /// point loses what its condition number takes (generation keeps dyads 5° away), and 1e-9 leaves three orders for several in a

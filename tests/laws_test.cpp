@@ -279,7 +279,7 @@ struct Table {
     ProjectivePoint value(Drawing point) const {
         const Program& program = board.program();
         return std::get<ProjectivePoint>(
-            evaluate(program, givens_of(program, sketch.mechanism, pose), pose).values[static_cast<std::size_t>(point.element)]);
+            evaluate(program, givens_of(program, sketch.mechanism, pose), pose).values[at_index(point.element)]);
     }
 };
 
@@ -400,7 +400,7 @@ TEST(BoardLaw, ParallelogramTurnedBy17DegreesTranslatesItsCoupler) {
     EXPECT_NEAR(solution.bodies[2].omega->to_double(), 0, 1e-25);
     EXPECT_NEAR(solution.bodies[3].omega->to_double(), 3, 1e-25);
     for (const InstantCentre& centre : solution.centres) {
-        const bool of_coupler_or_cranks = (centre.first == 0 && centre.second == 2) || (centre.first == 1 && centre.second == 3);
+        const bool of_coupler_or_cranks = (centre.first == frame && centre.second == 2) || (centre.first == 1 && centre.second == 3);
         EXPECT_EQ(centre.at && centre.at->at_infinity(), of_coupler_or_cranks) << centre.first << "," << centre.second;
     }
 }

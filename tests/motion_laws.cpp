@@ -16,7 +16,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// The construction is exact and the check works in doubles. Each dyad's angle is at least 5°, so its 2×2 system loses at most a
 /// factor 1/sin² 5° ≈ 130 of the 2⁻⁵² of a double in its own quantity, and the refinement of the check takes most of that back;
@@ -54,7 +54,7 @@ private:
     using Pick = std::optional<Vector> PointMotion::*;
 
     const std::string& name(PointIndex point) const { return solution_.mechanism.points[at(point)].name; }
-    const std::string& body_name(int body) const { return solution_.mechanism.bodies[at(body)].name; }
+    const std::string& body_name(BodyIndex body) const { return solution_.mechanism.bodies[at(body)].name; }
     Exact omega(BodyIndex body) const { return body == 0 ? Exact() : solution_.bodies[at(body)].omega.value(); }
     Exact alpha(BodyIndex body) const { return body == 0 ? Exact() : solution_.bodies[at(body)].alpha.value(); }
 
@@ -213,7 +213,7 @@ private:
 
     // --- polygons ----------------------------------------------------------------------------------------------------------
     /// A term's vector as drawn by this statement, else as drawn before in the same figure.
-    std::optional<Vector> drawn(const Symbol& symbol, int statement) const {
+    std::optional<Vector> drawn(const Symbol& symbol, StatementIndex statement) const {
         const Protocol& protocol = solution_.protocol;
         const Plane plane = protocol.statements[at(statement)].section == Topic::velocity ? Plane::velocity : Plane::acceleration;
         const auto is_of_it = [&](int polygon) {

@@ -214,7 +214,7 @@ TEST(Pose, CurvesThatDoNotMeetSayByHowMuch) {
     EXPECT_NE(refused(line).message.find("passes 100 mm from the centre, 50 mm too far"), std::string::npos);
     Sketch parallel = s;
     parallel.mechanism.points.pop_back();
-    parallel.meet("B", s.line("A", "30"), LineCurve{at("0", "0.01"), LineCurve::By::angle, degrees("210"), -1, {}});
+    parallel.meet("B", s.line("A", "30"), LineCurve{at("0", "0.01"), LineCurve::By::angle, degrees("210"), none, {}});
     EXPECT_NE(refused(parallel).message.find("they are parallel"), std::string::npos);
 }
 

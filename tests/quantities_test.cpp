@@ -147,10 +147,10 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
         int last = -1;
         for (const AppliedForce& applied : body.forces) {
             const bool sought = applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort;
-            ASSERT_EQ(applied.force_statement >= 0, sought) << name_of(applied.symbol);
+            ASSERT_EQ(applied.force_statement != none, sought) << name_of(applied.symbol);
             if (!sought) continue;
             last = std::max(last, applied.force_statement);
-            const Statement& statement = solution.protocol.statements[static_cast<std::size_t>(applied.force_statement)];
+            const Statement& statement = solution.protocol.statements[at_index(applied.force_statement)];
             EXPECT_EQ(statement.section, Topic::forces);
             if (applied.kind == AppliedForce::Kind::reaction) {
                 EXPECT_GE(applied.line_statement, 0);

@@ -10,7 +10,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// Adds loads, weights, springs and efforts of every kind to the file of a random mechanism.
 class Loading {
@@ -49,7 +49,7 @@ private:
     const std::string& name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
     const std::string& point_name(PointIndex point) const { return mechanism_.points[at(point)].name; }
 
-    BodyIndex any_body() { return random_.whole(1, static_cast<int>(mechanism_.bodies.size()) - 1); }
+    BodyIndex any_body() { return BodyIndex(random_.whole(1, static_cast<int>(mechanism_.bodies.size()) - 1)); }
     BodyIndex body_with_points() {
         for (;;) {
             const BodyIndex body = any_body();

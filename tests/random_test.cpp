@@ -18,7 +18,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 void hold(std::uint64_t seed) {
     const RandomMechanism random = random_mechanism(seed);
@@ -98,7 +98,7 @@ TEST(RandomMechanismsDrivenElsewhere, NothingIsLeftOutInSilence) {
     ASSERT_TRUE(mechanism);
     const auto body = mechanism->body_named("9");
     ASSERT_TRUE(body);
-    mechanism->drivers = {SpinDriver{*body, 0, 2, 1, "/drivers/0"}};
+    mechanism->drivers = {SpinDriver{*body, frame, 2, 1, "/drivers/0"}};
     const auto solution = solve(*mechanism);
     ASSERT_TRUE(solution);
     expect_whole_motion(*solution);

@@ -16,11 +16,11 @@
 namespace kinegraph::tests {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 std::vector<int> results_of(Solution solution) {
-    std::vector<int> elements;
-    for_each_found(solution, [&](int& element, auto&) { elements.push_back(element); });
+    std::vector<ElementIndex> elements;
+    for_each_found(solution, [&](ElementIndex& element, auto&) { elements.push_back(element); });
     return elements;
 }
 
@@ -35,7 +35,7 @@ std::vector<double> numbers(const ValueOf<double>& value) {
     const auto& l = std::get<LineOf<double>>(value);
     return {l.a, l.b, l.c};
 }
-std::vector<double> replayed(const Replay& replay, int element, const Value& like) {
+std::vector<double> replayed(const Replay& replay, ElementIndex element, const Value& like) {
     if (std::holds_alternative<ProjectivePoint>(like)) return numbers(replay.point(element));
     if (std::holds_alternative<Vector>(like)) return numbers(replay.vector(element));
     return numbers(replay.scalar(element));
@@ -51,7 +51,7 @@ public:
             for (const double number : numbers(to_double(protocol.values[i]))) largest = std::max(largest, std::abs(number));
         }
     }
-    double of(int element) const { return largest_.at(kind_of(at(element))); }
+    double of(ElementIndex element) const { return largest_.at(kind_of(at(element))); }
 
 private:
     std::pair<Plane, bool> kind_of(std::size_t i) const {
@@ -90,8 +90,8 @@ int idle_strokes(const Solution& solution) {
     const Program& program = solution.protocol.program;
     std::vector<bool> needed(program.strokes.size(), false);
     Protocol drawn = solution.protocol;
-    for_each_drawn(drawn, [&](int& element) { needed[at(element)] = true; });
-    for (const int element : results_of(solution)) needed[at(element)] = true;
+    for_each_drawn(drawn, [&](ElementIndex& element) { needed[at(element)] = true; });
+    for (const ElementIndex element : results_of(solution)) needed[at(element)] = true;
     for (const Guard& guard : program.guards)
         for (const int input : guard.inputs)
             if (input >= 0) needed[at(input)] = true;
@@ -119,7 +119,7 @@ double difference_in_doubles(const Solution& solution) {
     if (replay.run()) return std::numeric_limits<double>::infinity();
     const LargestOfKind largest(protocol);
     double worst = 0;
-    for (const int element : results_of(solution)) {
+    for (const ElementIndex element : results_of(solution)) {
         const std::vector<double> exact = numbers(to_double(protocol.values[at(element)]));
         const std::vector<double> found = replayed(replay, element, protocol.values[at(element)]);
         for (std::size_t c = 0; c < exact.size(); ++c)

@@ -27,7 +27,7 @@ struct Sketch {
             if (mechanism.points[i].name == name) return static_cast<int>(i);
         }
         ADD_FAILURE() << "no point " << name;
-        return -1;
+        return none;
     }
     BodyIndex body(const std::string& name) {
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -50,7 +50,7 @@ struct Sketch {
     }
     CircleCurve circle(const std::string& centre, const char* radius) const { return {(*this)[centre], decimal(radius)}; }
     LineCurve line(const std::string& through, const char* angle) const {
-        return {(*this)[through], LineCurve::By::angle, degrees(angle), -1, {}};
+        return {(*this)[through], LineCurve::By::angle, degrees(angle), none, {}};
     }
     LineCurve line_to(const std::string& through, const std::string& to) const {
         return {(*this)[through], LineCurve::By::to, {}, (*this)[to], {}};
@@ -67,7 +67,7 @@ struct Sketch {
         for (const std::string& name : names) joint.bodies.push_back(body(name));
         joint.where = "/joints/" + std::to_string(mechanism.joints.size());
         for (const BodyIndex each : joint.bodies) {
-            auto& points = mechanism.bodies[static_cast<std::size_t>(each)].points;
+            auto& points = mechanism.bodies[at_index(each)].points;
             points.push_back(joint.point);
         }
         mechanism.joints.push_back(std::move(joint));
