@@ -288,8 +288,8 @@ TEST_F(CommandLine, ModulesAreLoadedByTheRunsAloneThatNeedThem) {
         const auto before = snapshot();
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 4) << arguments;
-        EXPECT_TRUE(
-            lines_are(outcome.err, "kinegraph: " + said + " by a module of the program, which cannot be loaded: .*")) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, "kinegraph: " + said + " by a module of the program, which cannot be loaded: .*"))
+            << arguments;
         EXPECT_EQ(changed_since(before), "") << arguments;
     };
     refused("solve four_bar.json -o b.svg", "Type is set");
