@@ -17,6 +17,10 @@ namespace {
 /// What may be lost to earlier roots before a small value is taken for what it looks like: 24 of the compass's bits.
 constexpr int bits_in_doubt = 24;
 
+/// Numbers longer than this, numerator and denominator together (some 75 digits), make every number behind them as long and show
+/// nothing on any drawing.
+constexpr std::size_t most_bits = 512;
+
 /// z = x·y as complex numbers: y turned by x's angle, |x| times as long.
 Vector turned(const Vector& x, const Vector& y) { return {x.x * y.x - x.y * y.y, x.x * y.y + x.y * y.x}; }
 
@@ -66,8 +70,14 @@ struct Candidates {
 
 class Drawing {
 public:
-    Drawing(const Mechanism& mechanism, int bits, int size_exponent) : mechanism_(mechanism), grid_(bits - size_exponent) {
+    Drawing(const Mechanism& mechanism, int bits, int size_exponent, std::size_t longest_given)
+        : mechanism_(mechanism), grid_(bits - size_exponent), rounds_(longest_given > most_bits) {
         pose_.bits = bits;
+        constexpr double digits_of_bit = 0.30103;  // log10 2
+        const auto digits = [](std::size_t of) { return Count{static_cast<int>(digits_of_bit * static_cast<double>(of))}; };
+        if (rounds_)
+            pose_.remarks.push_back(
+                {Sentence::rounded_givens, {digits(longest_given / 2), digits(static_cast<std::size_t>(bits))}});
         pose_.points.resize(mechanism.points.size());
         pose_.leftover.resize(mechanism.points.size());
         touched_.resize(mechanism.points.size(), false);
@@ -177,8 +187,11 @@ private:
     Vector on_grid(const Vector& a) const { return {rounded(a.x, grid_), rounded(a.y, grid_)}; }
     Exact grid_step() const { return Exact::power_of_two(-grid_); }
 
-    void set(const NamedPoint& named, const Vector& place, const Exact& leftover, bool is_touched) {
+    void set(const NamedPoint& named, const Vector& exact_place, const Exact& own_leftover, bool is_touched) {
         const auto index = static_cast<std::size_t>(&named - mechanism_.points.data());
+        const bool rounds = rounds_ && std::max(exact_place.x.bits(), exact_place.y.bits()) > most_bits;
+        const Vector place = rounds ? on_grid(exact_place) : exact_place;
+        const Exact leftover = rounds ? own_leftover + grid_step() : own_leftover;
         pose_.points[index] = place;
         pose_.leftover[index] = leftover;
         rough_x_[index] = place.x.to_double();
@@ -505,6 +518,11 @@ private:
         if (const auto* between = std::get_if<Bearing::Between>(&bearing.form)) return direction_between(*between, where);
         if (const auto* angle = std::get_if<Angle>(&bearing.form)) pose_.exact = pose_.exact && is_rational(*angle);
         Vector result = direction_of(bearing, pose_);
+        if (rounds_ && std::max(result.x.bits(), result.y.bits()) > most_bits) {
+            const int grid = pose_.bits - magnitude_of_length(result);
+            result = {rounded(result.x, grid), rounded(result.y, grid)};
+            pose_.exact = false;
+        }
         if (!result.is_zero()) return result;
         fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
         return std::nullopt;
@@ -683,7 +701,8 @@ private:
     }
 
     const Mechanism& mechanism_;
-    int grid_;  ///< coordinates are multiples of 2^-grid where they are inexact
+    int grid_;     ///< coordinates are multiples of 2^-grid where they are inexact
+    bool rounds_;  ///< some number of the file is too long to be kept
     Exact estimated_size_;
     Pose pose_;
     std::vector<bool> touched_;  ///< by PointIndex: the place depends on a leftover, its own or an earlier one
@@ -692,15 +711,27 @@ private:
     Errors errors_;
 };
 
-/// Power of two near the largest length that the file gives.
-int estimated_size(const Mechanism& mechanism) {
+/// Of the lengths that a file gives.
+struct Lengths {
+    int size = 0;             ///< power of two near the largest
+    std::size_t longest = 0;  ///< bits of the longest number
+};
+Lengths lengths_of(const Mechanism& mechanism) {
     Exact largest;
+    std::size_t longest = 0;
     std::optional<Vector> first;
-    const auto length_given = [&](const Exact& value) { largest = std::max(largest, abs(value)); };
+    const auto number_given = [&](const Exact& value) { longest = std::max(longest, value.bits()); };
+    const auto size_given = [&](const Exact& value) { largest = std::max(largest, abs(value)); };
+    const auto length_given = [&](const Exact& value) {
+        size_given(value);
+        number_given(value);
+    };
     const auto place_given = [&](const Vector& at) {
+        number_given(at.x);
+        number_given(at.y);
         if (!first) first = at;
-        length_given(at.x - first->x);
-        length_given(at.y - first->y);
+        size_given(at.x - first->x);
+        size_given(at.y - first->y);
     };
     const auto curve_given = [&](const Curve& curve) {
         if (const auto* circle = std::get_if<CircleCurve>(&curve)) length_given(circle->radius);
@@ -708,14 +739,14 @@ int estimated_size(const Mechanism& mechanism) {
     for (const NamedPoint& point : mechanism.points) {
         if (const auto* given = std::get_if<Coordinates>(&point.placement)) place_given(given->at);
         if (const auto* polar = std::get_if<Polar>(&point.placement)) length_given(polar->distance);
-        if (const auto* along = std::get_if<Along>(&point.placement); along != nullptr && !along->is_ratio)
-            length_given(along->amount);
+        if (const auto* along = std::get_if<Along>(&point.placement))
+            along->is_ratio ? number_given(along->amount) : length_given(along->amount);
         if (const auto* meet = std::get_if<Meet>(&point.placement)) {
             curve_given(meet->first);
             curve_given(meet->second);
         }
     }
-    return largest.is_zero() ? 0 : magnitude(largest);
+    return {largest.is_zero() ? 0 : magnitude(largest), longest};
 }
 
 }  // namespace
@@ -724,12 +755,13 @@ Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
     // The grid must suit the drawing's size, which is known only once it is drawn: two bits to spare, and a second drawing where
     // the lengths given are much larger than what they make (a long radius about a far centre).
     constexpr int spare = 2;
-    const int estimate = estimated_size(mechanism) - spare;
-    auto pose = Drawing(mechanism, bits, estimate).draw();
+    const Lengths given = lengths_of(mechanism);
+    const int estimate = given.size - spare;
+    auto pose = Drawing(mechanism, bits, estimate, given.longest).draw();
     if (!pose || pose->exact) return pose;
     const int true_size = magnitude(pose->size);
     if (true_size >= estimate) return pose;
-    return Drawing(mechanism, bits, true_size).draw();
+    return Drawing(mechanism, bits, true_size, given.longest).draw();
 }
 
 Vector direction_of(const Angle& angle, int bits) {

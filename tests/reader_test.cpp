@@ -27,7 +27,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 std::string lines_of(const Errors& errors) {
     std::string lines;
-    for (const Error& error : errors) lines += error.where + ": " + error.message + "\n";
+    for (const Error& error : errors) lines += error.where + ": " + error.message.en + "\n";
     return lines;
 }
 
@@ -376,7 +376,7 @@ TEST(JsonSource, KeepsLiteralsThatNoDoubleHolds) {
 TEST(JsonSource, TellsTheLineEvenBehindHugeNumbers) {
     const auto source = JsonSource::read("[1e400,\n -" + std::string(350, '1') + ".0,\n  x]");
     ASSERT_FALSE(source);
-    EXPECT_EQ(source.error()[0].message.substr(0, 18), "line 3, column 3: ");
+    EXPECT_EQ(source.error()[0].message.en.substr(0, 18), "line 3, column 3: ");
 }
 
 }  // namespace

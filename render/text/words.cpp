@@ -441,6 +441,8 @@ constexpr std::array fixed_words{
     FixedWords{"remarks", "Remarks", "Osservazioni"},
     FixedWords{"scale refused", "at the scale that the file asks for it does not fit the sheet.",
                "alla scala richiesta dal file non sta nel foglio."},
+    FixedWords{"names left out", "there is no room to read all names; left out are",
+               "non c’è spazio per leggere tutti i nomi; mancano"},
     FixedWords{"unsolved", "Not determined", "Non determinato"},
     FixedWords{"a remark", "remark", "osservazione"},
     FixedWords{"one unsolved", "unsolved", "non determinato"},
