@@ -214,7 +214,7 @@ struct ActOfMotion {
 struct RelativeMotionQuery {
     PointIndex point = none;
     BodyIndex observer = frame;          ///< the frame is fixed in this body …
-    PointIndex translating_with = none;  ///< … or, where it is one, it translates with this point
+    PointIndex translating_with = none;  ///< … or, where there is one, it translates with this point
     std::string where;
 };
 struct Find {
