@@ -40,7 +40,7 @@ Mechanism mechanism_of(const Data& data) {
         mechanism.points.push_back({name, Coordinates{place}, "/points/" + name});
     }
     ActOfMotion act;
-    act.body = 1;
+    act.body = BodyIndex(1);
     for (const auto& [name, value] : data.velocities) act.velocities.push_back({index(name), value});
     for (const auto& [name, value] : data.accelerations) act.accelerations.push_back({index(name), value});
     mechanism.motion = std::move(act);

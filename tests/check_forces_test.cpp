@@ -158,8 +158,8 @@ TEST(Forces, BeamOnAHingeAndARoller) {
     expect_force(s.on("B", "1"), 0, -r);
     expect_force(s.on("A", "2"), -1000, 3000 + q - r);
     EXPECT_EQ(s.forces.actions.size(), 4U);
-    EXPECT_EQ(s.forces.actions[0].on, 0);
-    EXPECT_EQ(s.forces.actions[0].from, 1);
+    EXPECT_EQ(s.forces.actions[0].on, frame);
+    EXPECT_EQ(s.forces.actions[0].from, BodyIndex(1));
 }
 
 TEST(Forces, BeamOnAHingeAndAnInclinedRoller) {
@@ -335,7 +335,7 @@ TEST(Forces, PinOfThreeBodiesIsInEquilibrium) {
     expect_force(s.on("C", "3"), 0, 0);
     expect_force(s.on("C", "2"), 500, 0);
     expect_force(s.on("D", "4"), 0, 200);
-    EXPECT_EQ(s.on("C", "4").from, -1);
+    EXPECT_EQ(s.on("C", "4").from, none);
 }
 
 TEST(Forces, FrameCountsAtAPinOfThree) {

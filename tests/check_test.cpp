@@ -300,7 +300,8 @@ TEST(Derivative, PointDrivenAlongALine) {
         s.meet("B", CircleCurve{s["A"], 1}, LineCurve{at("0", "0"), LineCurve::By::angle, degrees("90"), none, {}},
                Meet::Side::right);
         s.pin_slot("A", {"2", "1"}, at_angle("0")).pin_slot("B", {"2", "1"}, at_angle("90"));
-        s.mechanism.drivers.push_back(PointDriver{1, s["A"], at_angle("180"), decimal("-0.5"), decimal("0.25"), "/drivers/0"});
+        s.mechanism.drivers.push_back(
+            PointDriver{BodyIndex(1), s["A"], at_angle("180"), decimal("-0.5"), decimal("0.25"), "/drivers/0"});
         return s;
     };
     expect_derivatives({trammel, {{"2", "A"}, {"2", "B"}}}, "0.6", "0.5", "-0.25");
@@ -342,22 +343,22 @@ TEST(ClosedForm, ScotchYoke) {
 TEST(ClosedForm, RollingDiscsLowestPointAcceleratesUpwards) {
     Sketch s;
     s.point("C", "0", "0.5").point("P", "0", "0");
-    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{0}, LineProfile{at_angle("0")}}).spin("2", "-4");
+    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{PointIndex(0)}, LineProfile{at_angle("0")}}).spin("2", "-4");
     const NumericMotion motion = motion_of(s);
-    expect_near(motion.velocity(1, {0, decimal("0.5")}), 2, 0, 1e-14);
-    expect_near(motion.acceleration(1, {0, 0}), 0, 16 * 0.5, 1e-13);
-    expect_near(motion.acceleration(1, {0, decimal("0.5")}), 0, 0, 1e-13);
+    expect_near(motion.velocity(BodyIndex(1), {0, decimal("0.5")}), 2, 0, 1e-14);
+    expect_near(motion.acceleration(BodyIndex(1), {0, 0}), 0, 16 * 0.5, 1e-13);
+    expect_near(motion.acceleration(BodyIndex(1), {0, decimal("0.5")}), 0, 0, 1e-13);
 }
 
 TEST(ClosedForm, ActOfMotion) {
     Sketch s;
     s.point("A", "0", "0").point("B", "2", "0");
     s.body("2");
-    s.mechanism.bodies[1].points = {0, 1};
+    s.mechanism.bodies[1].points = {PointIndex(0), PointIndex(1)};
     ActOfMotion act;
-    act.body = 1;
-    act.velocities = {{0, Vector{1, 1}}, {1, at_angle("0")}};
-    act.accelerations = {{0, Vector{0, 0}}, {1, at_angle("90")}};
+    act.body = BodyIndex(1);
+    act.velocities = {{PointIndex(0), Vector{1, 1}}, {PointIndex(1), at_angle("0")}};
+    act.accelerations = {{PointIndex(0), Vector{0, 0}}, {PointIndex(1), at_angle("90")}};
     s.mechanism.motion = act;
     const NumericMotion motion = motion_of(s);
     EXPECT_TRUE(motion.bodies[1].velocity_known);
@@ -379,7 +380,7 @@ TEST(Known, AFreeBodyLeavesTheOthersKnown) {
     EXPECT_TRUE(motion.bodies[1].velocity_known);
     EXPECT_TRUE(motion.bodies[1].acceleration_known);
     EXPECT_FALSE(motion.bodies[2].velocity_known);
-    expect_near(motion.acceleration(1, {1, 0}), -1, 1, 1e-14);
+    expect_near(motion.acceleration(BodyIndex(1), {1, 0}), -1, 1, 1e-14);
 }
 
 /// A parallelogram with a middle crank: one constraint too many, and consistent.

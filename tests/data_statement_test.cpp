@@ -81,7 +81,7 @@ TEST_P(DataStatement, IsAlwaysOneOfTheSolution) {
     for (const Element& each : sheet(solution).elements) {
         if (!each.own) continue;
         ++told;
-        EXPECT_GE(each.statement, 0);
+        EXPECT_NE(each.statement, none);
         EXPECT_LT(at_index(each.statement), solution.protocol.statements.size());
     }
     EXPECT_GT(told, solution.protocol.statements.size());
@@ -107,7 +107,7 @@ TEST_P(DataStatement, StandsOnEveryVectorAndLineOfThePolygonsOfMotion) {
         EXPECT_TRUE(std::includes(drawn.begin(), drawn.end(), vectors.begin(), vectors.end())) << polygon.id;
         for (const DrawnLine& line : solution.protocol.lines) {
             if (line.polygon != static_cast<int>(p) || solution.protocol.line(line.line).at_infinity()) continue;
-            EXPECT_TRUE(lines.contains(line.statement)) << polygon.id << ", statement " << line.statement;
+            EXPECT_TRUE(lines.contains(line.statement)) << polygon.id << ", statement " << line.statement.number();
         }
     }
 }
@@ -181,11 +181,11 @@ TEST(DataStatement, NamesTheStatementsOfTheForcesOfTheGate) {
 
 TEST(DataStatement, LeavesOutWhatTheGroupRoundItSays) {
     Page page;
-    page.marks.emplace_back(GroupBegin{"vector", "a", "", {}, 3});
+    page.marks.emplace_back(GroupBegin{"vector", "a", "", {}, StatementIndex(3)});
     page.marks.emplace_back(line({0, 0}, {10, 0}, {}));
-    belong(page.marks, 1, 3);
+    belong(page.marks, 1, StatementIndex(3));
     page.marks.emplace_back(line({0, 0}, {10, 10}, {}));
-    belong(page.marks, 2, 4);
+    belong(page.marks, 2, StatementIndex(4));
     page.marks.emplace_back(GroupEnd{});
     const std::string svg = to_svg(page, fonts());
     EXPECT_NE(svg.find("<g class=\"vector\" id=\"a\" data-statement=\"3\">"), std::string::npos) << svg;

@@ -101,7 +101,7 @@ private:
     }
 
     void spring(const std::string& number, BodyIndex body, PointIndex point) {
-        const BodyIndex other = random_.chance(20) ? 0 : body_with_points();
+        const BodyIndex other = random_.chance(20) ? frame : body_with_points();
         if (other == body || mechanism_.bodies[at(other)].points.empty()) return;
         const PointIndex end = point_of(other);
         // Ends that coincide have no direction to pull in: a refusal, tested elsewhere.
@@ -121,9 +121,9 @@ private:
         if (kind == 2 && slides.empty()) kind = 0;
         if (kind == 0) {
             const BodyIndex body = any_body();
-            const BodyIndex from = random_.chance(20) ? any_body() : 0;
+            const BodyIndex from = random_.chance(20) ? any_body() : frame;
             efforts_.push_back("{\"couple\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +
-                               (from != 0 && from != body ? ", \"from\": " + quoted(name(from)) : "") + "}");
+                               (from != frame && from != body ? ", \"from\": " + quoted(name(from)) : "") + "}");
         } else if (kind == 1) {
             const BodyIndex body = body_with_points();
             efforts_.push_back("{\"force\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +

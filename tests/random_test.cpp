@@ -57,15 +57,16 @@ TEST(RandomMechanismsDrivenElsewhere, ObeyTheLawsOrSayWhyNot) {
         auto mechanism = read_mechanism(random.text, "seed " + std::to_string(seed));
         ASSERT_TRUE(mechanism);
         Random choice(seed);
-        const auto random_body = [&](int least) { return choice.whole(least, static_cast<int>(mechanism->bodies.size()) - 1); };
+        const auto random_body = [&](int least) {
+            return BodyIndex(choice.whole(least, static_cast<int>(mechanism->bodies.size()) - 1));
+        };
         const auto value = [&] { return Exact::ratio(choice.whole(1, 900), 100); };
         SpinDriver spin{random_body(1), random_body(0), value(), value(), "/drivers/0"};
-        if (spin.body == spin.relative_to) spin.relative_to = 0;
+        if (spin.body == spin.relative_to) spin.relative_to = frame;
         mechanism->drivers = {spin};
         std::vector<JointIndex> slides;
-        for (std::size_t j = 0; j < mechanism->joints.size(); ++j) {
-            if (mechanism->joints[j].along) slides.push_back(static_cast<JointIndex>(j));
-        }
+        for (const JointIndex joint : indices_of(mechanism->joints))
+            if (mechanism->joint(joint).along) slides.push_back(joint);
         if (!slides.empty() && choice.chance(50)) {
             const JointIndex slide = slides[at(choice.whole(0, static_cast<int>(slides.size()) - 1))];
             mechanism->drivers = {SlideDriver{slide, value(), value(), "/drivers/0"}};

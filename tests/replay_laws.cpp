@@ -18,7 +18,7 @@ namespace {
 
 std::size_t at(auto index) { return at_index(index); }
 
-std::vector<int> results_of(Solution solution) {
+std::vector<ElementIndex> results_of(Solution solution) {
     std::vector<ElementIndex> elements;
     for_each_found(solution, [&](ElementIndex& element, auto&) { elements.push_back(element); });
     return elements;
@@ -64,8 +64,8 @@ private:
 std::string told(const Guard& guard) {
     static constexpr std::array names{"coincide", "parallel", "zero vector", "zero scalar", "on line",
                                       "sign",     "turn",     "along",       "longer"};
-    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0]) + " " +
-           std::to_string(guard.inputs[1]) + ": " + std::to_string(guard.verdict);
+    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0].number()) + " " +
+           std::to_string(guard.inputs[1].number()) + ": " + std::to_string(guard.verdict);
 }
 
 /// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of concurrency, is a
@@ -93,11 +93,11 @@ int idle_strokes(const Solution& solution) {
     for_each_drawn(drawn, [&](ElementIndex& element) { needed[at(element)] = true; });
     for (const ElementIndex element : results_of(solution)) needed[at(element)] = true;
     for (const Guard& guard : program.guards)
-        for (const int input : guard.inputs)
-            if (input >= 0) needed[at(input)] = true;
+        for (const ElementIndex input : guard.inputs)
+            if (input != none) needed[at(input)] = true;
     for (std::size_t i = needed.size(); i-- > 0;)
-        for (const int input : program.strokes[i].inputs)
-            if (input >= 0 && needed[i]) needed[at(input)] = true;
+        for (const ElementIndex input : program.strokes[i].inputs)
+            if (input != none && needed[i]) needed[at(input)] = true;
     return static_cast<int>(std::count(needed.begin(), needed.end(), false));
 }
 
@@ -180,8 +180,8 @@ bool expect_fresh_solution(const Solution& solution) {
     put_in_order(as_solved);
 
     std::vector<Value> exact_one, exact_two;
-    for_each_found(as_replayed, [&](int&, auto& value) { exact_one.emplace_back(value); });
-    for_each_found(as_solved, [&](int&, auto& value) { exact_two.emplace_back(value); });
+    for_each_found(as_replayed, [&](ElementIndex&, auto& value) { exact_one.emplace_back(value); });
+    for_each_found(as_solved, [&](ElementIndex&, auto& value) { exact_two.emplace_back(value); });
     EXPECT_EQ(exact_one.size(), exact_two.size());
     if (exact_one.size() != exact_two.size()) return true;
     for (std::size_t i = 0; i < exact_one.size(); ++i) {

@@ -24,17 +24,17 @@ struct Sketch {
 
     PointIndex operator[](const std::string& name) const {
         for (std::size_t i = 0; i < mechanism.points.size(); ++i) {
-            if (mechanism.points[i].name == name) return static_cast<int>(i);
+            if (mechanism.points[i].name == name) return PointIndex(i);
         }
         ADD_FAILURE() << "no point " << name;
         return none;
     }
     BodyIndex body(const std::string& name) {
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-            if (mechanism.bodies[i].name == name) return static_cast<int>(i);
+            if (mechanism.bodies[i].name == name) return BodyIndex(i);
         }
         mechanism.bodies.push_back({name, {}, {}, {}, "/bodies/" + name});
-        return static_cast<int>(mechanism.bodies.size()) - 1;
+        return BodyIndex(mechanism.bodies.size() - 1);
     }
     Bearing between(const std::string& from, const std::string& to) const {
         return {Bearing::Between{(*this)[from], (*this)[to]}};
@@ -100,7 +100,7 @@ struct Sketch {
         return *this;
     }
     Sketch& slide(int joint_index, const char* speed, const char* acceleration = "0") {
-        mechanism.drivers.push_back(SlideDriver{joint_index, decimal(speed), decimal(acceleration), "/drivers/0"});
+        mechanism.drivers.push_back(SlideDriver{JointIndex(joint_index), decimal(speed), decimal(acceleration), "/drivers/0"});
         return *this;
     }
 };

@@ -23,7 +23,7 @@ struct SceneVector {
     BodyIndex body = none;
     bool falls_out = false;           ///< an inner side of joined polygons
     bool has_right_angles = false;    ///< a line ⟂ to it through one of its ends is so by construction
-    StatementIndex statement = none;  ///< −1: it is given
+    StatementIndex statement = none;  ///< none: it is given
 };
 /// A line of the construction: through a support, as far as the meet that it is drawn for.
 struct SceneLine {
