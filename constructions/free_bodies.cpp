@@ -90,7 +90,7 @@ private:
             joints.push_back(mechanism_.joints[at(redundant.joint)].name);
         }
         if (repeated > 0) return {Sentence::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
-        return {Sentence::effort_without_work, {std::move(open)}};
+        return {efforts > 0 ? Sentence::effort_without_work : Sentence::beyond_trials, {std::move(open)}};
     }
 
     void explain(const Run& run, bool balanced) {

@@ -673,7 +673,10 @@ LineReason along_guide(const Mechanism& mechanism, JointIndex index, bool perpen
         }
     }
     const JointName guide = reader_name(mechanism, joint);
-    return {perpendicular ? LineReason::Kind::perpendicular_to_guide : LineReason::Kind::parallel_to_guide, guide.name, {}, guide.own};
+    return {perpendicular ? LineReason::Kind::perpendicular_to_guide : LineReason::Kind::parallel_to_guide,
+            guide.name,
+            {},
+            guide.own};
 }
 
 Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations) {

@@ -18,7 +18,6 @@
 
 namespace kinegraph {
 
-
 /// An angle as written: exact degrees or exact radians.
 struct Angle {
     Exact value;

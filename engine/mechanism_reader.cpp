@@ -282,12 +282,13 @@ private:
     /// Of two circles left or right; where a line meets a circle also which comes first on the line.
     Meet::Side side_of(JsonValue value, const Meet& meet) {
         using Side = Meet::Side;
-        const bool on_line = std::holds_alternative<LineCurve>(meet.first) || std::holds_alternative<LineCurve>(meet.second);
+        const bool first = std::holds_alternative<LineCurve>(meet.first), second = std::holds_alternative<LineCurve>(meet.second);
+        const bool on_line = first != second;
         constexpr std::array sides{std::pair{"left", Side::left}, std::pair{"right", Side::right},
                                    std::pair{"behind", Side::behind}, std::pair{"ahead", Side::ahead}};
         for (const auto& [word, side] : sides) {
             if (!value.is_string() || value.text() != word) continue;
-            if (side == Side::left || side == Side::right || on_line) return side;
+            if (side == Side::left || side == Side::right || first || second) return side;
             fault(value, {"{0} is a side on a line; of two circles take \"left\" or \"right\"",
                           "{0} è un lato su una retta; per due circonferenze scegliere \"left\" o \"right\"", quoted(word)});
             return Side::none;
@@ -515,8 +516,7 @@ private:
         const bool any_number = joint.pair().joins_many;
         if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
             fault(bodies, {"{0} are wanted here, not {1}", "qui servono {0}, non {1}",
-                           any_number ? Words("two bodies or more", "due o più corpi")
-                                      : Words("two bodies", "due corpi"),
+                           any_number ? Words("two bodies or more", "due o più corpi") : Words("two bodies", "due corpi"),
                            described(bodies)});
         }
         std::set<BodyIndex> seen;

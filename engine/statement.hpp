@@ -186,6 +186,7 @@ enum class Sentence {
     too_many_efforts,          ///< {0} count of efforts, {1} count of freedoms, {2} symbols (or absent)
     indeterminate,             ///< {0} how many times, {1} joints, {2} symbols (or absent)
     effort_without_work,       ///< {0} symbols (or absent)
+    beyond_trials,             ///< {0} symbols (or absent): too many unknowns hang together
     count_                     ///< not a sentence
 };
 /// Whether it is what stands before or after a colon, and no sentence by itself.

@@ -7,8 +7,8 @@
 
 namespace kinegraph::render {
 
-/// On a page of any size nobody reads more.
-constexpr std::size_t most_names = 120;
+/// On a page of any size nobody reads more: the richest example has 41.
+constexpr std::size_t most_names = 80;
 
 enum class Labelling {
     free,        ///< labels leave the room where nothing in it is free

@@ -390,6 +390,9 @@ constexpr std::array sentences{
     Row{Sentence::effort_without_work,
         "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit[; not determined: {0}]",
         "l’azione equilibrante non compie lavoro nel moto libero in questa configurazione: un punto morto, dove una forza cresce senza limite[; non determinate: {0}]"},
+    Row{Sentence::beyond_trials,
+        "no order of bodies resolves them, and more unknowns hang together than are tried at once[; not determined: {0}]",
+        "nessun ordine dei corpi le risolve, e le incognite legate fra loro sono più di quante se ne provino insieme[; non determinate: {0}]"},
 };
 
 struct FixedWords {
