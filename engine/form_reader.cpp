@@ -221,7 +221,7 @@ Exact FormReader::positive(JsonValue value, QuantityKind kind, const Words& what
 
 Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() < 0) fault(value, {"{0} must not be negative", "{0} non può essere negativo", what});
+    if (number && number->sign() < 0) fault(value, {"{0} must not be negative", "{0} non può avere valore negativo", what});
     return number.value_or(Exact());
 }
 

@@ -445,7 +445,7 @@ private:
         Joint joint;
         joint.kind = pair->kind;
         joint.where = value.pointer();
-        const Members form = members(value, keys_of(*pair), pair->called);
+        const Members form = members(value, keys_of(*pair), {pair->called, "una coppia \"{0}\"", pair->key});
         const JsonValue at = form[pair->key];
         joint.point = point(at);
         joint.name = at.is_string() ? at.text() : std::string_view();

@@ -133,7 +133,7 @@ TEST_F(CommandLine, SpeaksOneLanguage) {
         {"solve four_bar.json --lang it --paper A5", "kinegraph: --paper: .*A5.* non è fra .*"},
         {"solve four_bar.json --lang it --bogus", "kinegraph: argomento inatteso: --bogus.*"},
         {"solve four_bar.json --lang it -o a.bmp", "kinegraph: -o a.bmp: l’estensione .*"},
-        {"solve four_bar.json --lang it --figure forces", "four_bar.json: --figure forces: non c’è questa figura; .*"},
+        {"solve four_bar.json --lang it -o a.svg --figure forces", "four_bar.json: --figure forces: non c’è questa figura; .*"},
         {"diff four_bar.json four_bar.json --lang it", "four_bar.json: non è né PNG né SVG"},
     };
     for (const auto& row : rows) {
