@@ -10,10 +10,10 @@
 namespace kinegraph::app {
 
 tl::expected<const void*, Words> open_module(const std::string& name, const Words& purpose) {
-    std::error_code none;
+    std::error_code ignored;
     const std::string file = name + ".so";
-    const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
-    const std::filesystem::path path = exists(here / file, none) ? here / file : here / KINEGRAPH_MODULES / file;
+    const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    const std::filesystem::path path = exists(here / file, ignored) ? here / file : here / KINEGRAPH_MODULES / file;
     void* const module = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (module == nullptr)
         return tl::unexpected(Words("{0} by a module of the program, which cannot be loaded: {1}",

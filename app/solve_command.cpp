@@ -151,7 +151,7 @@ tl::expected<render::Theme, Status> theme_of(const std::string& name, Language l
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
 Words why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
-        case render::NoLever::none:
+        case render::NoLever::drawn:
             return {};
         case render::NoLever::no_forces:
             return {"no forces act, or none are asked for", "nessuna forza agisce o è richiesta"};

@@ -121,7 +121,7 @@ struct DrawnLine {
 };
 
 /// What a sentence is about: the section of the solution that it stands in.
-enum class Topic { none, velocity, acceleration, relative_motion, centres, forces };
+enum class Topic { unnamed, velocity, acceleration, relative_motion, centres, forces };
 /// As headings are looked up and results written: "relative motion".
 std::string_view name_of(Topic topic);
 
@@ -129,7 +129,7 @@ std::string_view name_of(Topic topic);
 struct Statement {
     Message message;
     std::optional<Equation> equation;
-    Topic section = Topic::none;
+    Topic section = Topic::unnamed;
     std::string source;             ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
     std::vector<Quantity> finds;    ///< ω, α and forces that it ends with, in the order it names them
     std::vector<BodyIndex> bodies;  ///< forces: the bodies it takes together

@@ -97,7 +97,7 @@ void Magnitudes::tie_together(double size) {
 
 double Magnitudes::of(const Quantity& quantity) const {
     switch (quantity.kind) {
-        case Kind::none:
+        case Kind::unnamed:
             return 0;
         case Kind::velocity:
         case Kind::sliding_velocity:

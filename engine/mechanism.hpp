@@ -66,7 +66,7 @@ using Curve = std::variant<CircleCurve, LineCurve>;
 struct Meet {
     Curve first, second;
     std::optional<Vector> near;
-    enum class Side { none, left, right, behind, ahead } side = Side::none;  ///< behind, ahead: on a line alone
+    enum class Side { either, left, right, behind, ahead } side = Side::either;  ///< behind, ahead: on a line alone
 };
 using Placement = std::variant<Coordinates, Polar, Along, Meet>;
 

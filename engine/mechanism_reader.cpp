@@ -291,11 +291,11 @@ private:
             if (side == Side::left || side == Side::right || first || second) return side;
             fault(value, {"{0} is a side on a line; of two circles take \"left\" or \"right\"",
                           "{0} è un lato su una retta; per due circonferenze scegliere \"left\" o \"right\"", quoted(word)});
-            return Side::none;
+            return Side::either;
         }
         wrong(value, on_line ? Words("\"behind\" or \"ahead\"", "\"behind\" o \"ahead\"")
                              : Words("\"left\" or \"right\"", "\"left\" o \"right\""));
-        return Side::none;
+        return Side::either;
     }
 
     Curve curve(JsonValue value) {

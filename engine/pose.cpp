@@ -352,7 +352,7 @@ private:
                  named.name});
             return std::nullopt;
         }
-        if (meet.side != Meet::Side::none) {
+        if (meet.side != Meet::Side::either) {
             // Circles: left and right of first centre → second. On a line both intersections lie on the line itself: they are
             // taken as they look when the line's direction points to the right, so that "right" is the one further along it.
             // (Seen from the centre they would change places whenever the centre crosses the line, as a crank pin does.)

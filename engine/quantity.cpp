@@ -18,7 +18,7 @@ public:
     std::string name(const Quantity& q) const {
         std::string whole = part_of_name(q) + stem(q);
         switch (q.component) {
-            case Quantity::Component::none:
+            case Quantity::Component::whole:
                 return whole;
             case Quantity::Component::x:
                 return whole + " x";
@@ -31,7 +31,7 @@ public:
 private:
     std::string stem(const Quantity& q) const {
         switch (q.kind) {
-            case Kind::none:
+            case Kind::unnamed:
                 return "";
             case Kind::velocity:
                 return "velocity " + carried(q);
@@ -113,7 +113,7 @@ std::string name_of(const Quantity& quantity, const Solution& solution) { return
 
 std::string_view name_of(Topic topic) {
     switch (topic) {
-        case Topic::none:
+        case Topic::unnamed:
             return "";
         case Topic::velocity:
             return "velocity";

@@ -13,7 +13,7 @@ struct Solution;
 
 struct Quantity {
     enum class Kind {
-        none,
+        unnamed,
         velocity,      ///< of `point` as `body` carries it; a part of it or seen by `other`: see `part`
         acceleration,  ///< the same
         omega,         ///< of `body`
@@ -29,7 +29,7 @@ struct Quantity {
         inertia,
         effort,        ///< `given` counts Mechanism::efforts
         virtual_power  ///< of all that acts from outside
-    } kind = Kind::none;
+    } kind = Kind::unnamed;
     BodyIndex body = none, other = none;
     PointIndex point = none;
     JointIndex joint = none;
@@ -37,7 +37,7 @@ struct Quantity {
     /// Of a velocity or an acceleration.
     enum class Part { whole, relative, normal, tangential, sliding, coriolis, transport } part = Part::whole;
     PointIndex seen_from = none;  ///< the point of `other` that a part is counted from
-    enum class Component { none, x, y } component = Component::none;
+    enum class Component { whole, x, y } component = Component::whole;
 
     // clang-tidy 14 takes the 0 that the compiler compares with for a pointer.
     friend auto operator<=>(const Quantity&, const Quantity&) = default;  // NOLINT(modernize-use-nullptr)

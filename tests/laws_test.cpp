@@ -76,7 +76,7 @@ Mechanism moved(const Similarity& by, Mechanism mechanism) {
             for (Curve* curve : {&meet->first, &meet->second}) {
                 if (auto* circle = std::get_if<CircleCurve>(curve)) circle->radius *= by.scale;
             }
-            if (by.mirrored && meet->side != Meet::Side::none)
+            if (by.mirrored && meet->side != Meet::Side::either)
                 meet->side = meet->side == Meet::Side::left ? Meet::Side::right : Meet::Side::left;
         }
     }

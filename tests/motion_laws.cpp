@@ -111,10 +111,10 @@ private:
     /// A centre's coordinates are measured by its distance from the mechanism: the check divides by ω_rel, and where that is a
     /// small difference of large spins the centre is far off.
     double reach_of_centre(const CheckRow& row) const {
-        const Quantity centre = row.quantity.along(Quantity::Component::none);
+        const Quantity centre = row.quantity.along(Quantity::Component::whole);
         double reach = solution_.pose.size.to_double();
         for (const CheckRow& other : solution_.checks) {
-            if (other.quantity.along(Quantity::Component::none) == centre) reach = std::max(reach, std::abs(other.numeric));
+            if (other.quantity.along(Quantity::Component::whole) == centre) reach = std::max(reach, std::abs(other.numeric));
         }
         return reach;
     }

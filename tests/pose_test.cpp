@@ -163,9 +163,9 @@ TEST(Pose, SideOnALineIsAlongItsDirectionWhereverTheCentreLies) {
 TEST(Pose, NearTakesTheNearerAndRefusesATie) {
     Sketch s;
     s.point("C", "0", "0").point("D", "6", "0");
-    s.point("P", Meet{s.circle("C", "5"), s.circle("D", "5"), at("0", "1"), Meet::Side::none});
+    s.point("P", Meet{s.circle("C", "5"), s.circle("D", "5"), at("0", "1"), Meet::Side::either});
     EXPECT_EQ(drawn(s).at(PointIndex(2)), (Vector{3, 4}));
-    s.point("Q", Meet{s.circle("C", "5"), s.circle("D", "5"), at("1", "0"), Meet::Side::none});
+    s.point("Q", Meet{s.circle("C", "5"), s.circle("D", "5"), at("1", "0"), Meet::Side::either});
     EXPECT_EQ(refused(s).where, "/points/Q");
     EXPECT_NE(refused(s).message.en.find("equally far"), std::string::npos);
 }

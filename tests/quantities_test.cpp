@@ -168,7 +168,7 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
     }
     for (const DrawnVector& vector : solution.protocol.vectors)
         if (solution.protocol.polygons[static_cast<std::size_t>(vector.polygon)].plane == Plane::force) {
-            EXPECT_NE(vector.quantity.kind, Kind::none) << name_of(vector.symbol);
+            EXPECT_NE(vector.quantity.kind, Kind::unnamed) << name_of(vector.symbol);
         }
 }
 

@@ -55,7 +55,7 @@ struct Sketch {
     LineCurve line_to(const std::string& through, const std::string& to) const {
         return {(*this)[through], LineCurve::By::to, {}, (*this)[to], {}};
     }
-    Sketch& meet(const std::string& name, Curve first, Curve second, Meet::Side side = Meet::Side::none) {
+    Sketch& meet(const std::string& name, Curve first, Curve second, Meet::Side side = Meet::Side::either) {
         return point(name, Meet{std::move(first), std::move(second), {}, side});
     }
 

@@ -59,7 +59,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
 
 /// Why there is none.
 enum class NoLever {
-    none,           ///< there is one
+    drawn,          ///< there is one
     no_forces,      ///< no body was cut free
     no_velocities,  ///< nothing is driven, or not all velocities are known
     nothing_moves,  ///< no force acts at a point that moves

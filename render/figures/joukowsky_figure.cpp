@@ -286,7 +286,7 @@ NoLever no_lever(const Solution& solution) {
     const bool any = std::any_of(entries.begin(), entries.end(), [](const VirtualWork::Entry& entry) {
         return !entry.force.is_zero() && !entry.velocity.is_zero();
     });
-    return any ? NoLever::none : NoLever::nothing_moves;
+    return any ? NoLever::drawn : NoLever::nothing_moves;
 }
 
 Box extent_of_lever(const Solution& solution) {
@@ -302,7 +302,7 @@ Box extent_of_lever(const Solution& solution) {
 }
 
 Figure joukowsky_figure(const DrawingContext& context, double room_x, double room_y) {
-    KG_ASSERT(no_lever(context.solution) == NoLever::none, "a lever needs a force that moves");
+    KG_ASSERT(no_lever(context.solution) == NoLever::drawn, "a lever needs a force that moves");
     const Lever lever(context);
     const Spot room{room_x, room_y};
     const FitPolicy policy{.room = room,

@@ -137,7 +137,7 @@ private:
     /// What one page adds.
     struct Step {
         std::string figure;  ///< name in wanted_, or "mechanism"
-        Topic section = Topic::none;
+        Topic section = Topic::unnamed;
         std::vector<StatementIndex> statements;
         std::vector<Block> rows;
         double height = 0;
@@ -192,7 +192,7 @@ private:
             joined.rows.push_back(paragraph(one_piece(word("polygons joined", context_.language))));
             steps_.push_back(std::move(joined));
         }
-        if (steps_.empty()) steps_.push_back({"mechanism", Topic::none, {}, {}, 0, false, true});
+        if (steps_.empty()) steps_.push_back({"mechanism", Topic::unnamed, {}, {}, 0, false, true});
     }
     /// Statements section by section, as each section is opened: a sliding told after the centres stands with its polygon. What
     /// is found a second time comes after the section that has found it.
@@ -505,7 +505,7 @@ private:
         return links.empty() ? joints : links;
     }
     std::string heading_of(const Step& step) const {
-        if (step.section == Topic::none) return word("steps", context_.language);
+        if (step.section == Topic::unnamed) return word("steps", context_.language);
         return word("steps " + std::string(name_of(step.section)), context_.language);
     }
 

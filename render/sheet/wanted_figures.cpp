@@ -158,7 +158,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
                            });
     }
     add_free_bodies();
-    if (joukowsky && no_lever(s) == NoLever::none) add_lever();
+    if (joukowsky && no_lever(s) == NoLever::drawn) add_lever();
 }
 
 void WantedFigures::add_lines_of_action() {

@@ -19,7 +19,7 @@ Block equation_block(const DrawingContext& context, const Equation& equation, do
 
 /// What stands between two rules of the table of results.
 struct RowGroup {
-    Topic section = Topic::none;
+    Topic section = Topic::unnamed;
     int polygon = -1;      ///< relative motion: one of Protocol::polygons
     bool couples = false;  ///< after the forces
 
