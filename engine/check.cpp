@@ -49,7 +49,8 @@ struct Solved {
 /// Solves the rows in the least-squares sense with one step of refinement in long double.
 class System {
 public:
-    System(const std::vector<Row>& rows, Eigen::Index columns) : columns_(columns) {
+    /// `rounding`: to which share of the drawing's size its points are good.
+    System(const std::vector<Row>& rows, Eigen::Index columns, double rounding) : columns_(columns) {
         matrix_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             for (const auto& [column, factor] : rows[i].terms) matrix_(static_cast<Eigen::Index>(i), column) += factor;
@@ -61,10 +62,14 @@ public:
             if (largest > 0) scale_[j] = 1 / largest;
         }
         matrix_ = matrix_ * scale_.asDiagonal();
+        // An entry is off by the rounding of its points, once more than that where the body is small; a pivot by a few entries.
+        constexpr double entries = 16;
+        const double doubt = entries * rounding * scale_.maxCoeff();
+        nothing_ = std::max(nothing_, doubt);
         if (matrix_.rows() == columns && columns > 0) {
             square_.compute(matrix_);
             // Doubles leave about 1e-16 where an exact matrix is singular; well above that it is regular.
-            constexpr double regular = 1e-12;
+            const double regular = std::max(1e-12, doubt);
             // (The estimate of the condition means nothing beside a pivot that vanishes.)
             const auto pivots = square_.matrixLU().diagonal().cwiseAbs();
             if (pivots.minCoeff() > regular * pivots.maxCoeff() && square_.rcond() > regular) {
@@ -75,7 +80,7 @@ public:
         if (matrix_.rows() == 0) return;
         // A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant constraint.
         constexpr double rank_threshold = 1e-9;
-        orthogonal_.setThreshold(rank_threshold);
+        orthogonal_.setThreshold(std::max(rank_threshold, doubt));
         orthogonal_.compute(matrix_);
     }
 
@@ -110,10 +115,9 @@ private:
         return orthogonal_.colsPermutation() * x;
     }
     void mark_known(const Eigen::VectorXd& right, const Eigen::VectorXd& x, std::vector<bool>& known) const {
-        constexpr double nothing = 1e-8;
         // Equations that contradict each other (a driver at a dead point) determine nothing.
         const double largest = std::max(right.cwiseAbs().maxCoeff(), x.cwiseAbs().maxCoeff());
-        if (residual(right, x).cwiseAbs().maxCoeff() > nothing * largest) return;
+        if (residual(right, x).cwiseAbs().maxCoeff() > nothing_ * largest) return;
         const Eigen::Index rank = orthogonal_.rank();
         const Eigen::Index free = columns_ - rank;
         Eigen::MatrixXd null(columns_, free);
@@ -125,7 +129,7 @@ private:
             null = orthogonal_.colsPermutation() * null;
         }
         for (Eigen::Index j = 0; j < columns_; ++j) {
-            known[static_cast<std::size_t>(j)] = free == 0 || null.row(j).cwiseAbs().maxCoeff() < nothing;
+            known[static_cast<std::size_t>(j)] = free == 0 || null.row(j).cwiseAbs().maxCoeff() < nothing_;
         }
     }
 
@@ -133,6 +137,7 @@ private:
     Eigen::MatrixXd matrix_;
     Eigen::VectorXd scale_;
     bool is_regular_ = false;
+    double nothing_ = 1e-8;  ///< what is smaller, relative to the largest, is zero
     Eigen::PartialPivLU<Eigen::MatrixXd> square_;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> orthogonal_;
 };
@@ -143,6 +148,7 @@ public:
         : mechanism_(mechanism),
           pose_(pose),
           size_(pose.size.to_double()),
+          rounding_(pose.rounding()),
           columns_(3 * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1)) {
         motion_.bodies.resize(mechanism.bodies.size());
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -165,7 +171,7 @@ public:
         if (mechanism_.motion) write(*mechanism_.motion);
         if (columns_ == 0) return std::move(motion_);
 
-        const System velocities(rows_, columns_);
+        const System velocities(rows_, columns_, rounding_);
         take(velocities.solve(right_side([](const Row& row) { return row.velocity; })), &NumericMotion::BodyState::velocity,
              &NumericMotion::BodyState::omega, &NumericMotion::BodyState::velocity_known);
 
@@ -186,8 +192,8 @@ public:
             row.acceleration = second_order().value_or(0);
             rows_.push_back(std::move(row));
         }
-        const auto solved =
-            all_known ? velocities.solve(right_side(acceleration)) : System(rows_, columns_).solve(right_side(acceleration));
+        const auto solved = all_known ? velocities.solve(right_side(acceleration))
+                                      : System(rows_, columns_, rounding_).solve(right_side(acceleration));
         take(solved, &NumericMotion::BodyState::acceleration, &NumericMotion::BodyState::alpha,
              &NumericMotion::BodyState::acceleration_known);
         for (auto& body : motion_.bodies) body.acceleration_known = body.acceleration_known && body.velocity_known;
@@ -460,7 +466,7 @@ private:
 
     const Mechanism& mechanism_;
     const Pose& pose_;
-    double size_;
+    double size_, rounding_;
     Eigen::Index columns_;
     NumericMotion motion_;
     std::vector<Vector> references_;  ///< the states' references as exact places

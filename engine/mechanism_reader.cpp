@@ -52,15 +52,17 @@ private:
     // ----- the file
 
     void read_file(JsonValue root) {
-        const Members file = members(root,
-                                     {"$schema", "kinegraph", "title", "units", "frame", "points", "bodies", "joints", "drivers",
-                                      "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
-                                     "a mechanism");
+        const Members file =
+            members(root,
+                    {"$schema", "kinegraph", "title", "units", "precision", "frame", "points", "bodies", "joints", "drivers",
+                     "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
+                    "a mechanism");
         const JsonValue version = required(file, "kinegraph", "write \"kinegraph\": 1, the version of the format");
         if (version) read_version(version);
         if (file["$schema"]) expect(file["$schema"], Kind::string, "a text");
         if (file["title"]) mechanism_.title = words(file["title"]);
         read_units(file["units"]);
+        if (file["precision"]) mechanism_.precision = not_negative(file["precision"], QuantityKind::length, "\"precision\"");
         const JsonValue points = required(file, "points", "an object of points by name");
         const JsonValue bodies = required(file, "bodies", "an object of bodies by name");
         if (points && expect(points, Kind::object, "an object of points by name")) {
