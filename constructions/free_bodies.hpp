@@ -16,14 +16,14 @@ namespace kinegraph::statics {
 struct NamedMeet {
     std::string name;
     PlaceOnDrawing place;
-    int statement = -1;  ///< that names it first
+    StatementIndex statement = none;  ///< that names it first
 };
-using NamedMeets = std::map<int, std::vector<NamedMeet>>;
+using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
                       const NamedMeets& meets);
 
 /// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
-void note_first_use_of_lines(std::vector<FreeBody>& bodies);
+void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose);
 
 }  // namespace kinegraph::statics

@@ -13,14 +13,12 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 constexpr double nearly = 1e-3;
 
 /// A direction of the drawing as the file's own: of the join of two points, or of a joint's guide or normal; perhaps turned.
 struct NamedDirection {
     LineReason reason;
-    PointIndex from = -1, to = -1;  ///< of a join
+    PointIndex from, to;  ///< of a join
     bool is_turned = false;
 };
 
@@ -40,20 +38,20 @@ public:
     }
 
 private:
-    const Stroke& stroke(int element) const { return program_.strokes[at(element)]; }
-    const Given* given(int element) const {
+    const Stroke& stroke(ElementIndex element) const { return program_.strokes[at_index(element)]; }
+    const Given* given(ElementIndex element) const {
         const int index = stroke(element).given;
-        return index < 0 ? nullptr : &program_.givens[at(index)];
+        return index < 0 ? nullptr : &program_.givens[at_index(index)];
     }
-    PointIndex given_point(int element) const {
+    PointIndex given_point(ElementIndex element) const {
         const Given* found = given(element);
-        return found != nullptr && found->kind == Given::Kind::place ? found->index : -1;
+        return found != nullptr && found->kind == Given::Kind::place ? PointIndex(found->index) : PointIndex(none);
     }
-    const std::string& name(PointIndex point) const { return mechanism_.points[at(point)].name; }
+    const std::string& name(PointIndex point) const { return mechanism_.points[at_index(point)].name; }
 
-    std::optional<NamedDirection> direction(int element) const {
+    std::optional<NamedDirection> direction(ElementIndex element) const {
         const Stroke& made = stroke(element);
-        const int a = made.inputs[0], b = made.inputs[1];
+        const ElementIndex a = made.inputs[0], b = made.inputs[1];
         switch (made.verb) {
             case Verb::perpendicular:
             case Verb::turn: {
@@ -76,7 +74,7 @@ private:
         }
     }
     std::optional<NamedDirection> between(PointIndex from, PointIndex to) const {
-        if (from < 0 || to < 0) return std::nullopt;
+        if (from == none || to == none) return std::nullopt;
         return NamedDirection{{LineReason::Kind::parallel_to_segment, name(from), name(to)}, from, to, false};
     }
     std::optional<NamedDirection> of_joint(const Given& given) const {
@@ -84,9 +82,9 @@ private:
         if (given.kind != Kind::guide && given.kind != Kind::guide_unit && given.kind != Kind::normal) return std::nullopt;
         const bool guide = given.kind != Kind::normal;
         return NamedDirection{{guide ? LineReason::Kind::parallel_to_guide : LineReason::Kind::parallel_to_normal,
-                               mechanism_.joints[at(given.index)].name, ""},
-                              -1,
-                              -1,
+                               mechanism_.joints[at_index(given.index)].name, ""},
+                              none,
+                              none,
                               false};
     }
 
@@ -95,7 +93,7 @@ private:
         return {metres / unit.si.to_double(), unit.symbol};
     }
 
-    void look_at_directions(int first, int second) {
+    void look_at_directions(ElementIndex first, ElementIndex second) {
         auto one = direction(first), other = direction(second);
         if (!one || !other) return;
         const Vector d = direction_in(Memory{protocol_}, first), e = direction_in(Memory{protocol_}, second);
@@ -110,7 +108,7 @@ private:
             {Sentence::nearly_parallel, {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
     }
     static bool share_a_point(const NamedDirection& one, const NamedDirection& other) {
-        if (one.from < 0 || other.from < 0) return false;
+        if (one.from == none || other.from == none) return false;
         return one.from == other.from || one.from == other.to || one.to == other.from || one.to == other.to;
     }
     static bool turn(LineReason& reason) {
@@ -134,13 +132,13 @@ private:
         const PointIndex p = points[middle], from = points[(middle + 1) % 3], to = points[(middle + 2) % 3];
         const Vector along = pose_.at(to) - pose_.at(from);
         const double off = std::abs(cross(along, pose_.at(p) - pose_.at(from)).to_double()) / kinegraph::length(along);
-        if (!said_.insert({-1 - p, -1 - from}).second) return;
+        if (!lines_said_.insert({p, from}).second) return;
         messages_.push_back({Sentence::nearly_on_line, {PointName{name(p)}, Segment{name(from), name(to)}, length_said(off)}});
     }
 
-    void look_at_points(int first, int second) {
+    void look_at_points(ElementIndex first, ElementIndex second) {
         const PointIndex p = given_point(first), q = given_point(second);
-        if (p < 0 || q < 0) return;
+        if (p == none || q == none) return;
         const double apart = kinegraph::length(pose_.at(p) - pose_.at(q));
         if (!(apart < nearly * pose_.size.to_double()) || !said_.insert({first, second}).second) return;
         messages_.push_back({Sentence::nearly_coincident, {PointName{name(p)}, PointName{name(q)}, length_said(apart)}});
@@ -150,16 +148,17 @@ private:
     struct Memory {
         using Number [[maybe_unused]] = Exact;
         const Protocol& protocol;
-        const ProjectiveLine& line(int i) const { return protocol.line(i); }
-        const Vector& vector(int i) const { return protocol.vector(i); }
-        bool is_line(int i) const { return std::holds_alternative<ProjectiveLine>(protocol.values[at(i)]); }
+        const ProjectiveLine& line(ElementIndex i) const { return protocol.line(i); }
+        const Vector& vector(ElementIndex i) const { return protocol.vector(i); }
+        bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(protocol.values[at_index(i)]); }
     };
 
     const Mechanism& mechanism_;
     const Protocol& protocol_;
     const Program& program_;
     const Pose& pose_;
-    std::set<std::pair<int, int>> said_;
+    std::set<std::pair<ElementIndex, ElementIndex>> said_;
+    std::set<std::pair<PointIndex, PointIndex>> lines_said_;
     std::vector<Message> messages_;
 };
 
@@ -175,12 +174,12 @@ public:
     /// The worst of all bodies and points, where it is a hair.
     std::optional<Message> worst() {
         if (replay_.run()) return std::nullopt;
-        std::vector<int> spins;
+        std::vector<BodyIndex> spins;
         std::vector<double> before;
-        for (std::size_t body = 1; body < solution_.bodies.size(); ++body) {
-            const auto& omega = solution_.bodies[body].omega;
-            if (!omega || omega.element() < 0 || omega->is_zero()) continue;
-            spins.push_back(static_cast<int>(body));
+        for (const BodyIndex body : indices<BodyIndex>(solution_.bodies.size(), frame.next())) {
+            const auto& omega = solution_.bodies[at_index(body)].omega;
+            if (!omega || omega.element() == none || omega->is_zero()) continue;
+            spins.push_back(body);
             before.push_back(replay_.scalar(omega.element()));
         }
         const double size = solution_.pose.size.to_double();
@@ -195,9 +194,9 @@ public:
                 replay_.give(static_cast<int>(given), moved);
                 const bool holds = !replay_.run();
                 for (std::size_t i = 0; i < spins.size() && holds; ++i) {
-                    const double now = replay_.scalar(solution_.bodies[at(spins[i])].omega.element());
+                    const double now = replay_.scalar(solution_.bodies[at_index(spins[i])].omega.element());
                     const double share = std::abs(now / before[i] - 1) * size / step;
-                    if (share > worst.share) worst = {share, spins[i], program_.givens[given].index};
+                    if (share > worst.share) worst = {share, spins[i], PointIndex(program_.givens[given].index)};
                 }
             }
             replay_.give(static_cast<int>(given), to_double(givens_[given]));
@@ -210,14 +209,14 @@ public:
 private:
     struct Change {
         double share = 0;  ///< relative, for a move by the drawing's size
-        BodyIndex body = -1;
-        PointIndex point = -1;
+        BodyIndex body;
+        PointIndex point;
     };
     /// The precision that the file states, else one of the point's last digit as written, at most `most` (m).
     double last_digit(PointIndex point, double most) const {
         const Pose& pose = solution_.pose;
         if (!pose.precision.is_zero()) return pose.precision.to_double();
-        const auto* given = std::get_if<Coordinates>(&solution_.mechanism.points[at(point)].placement);
+        const auto* given = std::get_if<Coordinates>(&solution_.mechanism.points[at_index(point)].placement);
         if (given == nullptr) return most;
         Exact digit = solution_.mechanism.units.length.si;
         const auto is_written_to = [&](const Exact& value) { return (value / digit).rational().get_den() == 1; };
@@ -230,9 +229,9 @@ private:
         const Unit& unit = mechanism.units.length;
         constexpr int percent = 100;
         return {Sentence::hangs_on_a_hair,
-                {Symbol{Symbol::Letter::omega, mechanism.bodies[at(worst.body)].name, ""},
+                {Symbol{Symbol::Letter::omega, mechanism.bodies[at_index(worst.body)].name, ""},
                  Amount{percent * worst.share * move / solution_.pose.size.to_double(), "%"},
-                 PointName{mechanism.points[at(worst.point)].name}, Amount{move / unit.si.to_double(), unit.symbol}}};
+                 PointName{mechanism.points[at_index(worst.point)].name}, Amount{move / unit.si.to_double(), unit.symbol}}};
     }
 
     const Solution& solution_;
@@ -246,7 +245,7 @@ private:
 std::vector<Message> remarks_on_hairs(const Solution& solution) {
     std::vector<Message> remarks;
     for (const JointIndex joint : nearly_redundant_joints(solution.mechanism, solution.pose, solution.mobility))
-        remarks.push_back({Sentence::nearly_repeated, {PointName{solution.mechanism.joints[at(joint)].name}}});
+        remarks.push_back({Sentence::nearly_repeated, {PointName{solution.mechanism.joints[at_index(joint)].name}}});
     for (Message& remark : NearMisses(solution).told()) remarks.push_back(std::move(remark));
     if (auto remark = Sensitivity(solution).worst()) remarks.push_back(*std::move(remark));
     return remarks;

@@ -5,7 +5,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(Plane plane) { return static_cast<std::size_t>(plane); }
 
 /// An element as a vector: of a finite point its place, of a point at infinity its direction, of a scalar its value in x.
 Vector as_vector(const Value& value) {
@@ -17,28 +17,28 @@ Vector as_vector(const Value& value) {
 class Noise {
 public:
     Noise(const Protocol& protocol, const Pose& pose) : protocol_(protocol) {
-        largest_.vector[at(static_cast<int>(Plane::drawing))] = magnitude_of(pose.size);
+        largest_.vector[at(Plane::drawing)] = magnitude_of(pose.size);
         for (std::size_t i = 0; i < protocol.values.size(); ++i)
             std::visit([&](const auto& made) { largest_.note(protocol.program.strokes[i].plane, made); }, protocol.values[i]);
     }
 
     bool vanishes(const DrawnVector& drawn) const {
         const auto value = [&](const std::vector<Value>& values) {
-            return as_vector(values[at(drawn.tip)]) - as_vector(values[at(drawn.tail)]);
+            return as_vector(values[at_index(drawn.tip)]) - as_vector(values[at_index(drawn.tail)]);
         };
-        return is_noise(value, largest_.vector[at(static_cast<int>(plane_of(drawn.tip)))]);
+        return is_noise(value, largest_.vector[at(plane_of(drawn.tip))]);
     }
 
-    void clean(int element, Exact& value) const {
-        if (is_noise([&](const auto& values) { return as_vector(values[at(element)]); },
+    void clean(ElementIndex element, Exact& value) const {
+        if (is_noise([&](const auto& values) { return as_vector(values[at_index(element)]); },
                      largest_.beside_scalar(plane_of(element))))
             value = 0;
     }
-    void clean(int element, Vector& value) const {
-        const Magnitude<Exact>& unit = largest_.vector[at(static_cast<int>(plane_of(element)))];
+    void clean(ElementIndex element, Vector& value) const {
+        const Magnitude<Exact>& unit = largest_.vector[at(plane_of(element))];
         clean_components(element, unit, value.x, value.y);
     }
-    void clean(int element, ProjectivePoint& point) const {
+    void clean(ElementIndex element, ProjectivePoint& point) const {
         clean_components(
             element,
             point.at_infinity() ? magnitude_of(Vector{point.x, point.y}) : magnitude_of(Vector{point.w, 0}) * largest_.vector[0],
@@ -46,11 +46,11 @@ public:
     }
 
 private:
-    Plane plane_of(int element) const { return protocol_.program.strokes[at(element)].plane; }
+    Plane plane_of(ElementIndex element) const { return protocol_.program.strokes[at_index(element)].plane; }
 
-    void clean_components(int element, const Magnitude<Exact>& unit, Exact& x, Exact& y) const {
-        if (is_noise([&](const auto& values) { return Vector{as_vector(values[at(element)]).x, 0}; }, unit)) x = 0;
-        if (is_noise([&](const auto& values) { return Vector{0, as_vector(values[at(element)]).y}; }, unit)) y = 0;
+    void clean_components(ElementIndex element, const Magnitude<Exact>& unit, Exact& x, Exact& y) const {
+        if (is_noise([&](const auto& values) { return Vector{as_vector(values[at_index(element)]).x, 0}; }, unit)) x = 0;
+        if (is_noise([&](const auto& values) { return Vector{0, as_vector(values[at_index(element)]).y}; }, unit)) y = 0;
     }
 
     template <class Read>
@@ -72,7 +72,7 @@ private:
 void forget_noise(Solution& solution) {
     if (solution.protocol.shifted.empty()) return;
     const Noise noise(solution.protocol, solution.pose);
-    for_each_found(solution, [&](const int& element, auto& value) { noise.clean(element, value); });
+    for_each_found(solution, [&](const ElementIndex& element, auto& value) { noise.clean(element, value); });
     for (DrawnVector& drawn : solution.protocol.vectors) drawn.vanishes = noise.vanishes(drawn);
 }
 

@@ -14,6 +14,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/rounding.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -51,10 +53,7 @@ class System {
 public:
     /// `rounding`: to which share of the drawing's size its points are good.
     System(const std::vector<Row>& rows, Eigen::Index columns, double rounding) : columns_(columns) {
-        matrix_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            for (const auto& [column, factor] : rows[i].terms) matrix_(static_cast<Eigen::Index>(i), column) += factor;
-        }
+        matrix_ = matrix_of(rows, columns);
         // Columns to one size: a body's ω acts over its own length, which may be far smaller than the drawing.
         scale_ = Eigen::VectorXd::Ones(columns);
         for (Eigen::Index j = 0; j < columns && matrix_.rows() > 0; ++j) {
@@ -78,10 +77,35 @@ public:
             }
         }
         if (matrix_.rows() == 0) return;
-        // A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant constraint.
-        constexpr double rank_threshold = 1e-9;
         orthogonal_.setThreshold(std::max(rank_threshold, doubt));
         orthogonal_.compute(matrix_);
+    }
+
+    static Eigen::MatrixXd matrix_of(const std::vector<Row>& rows, Eigen::Index columns) {
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            for (const auto& [column, factor] : rows[i].terms) matrix(static_cast<Eigen::Index>(i), column) += factor;
+        return matrix;
+    }
+
+    /// Of rounded data: the rank ends at the first small pivot that the shifts of the data explain, instead of at a fixed one.
+    /// `shifted`: the same equations of the shifted drawings.
+    void end_rank_within(const std::vector<Eigen::MatrixXd>& shifted, double share) {
+        if (is_regular_ || matrix_.rows() == 0) return;
+        const Eigen::VectorXd pivots = orthogonal_.matrixQR().diagonal().cwiseAbs();
+        Eigen::VectorXd spread = Eigen::VectorXd::Zero(pivots.size());
+        for (const Eigen::MatrixXd& each : shifted) {
+            const Eigen::MatrixXd ordered = each * scale_.asDiagonal() * orthogonal_.colsPermutation();
+            const Eigen::HouseholderQR<Eigen::MatrixXd> other(ordered);
+            spread = spread.cwiseMax((other.matrixQR().diagonal().cwiseAbs() - pivots).cwiseAbs());
+        }
+        const double in_question = std::ldexp(orthogonal_.maxPivot(), -bits_in_question(share));
+        double threshold = rank_threshold;
+        constexpr double above = 1.000001;
+        for (Eigen::Index i = 0; i < pivots.size() && threshold == rank_threshold; ++i)
+            if (pivots[i] <= in_question && is_zero_within(pivots[i], spread[i]))
+                threshold = std::max(threshold, above * pivots[i] / orthogonal_.maxPivot());
+        orthogonal_.setThreshold(threshold);
     }
 
     Solved solve(const Eigen::VectorXd& right) const {
@@ -96,6 +120,9 @@ public:
     }
 
 private:
+    /// A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant constraint.
+    static constexpr double rank_threshold = 1e-9;
+
     Eigen::VectorXd residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const {
         Eigen::VectorXd miss(right.size());
         for (Eigen::Index i = 0; i < matrix_.rows(); ++i) {
@@ -164,14 +191,11 @@ public:
     }
 
     NumericMotion run() {
-        for (const Joint& joint : mechanism_.joints) write(joint, index_of(joint));
-        for (const Driver& driver : mechanism_.drivers) {
-            std::visit([&](const auto& form) { write(form); }, driver);
-        }
-        if (mechanism_.motion) write(*mechanism_.motion);
+        write_all();
         if (columns_ == 0) return std::move(motion_);
 
-        const System velocities(rows_, columns_, rounding_);
+        System velocities(rows_, columns_, rounding_);
+        if (pose_.is_rounded()) velocities.end_rank_within(shifted_matrices(), rounding_);
         take(velocities.solve(right_side([](const Row& row) { return row.velocity; })), &NumericMotion::BodyState::velocity,
              &NumericMotion::BodyState::omega, &NumericMotion::BodyState::velocity_known);
 
@@ -201,9 +225,24 @@ public:
     }
 
 private:
-    using SecondOrder = std::function<std::optional<double>()>;
+    void write_all() {
+        for (const Joint& joint : mechanism_.joints) write(joint, mechanism_.index_of(joint));
+        for (const Driver& driver : mechanism_.drivers) {
+            std::visit([&](const auto& form) { write(form); }, driver);
+        }
+        if (mechanism_.motion) write(*mechanism_.motion);
+    }
+    std::vector<Eigen::MatrixXd> shifted_matrices() const {
+        std::vector<Eigen::MatrixXd> matrices;
+        for (const ShiftedDrawing& each : *pose_.shifted) {
+            Check other(each.mechanism, each.pose);
+            other.write_all();
+            matrices.push_back(System::matrix_of(other.rows_, columns_));
+        }
+        return matrices;
+    }
 
-    int index_of(const Joint& joint) const { return static_cast<int>(&joint - mechanism_.joints.data()); }
+    using SecondOrder = std::function<std::optional<double>()>;
 
     template <class Side>
     Eigen::VectorXd right_side(Side side) const {
@@ -229,15 +268,15 @@ private:
         return {r[0] / size_, r[1] / size_};
     }
     void add_speed(Row& row, BodyIndex body, const Vector& place, const Pair& n, double sign) const {
-        if (body == 0) return;
+        if (body == frame) return;
         const Pair r = arm(body, place);
-        const Eigen::Index first = Eigen::Index{3} * (body - 1);
+        const Eigen::Index first = Eigen::Index{3} * (body.number() - 1);
         row.terms.push_back({first, sign * n[0]});
         row.terms.push_back({first + 1, sign * n[1]});
         row.terms.push_back({first + 2, sign * (r[0] * n[1] - r[1] * n[0])});
     }
     static void add_turn(Row& row, BodyIndex body, double sign) {
-        if (body != 0) row.terms.push_back({Eigen::Index{3} * (body - 1) + 2, sign});
+        if (body != frame) row.terms.push_back({Eigen::Index{3} * (body.number() - 1) + 2, sign});
     }
     void enter(Row row, double velocity, SecondOrder second_order) {
         row.velocity = velocity;
@@ -275,7 +314,7 @@ private:
     }
 
     // --- joints --------------------------------------------------------------------------------------------------------------
-    void write(const Joint& joint, int index) {
+    void write(const Joint& joint, JointIndex index) {
         switch (joint.kind) {
             case JointKind::revolute:
             case JointKind::weld:
@@ -289,7 +328,7 @@ private:
                 equal_turns(joint.bodies[0], joint.bodies[1]);
                 return;
             case JointKind::pin_slot:
-                if (joint.arc >= 0) {
+                if (joint.arc != none) {
                     slide_on_arc(joint);
                 } else {
                     slide(joint, index);
@@ -312,7 +351,7 @@ private:
     }
 
     /// P of i moves along u in j, at s:  a_i = a_j + 2ω_j z×(s u) + s̈ u,  so with n = z×u:  n·(a_i − a_j) = 2 ω_j s.
-    void slide(const Joint& joint, int index) {
+    void slide(const Joint& joint, JointIndex index) {
         const Pair u = unit(pose_.guides[at_index(index)]);
         slot_along(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), u);
     }
@@ -354,7 +393,7 @@ private:
 
     /// Rolling: the points in contact differ by ω_ij² / (1/x_i − 1/x_j) along n, x the centres' places along n (a line has 1/x =
     /// 0).
-    void roll(const Joint& joint, int index) {
+    void roll(const Joint& joint, JointIndex index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
         const Vector place = pose_.at(joint.point);
@@ -380,7 +419,7 @@ private:
     }
 
     /// Sliding contact: to second order a rod between the centres of curvature, or a pin at the one centre in a straight slot.
-    void touch(const Joint& joint, int index) {
+    void touch(const Joint& joint, JointIndex index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
         const Pair n = unit(pose_.normals[at_index(index)]);
@@ -412,7 +451,7 @@ private:
     /// Gears: equal speeds along the common tangent of the pitch curves. Seen from the arm k that holds both centres,
     ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds of the α; put into the accelerations at P, the
     /// terms of the arm cancel and the tangential components are equal (what is left lies along the normal). So too for a rack.
-    void mesh(const Joint& joint, int index) {
+    void mesh(const Joint& joint, JointIndex index) {
         const Pair t = unit(pose_.tangents[at_index(index)]);
         equal_speeds(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), t, 0, [] { return 0.0; });
     }
@@ -433,7 +472,7 @@ private:
     }
     void write(const PointDriver& driver) {
         const double second = driver.acceleration.to_double() / size_;
-        equal_speeds(driver.body, 0, pose_.at(driver.at), unit(direction_of(driver.along, pose_)),
+        equal_speeds(driver.body, frame, pose_.at(driver.at), unit(direction_of(driver.along, pose_)),
                      driver.speed.to_double() / size_, [=] { return second; });
     }
     void write(const ActOfMotion& motion) {

@@ -14,11 +14,11 @@ namespace kinegraph {
 
 /// One arc struck or line drawn to find a point, for the drawing and the words.
 struct PositionStep {
-    PointIndex point = -1;
+    PointIndex point = none;
     enum class How { given, polar, along, lines, line_and_circle, circles, moved_onto_curve } how = How::given;
     struct Arc {
         Vector centre;
-        PointIndex centre_point = -1;
+        PointIndex centre_point = none;
         Exact radius;
     };
     std::vector<Arc> arcs;  ///< the compass strokes
@@ -48,7 +48,7 @@ struct Pose {
     bool is_rounded() const { return shifted != nullptr; }
     /// The precision as a share of the drawing's size.
     double rounding() const { return precision.to_double() / size.to_double(); }
-    const Vector& at(PointIndex point) const { return points[static_cast<std::size_t>(point)]; }
+    const Vector& at(PointIndex point) const { return points[at_index(point)]; }
 };
 
 /// The same mechanism with its rounded numbers shifted within their precision, drawn.

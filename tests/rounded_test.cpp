@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "constructions/solve.hpp"
+#include "engine/rounding.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/solved.hpp"
 #include "tests/told.hpp"
@@ -50,13 +52,20 @@ void hold(const std::string& text) {
     if (testing::Test::HasFailure()) std::cerr << text;
 }
 
-TEST(RoundedRandomMechanisms, AreTheSame) {
-    for (std::uint64_t seed = 0; seed < unless_sanitized(250, 20); ++seed) {
+void hold_quarter(int quarter) {
+    const auto hold_seed = [](std::uint64_t seed) {
         const RandomMechanism random = random_mechanism(seed);
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + random.recipe);
         hold(random.text);
-    }
+        return true;
+    };
+    EXPECT_TRUE(kinegraph::hold_quarter(quarter, unless_sanitized(200, 16), hold_seed, testing::Test::HasFailure));
 }
+
+TEST(RoundedRandomMechanisms1, AreTheSame) { hold_quarter(0); }
+TEST(RoundedRandomMechanisms2, AreTheSame) { hold_quarter(1); }
+TEST(RoundedRandomMechanisms3, AreTheSame) { hold_quarter(2); }
+TEST(RoundedRandomMechanisms4, AreTheSame) { hold_quarter(3); }
 
 /// Places on a grid of whole millimetres, so that what is degenerate is so exactly.
 class DegenerateDraw {
@@ -145,7 +154,8 @@ TEST(RoundedDegenerateMechanisms, AreTheSame) {
                                                           {"limit", &DegenerateDraw::limit},
                                                           {"load through a pin", &DegenerateDraw::load_through_pin}};
     for (const auto& [name, draw] : draws)
-        for (std::uint64_t seed = 0; seed < unless_sanitized(50, 5) && !testing::Test::HasFailure(); ++seed) {
+        for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(unless_sanitized(50, 4)) && !testing::Test::HasFailure();
+             ++seed) {
             SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
             hold((DegenerateDraw(seed).*draw)());
         }
@@ -175,6 +185,97 @@ TEST(Rounded, FiveDigitsWithoutPrecisionAreRemarkedUponWhereTheyDecide) {
             EXPECT_FALSE(now->remarks.empty());
         }
     }
+}
+
+// --- one by one --------------------------------------------------------------------------------------------------------------
+
+std::string four_bar(const std::string& a, const std::string& b, const std::string& ground, const std::string& more = "") {
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"P": [0, 0], "A": )" + a + R"(, "B": )" + b +
+           R"(, "Q": )" + ground + R"(}, "bodies": {"2": ["P", "A"], "3": ["A", "B"], "4": ["Q", "B"]},
+        "joints": [{"revolute": "P", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]},
+        {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}], "drivers": [{"body": 2, "omega": 3}])" +
+           more + "}";
+}
+/// A, B and Q on a line, turned and rounded.
+std::string dead_point(const std::string& more = "") {
+    return four_bar("[16.8392864073146, 47.07906576486442]", "[90.94287734426234, 51.16046384021996]",
+                    "[140.3452713022275, 53.88139589045699]", more);
+}
+
+bool says(const std::vector<Message>& remarks, Sentence sentence) {
+    return std::any_of(remarks.begin(), remarks.end(), [&](const Message& each) { return each.sentence == sentence; });
+}
+
+TEST(Rounded, ADeadPointInSixteenDigitsIsOne) {
+    const Solution solution = tests::solved(dead_point());
+    EXPECT_FALSE(solution.unsolved.empty());
+    EXPECT_TRUE(solution.mobility.decided_by_precision);
+    EXPECT_TRUE(says(solution.remarks, Sentence::taken_as_rounded));
+}
+
+TEST(Rounded, TakenAtItsWordItExplodesAndSaysWhy) {
+    const Solution solution = tests::solved(dead_point(R"(, "precision": 0)"));
+    EXPECT_TRUE(solution.unsolved.empty());
+    EXPECT_GT(tests::excess_over_drivers(solution), 1e12);
+    EXPECT_TRUE(says(solution.remarks, Sentence::nearly_on_line));
+}
+
+TEST(Rounded, ANearMissIsMeasured) {
+    const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.02]", "[190, 40]"));
+    ASSERT_TRUE(says(solution.remarks, Sentence::nearly_on_line));
+    for (const Message& remark : solution.remarks) {
+        if (remark.sentence != Sentence::nearly_on_line) continue;
+        EXPECT_NEAR(std::get<Amount>(remark.arguments.at(2)).value, 0.02, 1e-9);
+        EXPECT_EQ(std::get<PointName>(remark.arguments.at(0)).name, "B");
+    }
+    EXPECT_TRUE(says(solution.remarks, Sentence::hangs_on_a_hair));
+    const Solution far = tests::solved(four_bar("[30, 40]", "[110, 60]", "[190, 40]"));
+    EXPECT_TRUE(far.remarks.empty()) << english(far.remarks.front());
+}
+
+/// ω₄ is B's speed over QB, and B's speed in proportion to 1 : sin(ABQ): a move of B across the line changes it by its share.
+TEST(Rounded, WhatTheLastDigitDoesIsTold) {
+    const auto omega_of = [](const char* b) { return *tests::solved(four_bar("[30, 40]", b, "[190, 40]")).bodies.at(3).omega; };
+    const Solution solution = tests::solved(four_bar("[30, 40]", "[110, 40.05]", "[190, 40]"));
+    ASSERT_TRUE(says(solution.remarks, Sentence::hangs_on_a_hair));
+    const double now = solution.bodies.at(3).omega->to_double(), moved = omega_of("[110, 40.0501]").to_double();
+    for (const Message& remark : solution.remarks) {
+        if (remark.sentence != Sentence::hangs_on_a_hair) continue;
+        const double percent = std::get<Amount>(remark.arguments.at(1)).value,
+                     by = std::get<Amount>(remark.arguments.at(3)).value;
+        EXPECT_NEAR(percent / by, 100 * std::abs(moved / now - 1) / 0.0001, 0.05 * percent / by);
+    }
+}
+
+TEST(Rounded, ShiftsAreWithinThePrecisionAndLeaveWhatIsExact) {
+    const auto mechanism = read_mechanism(four_bar("[30, 40.25]", "[110.5, 60]", "[190, 40]"), "test");
+    ASSERT_TRUE(mechanism);
+    const Exact precision = Exact::ratio(1, 100000);
+    const auto at = [](const Mechanism& of, std::size_t i) { return std::get<Coordinates>(of.points[i].placement).at; };
+    for (int sample = 0; sample < shifted_drawings; ++sample) {
+        const Mechanism once = shifted(*mechanism, precision, Exact::ratio(1, 10000), sample),
+                        again = shifted(*mechanism, precision, Exact::ratio(1, 10000), sample);
+        EXPECT_EQ(at(once, 0), at(*mechanism, 0));
+        EXPECT_EQ(at(once, 3), at(*mechanism, 3));
+        EXPECT_EQ(at(once, 1).x, at(*mechanism, 1).x);
+        const Exact move = abs(at(once, 1).y - at(*mechanism, 1).y);
+        EXPECT_TRUE(2 * move >= precision && move <= precision);
+        EXPECT_EQ(at(once, 1), at(again, 1));
+    }
+}
+
+TEST(Rounded, APrecisionIsALengthAndFine) {
+    const auto refused = [](const std::string& value) {
+        auto mechanism = read_mechanism(four_bar("[30, 40]", "[110, 60]", "[190, 40]", R"(, "precision": )" + value), "test");
+        if (!mechanism) return mechanism.error().front().where;
+        auto pose = draw_pose(*mechanism);
+        return pose ? std::string() : pose.error().front().where;
+    };
+    EXPECT_EQ(refused("0"), "");
+    EXPECT_EQ(refused("\"0.001 in\""), "");
+    EXPECT_EQ(refused("-1"), "/precision");
+    EXPECT_EQ(refused("\"1 s\""), "/precision");
+    EXPECT_EQ(refused("5"), "/precision") << "a fortieth of the drawing";
 }
 
 }  // namespace

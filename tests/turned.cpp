@@ -113,8 +113,6 @@ std::vector<std::string> verdicts_of(const Solution& solution) {
     return all;
 }
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 double distance(const Value& a, const Value& b) {
     if (const auto* p = std::get_if<ProjectivePoint>(&a)) return length(p->place() - std::get<ProjectivePoint>(b).place());
     if (const auto* v = std::get_if<Vector>(&a)) return length(*v - std::get<Vector>(b));
@@ -122,10 +120,10 @@ double distance(const Value& a, const Value& b) {
 }
 
 /// Four times what shifting the data does to an element; nothing where that is not to be allowed for.
-double spread_of(int element, const Protocol* amplified) {
+double spread_of(ElementIndex element, const Protocol* amplified) {
     double spread = 0;
-    for (std::size_t i = 0; amplified != nullptr && element >= 0 && i < amplified->shifted.size(); ++i)
-        spread = std::max(spread, 4 * distance(amplified->values[at(element)], amplified->shifted[i][at(element)]));
+    for (std::size_t i = 0; amplified != nullptr && element != none && i < amplified->shifted.size(); ++i)
+        spread = std::max(spread, 4 * distance(amplified->values[at_index(element)], amplified->shifted[i][at_index(element)]));
     return spread;
 }
 
@@ -163,7 +161,7 @@ void expect_same_centres(const Solution& as_given, const Solution& turned, doubl
     ASSERT_EQ(as_given.centres.size(), turned.centres.size());
     for (std::size_t i = 0; i < as_given.centres.size(); ++i) {
         const InstantCentre &a = as_given.centres[i], &b = turned.centres[i];
-        SCOPED_TRACE("centre " + std::to_string(a.first) + "," + std::to_string(a.second));
+        SCOPED_TRACE("centre " + std::to_string(a.first.number()) + "," + std::to_string(a.second.number()));
         EXPECT_EQ(a.everywhere, b.everywhere);
         EXPECT_EQ(a.at.has_value(), b.at.has_value());
         if (!a.at || !b.at) continue;
