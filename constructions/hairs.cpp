@@ -88,6 +88,14 @@ private:
                               false};
     }
 
+    /// The same two lines may have been asked about as several elements.
+    bool is_new(const LineReason& one, const LineReason& other) {
+        const std::pair pair(one, other);
+        const bool is_told = std::find(parallels_said_.begin(), parallels_said_.end(), pair) != parallels_said_.end();
+        if (!is_told) parallels_said_.push_back(pair);
+        return !is_told;
+    }
+
     Amount length_said(double metres) const {
         const Unit& unit = mechanism_.units.length;
         return {metres / unit.si.to_double(), unit.symbol};
@@ -103,7 +111,7 @@ private:
         if (one->is_turned != other->is_turned)
             for (NamedDirection* each : {&*one, &*other})
                 if (each->is_turned && !turn(each->reason)) return;
-        if (!said_.insert({first, second}).second) return;
+        if (!is_new(one->reason, other->reason)) return;
         messages_.push_back(
             {Sentence::nearly_parallel, {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
     }
@@ -159,6 +167,7 @@ private:
     const Pose& pose_;
     std::set<std::pair<ElementIndex, ElementIndex>> said_;
     std::set<std::pair<PointIndex, PointIndex>> lines_said_;
+    std::vector<std::pair<LineReason, LineReason>> parallels_said_;
     std::vector<Message> messages_;
 };
 

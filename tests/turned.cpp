@@ -180,6 +180,7 @@ void expect_same_centres(const Solution& as_given, const Solution& turned, doubl
 
 Mechanism turned(const Mechanism& mechanism, const Pose& pose, int digits) {
     Mechanism now = mechanism;
+    now.precision.reset();
     const Turner turner(digits);
     for (std::size_t i = 0; i < now.points.size(); ++i) {
         Vector place = pose.points[i];
