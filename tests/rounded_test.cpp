@@ -28,7 +28,7 @@ TEST(Rounded, EveryExampleIsTheSameInSixteenDigits) {
         SCOPED_TRACE(name);
         const Solution as_given = example(name);
         const auto now = solve(tests::turned(as_given.mechanism, as_given.pose, 16));
-        ASSERT_TRUE(now) << now.error().front().message;
+        ASSERT_TRUE(now) << now.error().front().message.en;
         EXPECT_TRUE(now->pose.is_rounded());
         tests::expect_same_but_turned(as_given, *now, 1e-9);
     }
@@ -42,7 +42,7 @@ void hold(const std::string& text) {
         Mechanism mechanism = tests::turned(as_given.mechanism, as_given.pose, digits);
         if (digits == 5) mechanism.precision = tests::precision_of(mechanism, digits);
         const auto now = solve(std::move(mechanism));
-        ASSERT_TRUE(now) << now.error().front().message;
+        ASSERT_TRUE(now) << now.error().front().message.en;
         tests::expect_same_but_turned(as_given, *now, digits == 5 ? 1e-3 : 1e-9, digits == 5);
     }
     const auto bare = solve(tests::turned(as_given.mechanism, as_given.pose, 5));
@@ -168,7 +168,7 @@ TEST(Rounded, EveryExampleIsTheSameInFiveDigitsWithTheirPrecision) {
         Mechanism mechanism = tests::turned(as_given.mechanism, as_given.pose, 5);
         mechanism.precision = tests::precision_of(mechanism, 5);
         const auto now = solve(std::move(mechanism));
-        ASSERT_TRUE(now) << now.error().front().message;
+        ASSERT_TRUE(now) << now.error().front().message.en;
         tests::expect_same_but_turned(as_given, *now, 1e-3);
     }
 }
