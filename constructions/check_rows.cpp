@@ -282,8 +282,10 @@ public:
     explicit Gaps(const Solution& solution) : solution_(solution), magnitudes_(solution) {}
 
     void hold(const Quantity& quantity, const Argument& name, double graphical, double numeric) {
-        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some digits.
-        constexpr double allowed = 1e3 * Magnitudes::noise;
+        // A thousand times the share below which a number is the check's rounding: near a dead point it loses some digits. Where
+        // constraints repeat each other within rounded data the two may rely on different ones.
+        constexpr double times_rounding = 256;
+        const double allowed = std::max(1e3 * Magnitudes::noise, times_rounding * solution_.pose.rounding());
         const double difference = graphical - numeric;
         if (std::abs(difference) <= allowed * magnitudes_.of(quantity)) return;
         const auto [at_kind, is_first] = worst_.try_emplace(quantity.kind);

@@ -336,12 +336,19 @@ private:
 
 }  // namespace
 
-void note_first_use_of_lines(std::vector<FreeBody>& bodies) {
+void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
+    // On rounded data a line passes a place that is as near as their precision, amplified a little, makes it.
+    constexpr double amplified = 64;
+    const auto passes = [&](const AppliedForce& applied, const Vector& place) {
+        const Exact moment = cross(applied.force, place - applied.at);
+        return moment.is_zero() || (pose.is_rounded() && std::abs(moment.to_double()) <=
+                                                             amplified * pose.precision.to_double() * length(applied.force));
+    };
     for (FreeBody& body : bodies) {
         for (AppliedForce& applied : body.forces) {
             if (applied.kind == AppliedForce::Kind::reaction) continue;
             for (const FreeBody::Meet& meet : body.meets) {
-                if (!cross(applied.force, meet.place - applied.at).is_zero()) continue;
+                if (!passes(applied, meet.place)) continue;
                 if (applied.line_statement == none || meet.statement < applied.line_statement)
                     applied.line_statement = meet.statement;
             }

@@ -24,6 +24,6 @@ ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanis
                       const NamedMeets& meets);
 
 /// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
-void note_first_use_of_lines(std::vector<FreeBody>& bodies);
+void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose);
 
 }  // namespace kinegraph::statics

@@ -9,8 +9,10 @@
 #include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/free_bodies.hpp"
+#include "constructions/hairs.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
+#include "constructions/noise.hpp"
 #include "constructions/oversights.hpp"
 #include "constructions/plan.hpp"
 #include "constructions/relative_motion.hpp"
@@ -88,6 +90,7 @@ public:
         solution_.settled.forces = board_.strokes();
         lead_with_oversights();
         finish_record();
+        for (Message& remark : remarks_on_hairs(solution_)) solution_.remarks.push_back(std::move(remark));
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
         const std::vector<Comparison::Moved> moved = comparison.bodies;
@@ -131,13 +134,18 @@ private:
         for (int* settled : {&solution_.settled.velocities, &solution_.settled.accelerations, &solution_.settled.forces})
             *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
                                                       [](ElementIndex kept) { return kept != none; }));
-        std::vector<Value> values(record.program.strokes.size());
-        for (std::size_t i = 0; i < record.element.size(); ++i)
-            if (record.element[i] != none) values[at(record.element[i])] = std::move(protocol.values[i]);
-        protocol.values = std::move(values);
+        const auto keep = [&](std::vector<Value>& all) {
+            std::vector<Value> values(record.program.strokes.size());
+            for (std::size_t i = 0; i < record.element.size(); ++i)
+                if (record.element[i] != none) values[at(record.element[i])] = std::move(all[i]);
+            all = std::move(values);
+        };
+        keep(protocol.values);
+        std::for_each(protocol.shifted.begin(), protocol.shifted.end(), keep);
         protocol.program = std::move(record.program);
         read_values(solution_, protocol.values);
-        statics::note_first_use_of_lines(solution_.free_bodies);
+        forget_noise(solution_);
+        statics::note_first_use_of_lines(solution_.free_bodies, solution_.pose);
         say_projections();
     }
 

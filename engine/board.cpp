@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/assert.hpp"
+#include "engine/rounding.hpp"
 
 namespace kinegraph {
 namespace {
@@ -42,8 +43,17 @@ Plane plane_of(Given::Kind kind) {
 const Value& Board::Memory::value(ElementIndex i) const { return values[position(i)]; }
 
 Board::Board(const Mechanism& mechanism, const Pose& pose, std::function<const Pose&()> finer)
-    : mechanism_(mechanism), pose_(pose), finer_(std::move(finer)) {
+    : mechanism_(mechanism), pose_(pose), finer_pose_(std::move(finer)) {
     largest_.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(pose.size);
+    if (!pose.is_rounded()) return;
+    protocol_.program.doubtful_bits = bits_in_question(pose.rounding());
+    for (const ShiftedDrawing& each : *pose.shifted) shifted_.push_back(echo_on(each.mechanism, each.pose, true));
+}
+
+Board::Echo Board::echo_on(const Mechanism& mechanism, const Pose& pose, bool trims) const {
+    Echo echo{mechanism, pose, trims, {}, {}};
+    echo.largest.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(pose.size);
+    return echo;
 }
 
 StatementIndex Board::state(Statement statement) {
@@ -72,7 +82,11 @@ void Board::rewind(const Mark& mark) {
     protocol_.statements.resize(mark.statements);
     current_statement_ = mark.statement;
     memory_.values.resize(mark.strokes);
-    if (finer_memory_.values.size() > mark.strokes) finer_memory_.values.resize(mark.strokes);
+    const auto shorten = [&](Echo& echo) {
+        if (echo.memory.values.size() > mark.strokes) echo.memory.values.resize(mark.strokes);
+    };
+    if (finer_) shorten(*finer_);
+    std::for_each(shifted_.begin(), shifted_.end(), shorten);
     largest_ = mark.largest;
     std::erase_if(givens_, [&](const auto& each) { return is_gone(each.second); });
     while (!numbers_.empty() && is_gone(numbers_.back().second)) numbers_.pop_back();
@@ -208,28 +222,70 @@ int Board::ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::
 void Board::decide(Guard& guard) {
     const auto here = answer(guard, protocol_.program.strokes, memory_, largest_);
     guard.verdict = here.verdict;
-    if (pose_.exact || here.is_exact || !here.is_small(pose_.bits / 2) || guard.how == Guard::How::by_choice) return;
-    follow_on_finer_pose();
-    const auto finer = answer(guard, protocol_.program.strokes, finer_memory_, finer_largest_);
+    if (here.is_exact || guard.how == Guard::How::by_choice) return;
+    const int zero = asks_for_zero(guard.question) ? 1 : 0;
+    if (lies_within_precision(guard, here)) {
+        guard.how = Guard::How::by_precision;
+        guard.verdict = zero;
+        return;
+    }
+    if (pose_.exact || !here.is_small(pose_.bits / 2)) return;
+    if (!finer_) finer_.emplace(echo_on(mechanism_, finer_pose_(), false));
+    follow(*finer_);
+    const auto finer = answer(guard, protocol_.program.strokes, finer_->memory, finer_->largest);
     guard.how = Guard::How::by_finer_pose;
     // What shrinks with the pose is zero, what stays is not.
     const auto relative = [](const Answer<Exact>& of) { return of.excess.order - of.unit.order; };
-    const bool is_zero = finer.is_exact || relative(finer) <= relative(here) - pose_.bits / 2;
-    guard.verdict = asks_for_zero(guard.question) ? (is_zero ? 1 : 0) : (is_zero ? 0 : here.verdict);
+    if (finer.is_exact || relative(finer) <= relative(here) - pose_.bits / 2) {
+        guard.verdict = zero;
+    } else {
+        guard.verdict = zero == 1 ? 0 : here.verdict;
+    }
 }
 
-void Board::follow_on_finer_pose() {
-    const Pose& fine = finer_();
+bool Board::lies_within_precision(const Guard& guard, const Answer<Exact>& here) {
+    if (shifted_.empty() || !here.is_small(protocol_.program.doubtful_bits)) return false;
+    const auto& strokes = protocol_.program.strokes;
+    const auto measured = [&](const Memory& memory, const Largest<Exact>& largest) {
+        return answer(guard, strokes, memory, largest, true).measured;
+    };
+    const auto value = measured(memory_, largest_);
+    std::vector<Vector> elsewhere;
+    for (Echo& echo : shifted_) {
+        follow(echo);
+        if (auto found = measured(echo.memory, echo.largest)) elsewhere.push_back(*std::move(found));
+    }
+    return value && is_zero_within(*value, elsewhere);
+}
+
+namespace {
+
+/// A bit more than twice as fine as any precision that a file may state.
+constexpr int bits_of_an_echo = 200;
+Value trimmed(const Value& value) {
+    const auto number = [](const Exact& full) {
+        return full.is_zero() ? full : rounded(full, static_cast<int>(bits_of_an_echo - magnitude_of(full).order));
+    };
+    if (const auto* p = std::get_if<ProjectivePoint>(&value)) return ProjectivePoint{number(p->x), number(p->y), number(p->w)};
+    if (const auto* l = std::get_if<ProjectiveLine>(&value)) return ProjectiveLine{number(l->a), number(l->b), number(l->c)};
+    if (const auto* v = std::get_if<Vector>(&value)) return Vector{number(v->x), number(v->y)};
+    return number(std::get<Exact>(value));
+}
+
+}  // namespace
+
+void Board::follow(Echo& echo) const {
     const Program& program = protocol_.program;
-    if (finer_memory_.values.empty()) finer_largest_.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(fine.size);
-    for (std::size_t i = finer_memory_.values.size(); i < program.strokes.size(); ++i) {
+    auto& values = echo.memory.values;
+    for (std::size_t i = values.size(); i < program.strokes.size(); ++i) {
         const Stroke& stroke = program.strokes[i];
         if (stroke.given >= 0) {
-            finer_memory_.values.push_back(given_value(program.givens[at_index(stroke.given)], mechanism_, fine));
+            values.push_back(given_value(program.givens[at_index(stroke.given)], echo.mechanism, echo.pose));
         } else {
-            carry_out(stroke, ElementIndex(i), finer_memory_);
+            carry_out(stroke, ElementIndex(i), echo.memory);
         }
-        std::visit([&](const auto& made) { finer_largest_.note(stroke.plane, made); }, finer_memory_.values.back());
+        if (echo.trims) values.back() = trimmed(values.back());
+        std::visit([&](const auto& made) { echo.largest.note(stroke.plane, made); }, values.back());
     }
 }
 
@@ -291,6 +347,10 @@ void Board::draw(DrawnLine line) {
 
 Protocol Board::finish() && {
     protocol_.values = std::move(memory_.values);
+    for (Echo& echo : shifted_) {
+        follow(echo);
+        protocol_.shifted.push_back(std::move(echo.memory.values));
+    }
     return std::move(protocol_);
 }
 

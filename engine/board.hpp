@@ -96,9 +96,10 @@ struct DrawnVector {
         internal
     } role = Role::absolute;
     StatementIndex statement = none;
-    int trial = 0;      ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
-    Seen seen;          ///< nothing for a force, nor for a component along a line
-    Quantity quantity;  ///< nothing for a component along a line
+    int trial = 0;          ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
+    Seen seen;              ///< nothing for a force, nor for a component along a line
+    Quantity quantity;      ///< nothing for a component along a line
+    bool vanishes = false;  ///< zero within the precision of the data: it is not drawn
 };
 /// A labelled vertex of a polygon: the image of a point ("a"), the pole ("o", with the points at rest).
 struct Image {
@@ -152,13 +153,17 @@ struct Protocol {
     std::vector<Image> images;
     std::vector<DrawnLine> lines;
     Trials trials;
+    /// By element, on each of the pose's shifted drawings; to some 200 bits. Empty where nothing is rounded.
+    std::vector<std::vector<Value>> shifted;
 
     const ProjectivePoint& point(ElementIndex element) const { return std::get<ProjectivePoint>(values[at_index(element)]); }
     const ProjectiveLine& line(ElementIndex element) const { return std::get<ProjectiveLine>(values[at_index(element)]); }
     const Vector& vector(ElementIndex element) const { return std::get<Vector>(values[at_index(element)]); }
     const Exact& scalar(ElementIndex element) const { return std::get<Exact>(values[at_index(element)]); }
-    /// Tip − tail of a drawn vector, exact, in its plane's SI unit.
-    Vector value_of(const DrawnVector& drawn) const { return point(drawn.tip).place() - point(drawn.tail).place(); }
+    /// Tip − tail of a drawn vector, exact, in its plane's SI unit; nothing where it is zero within the data.
+    Vector value_of(const DrawnVector& drawn) const {
+        return drawn.vanishes ? Vector{} : point(drawn.tip).place() - point(drawn.tail).place();
+    }
 };
 
 /// The elements that are drawn: vectors, images, lines, corners of faces, those of trials too.
@@ -299,8 +304,8 @@ public:
     ScalarHandle sum(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::sum, a.element, b.element)}; }
     ScalarHandle difference(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::difference, a.element, b.element)}; }
 
-    // Predicates: answered exactly, or on a pose with a leftover by the finer pose; entered as guards. Asked twice, the answer is
-    // the one already entered.
+    // Predicates: answered exactly, on a pose with a leftover by the finer pose, on rounded data within their precision; entered
+    // as guards. Asked twice, the answer is the one already entered.
     template <Plane plane>
     bool coincide(PointOn<plane> p, PointOn<plane> q) {
         return ask(Guard::Question::coincide, p.element, q.element) != 0;
@@ -392,7 +397,10 @@ private:
     ElementIndex enter(const Stroke& stroke, Value value);
     int ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how = Guard::How::exactly);
     void decide(Guard& guard);
-    void follow_on_finer_pose();
+    struct Echo;
+    Echo echo_on(const Mechanism& mechanism, const Pose& pose, bool trims) const;
+    void follow(Echo& echo) const;
+    bool lies_within_precision(const Guard& guard, const Answer<Exact>& here);
 
     /// Elements in a row: what carry_out() works on.
     struct Memory {
@@ -408,12 +416,23 @@ private:
         void put(ElementIndex, Value made) { values.push_back(std::move(made)); }
     };
 
+    /// The same strokes on another pose; continued only when a predicate asks.
+    struct Echo {
+        const Mechanism& mechanism;
+        const Pose& pose;
+        bool trims;  ///< keeps as many digits as a comparison needs
+        Memory memory;
+        Largest<Exact> largest;
+    };
+
     const Mechanism& mechanism_;
     const Pose& pose_;
-    std::function<const Pose&()> finer_;
+    std::function<const Pose&()> finer_pose_;
     Protocol protocol_;
-    Memory memory_, finer_memory_;  ///< the finer one is continued only when a predicate asks
-    Largest<Exact> largest_, finer_largest_;
+    Memory memory_;
+    Largest<Exact> largest_;
+    std::vector<Echo> shifted_;  ///< on the poses shifted within the precision; none where nothing is rounded
+    std::optional<Echo> finer_;
     std::map<Key, ElementIndex> givens_;
     std::vector<std::pair<Exact, ElementIndex>> numbers_;
     std::vector<std::pair<Vector, ElementIndex>> directions_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/constraint_rows.hpp"
+#include "engine/rounding.hpp"
 
 namespace kinegraph {
 namespace {
@@ -15,13 +16,19 @@ using Row = std::vector<Exact>;
 /// What is zero, and how long a number may grow.
 class Arithmetic {
 public:
-    explicit Arithmetic(bool exact) : exact_(exact) {}
+    /// On rounded data the numbers here, all of the order of one, are good to a few hundred times the share of the size.
+    explicit Arithmetic(const Pose& pose) : exact_(pose.exact && !pose.is_rounded()), nothing_(Exact::power_of_two(-60)) {
+        constexpr int times = 256;
+        if (pose.is_rounded()) nothing_ = std::max(nothing_, times * pose.precision / pose.size);
+    }
     bool is_exact() const { return exact_; }
-    bool is_zero(const Exact& value) const { return exact_ ? value.is_zero() : abs(value) < Exact::power_of_two(-60); }
+    bool is_zero(const Exact& value) const { return exact_ ? value.is_zero() : abs(value) < nothing_; }
+    bool is_nearly_zero(const Exact& value) const { return abs(value) < nothing_; }
     Exact trimmed(const Exact& value) const { return exact_ ? value : rounded(value, 400); }
 
 private:
     bool exact_;
+    Exact nothing_;
 };
 
 /// A body's velocity: that of the place of the origin, and ω.
@@ -33,17 +40,20 @@ struct State {
 /// The space of velocities and its second order, lengths in units of the drawing's size and places from its middle.
 class Analysis {
 public:
-    Analysis(const Mechanism& mechanism, const Pose& pose)
+    /// `leader`: of the same mechanism on another drawing, whose pivots are taken.
+    Analysis(const Mechanism& mechanism, const Pose& pose, const Analysis* leader = nullptr)
         : mechanism_(mechanism),
           pose_(pose),
-          arithmetic_(pose.exact),
+          arithmetic_(pose),
           columns_(3 * (static_cast<int>(mechanism.bodies.size()) - 1)),
           rows_(constraint_rows(mechanism, pose)) {
         for (ConstraintRow& row : rows_) {
             const Exact largest = std::max(abs(row.along.x), abs(row.along.y));
             if (!largest.is_zero()) row.along = {row.along.x / largest, row.along.y / largest};
         }
-        eliminate();
+        eliminate(leader);
+        if (pose.is_rounded())
+            for (const ShiftedDrawing& each : *pose.shifted) shifted_.emplace_back(each.mechanism, each.pose, this);
     }
 
     InstantMotion result(int freedoms) const {
@@ -78,7 +88,7 @@ private:
     }
 
     /// Gauss–Jordan on [J | 1]: the rows that vanish leave the states of self-stress, the pivots the null space.
-    void eliminate() {
+    void eliminate(const Analysis* leader) {
         const std::size_t columns = at_index(columns_), count = rows_.size();
         std::vector<std::pair<std::size_t, Row>> kept;
         for (std::size_t i = 0; i < count; ++i) {
@@ -86,10 +96,9 @@ private:
             row.resize(columns + count);
             row[columns + i] = 1;
             for (const auto& [pivot, other] : kept) subtract(row, pivot, other);
-            std::size_t pivot = 0;
-            for (std::size_t k = 1; k < columns; ++k)
-                if (abs(row[k]) > abs(row[pivot])) pivot = k;
-            if (columns == 0 || arithmetic_.is_zero(row[pivot])) {
+            pivots_.push_back(leader != nullptr ? leader->pivots_[i] : pivot_of(row));
+            const std::size_t pivot = pivots_.back().value_or(0);
+            if (!pivots_.back()) {
                 stresses_.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(columns), row.end());
                 continue;
             }
@@ -108,6 +117,13 @@ private:
             for (const auto& [pivot, row] : kept) u[pivot] = -row[free];
             velocities_.push_back(std::move(u));
         }
+    }
+    /// The largest of a row's coefficients; none where it vanishes.
+    std::optional<std::size_t> pivot_of(const Row& row) const {
+        const auto smaller = [](const Exact& a, const Exact& b) { return abs(a) < abs(b); };
+        const auto pivot = std::max_element(row.begin(), row.begin() + columns_, smaller);
+        if (columns_ == 0 || arithmetic_.is_zero(*pivot)) return std::nullopt;
+        return static_cast<std::size_t>(pivot - row.begin());
     }
     /// `column`: of `from`, where the factor stands before the row changes.
     void subtract(Row& from, std::size_t column, const Row& other) const {
@@ -244,17 +260,29 @@ private:
         return coefficients;
     }
 
+    /// Of the stress of this index. On rounded data also where their precision explains every coefficient.
+    bool vanishes(const Row& form_here, std::size_t stress) const {
+        std::vector<Row> elsewhere;
+        for (const Analysis& each : shifted_)
+            if (auto found = each.form(each.stresses_[stress])) elsewhere.push_back(*std::move(found));
+        for (std::size_t i = 0; i < form_here.size(); ++i) {
+            if (arithmetic_.is_zero(form_here[i])) continue;
+            std::vector<Vector> shifted;
+            for (const Row& each : elsewhere) shifted.push_back({each[i], 0});
+            if (!is_zero_within({form_here[i], 0}, shifted)) return false;
+        }
+        return true;
+    }
+
     void second_order(InstantMotion& motion) const {
         std::vector<Row> forms;
-        for (const Row& stress : stresses_) {
-            auto found = form(stress);
+        for (std::size_t s = 0; s < stresses_.size(); ++s) {
+            auto found = form(stresses_[s]);
             if (!found) {
                 motion.second_order = InstantMotion::SecondOrder::open;
                 return;
             }
-            const bool vanishes =
-                std::all_of(found->begin(), found->end(), [&](const Exact& value) { return arithmetic_.is_zero(value); });
-            if (!vanishes) forms.push_back(std::move(*found));
+            if (!vanishes(*found, s)) forms.push_back(std::move(*found));
         }
         motion.conditions = static_cast<int>(forms.size());
         using SecondOrder = InstantMotion::SecondOrder;
@@ -283,7 +311,7 @@ private:
             const bool common = std::all_of(forms.begin() + 1, forms.end(), [&](const Row& form) {
                 const Exact value = form[0] * square(root.x) + form[1] * root.x * root.y + form[2] * square(root.y);
                 // An irrational root is known to 2^-200.
-                return root.exact ? arithmetic_.is_zero(value) : abs(value) < Exact::power_of_two(-60);
+                return root.exact ? arithmetic_.is_zero(value) : arithmetic_.is_nearly_zero(value);
             });
             if (common) roots.push_back(std::move(root));
         }
@@ -334,8 +362,10 @@ private:
     Arithmetic arithmetic_;
     int columns_;
     std::vector<ConstraintRow> rows_;
-    std::vector<Row> velocities_;  ///< a basis of the null space
-    std::vector<Row> stresses_;    ///< a basis of the left null space
+    std::vector<std::optional<std::size_t>> pivots_;  ///< by row; none where it depends on those before
+    std::vector<Analysis> shifted_;                   ///< on the shifted drawings of rounded data, with the same pivots
+    std::vector<Row> velocities_;                     ///< a basis of the null space
+    std::vector<Row> stresses_;                       ///< a basis of the left null space
 };
 
 }  // namespace

@@ -14,6 +14,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/rounding.hpp"
+
 namespace kinegraph {
 namespace {
 
@@ -49,11 +51,9 @@ struct Solved {
 /// Solves the rows in the least-squares sense with one step of refinement in long double.
 class System {
 public:
-    System(const std::vector<Row>& rows, Eigen::Index columns) : columns_(columns) {
-        matrix_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            for (const auto& [column, factor] : rows[i].terms) matrix_(static_cast<Eigen::Index>(i), column) += factor;
-        }
+    /// `rounding`: to which share of the drawing's size its points are good.
+    System(const std::vector<Row>& rows, Eigen::Index columns, double rounding) : columns_(columns) {
+        matrix_ = matrix_of(rows, columns);
         // Columns to one size: a body's ω acts over its own length, which may be far smaller than the drawing.
         scale_ = Eigen::VectorXd::Ones(columns);
         for (Eigen::Index j = 0; j < columns && matrix_.rows() > 0; ++j) {
@@ -61,10 +61,14 @@ public:
             if (largest > 0) scale_[j] = 1 / largest;
         }
         matrix_ = matrix_ * scale_.asDiagonal();
+        // An entry is off by the rounding of its points, once more than that where the body is small; a pivot by a few entries.
+        constexpr double entries = 16;
+        const double doubt = entries * rounding * scale_.maxCoeff();
+        nothing_ = std::max(nothing_, doubt);
         if (matrix_.rows() == columns && columns > 0) {
             square_.compute(matrix_);
             // Doubles leave about 1e-16 where an exact matrix is singular; well above that it is regular.
-            constexpr double regular = 1e-12;
+            const double regular = std::max(1e-12, doubt);
             // (The estimate of the condition means nothing beside a pivot that vanishes.)
             const auto pivots = square_.matrixLU().diagonal().cwiseAbs();
             if (pivots.minCoeff() > regular * pivots.maxCoeff() && square_.rcond() > regular) {
@@ -73,10 +77,35 @@ public:
             }
         }
         if (matrix_.rows() == 0) return;
-        // A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant constraint.
-        constexpr double rank_threshold = 1e-9;
-        orthogonal_.setThreshold(rank_threshold);
+        orthogonal_.setThreshold(std::max(rank_threshold, doubt));
         orthogonal_.compute(matrix_);
+    }
+
+    static Eigen::MatrixXd matrix_of(const std::vector<Row>& rows, Eigen::Index columns) {
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), columns);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            for (const auto& [column, factor] : rows[i].terms) matrix(static_cast<Eigen::Index>(i), column) += factor;
+        return matrix;
+    }
+
+    /// Of rounded data: the rank ends at the first small pivot that the shifts of the data explain, instead of at a fixed one.
+    /// `shifted`: the same equations of the shifted drawings.
+    void end_rank_within(const std::vector<Eigen::MatrixXd>& shifted, double share) {
+        if (is_regular_ || matrix_.rows() == 0) return;
+        const Eigen::VectorXd pivots = orthogonal_.matrixQR().diagonal().cwiseAbs();
+        Eigen::VectorXd spread = Eigen::VectorXd::Zero(pivots.size());
+        for (const Eigen::MatrixXd& each : shifted) {
+            const Eigen::MatrixXd ordered = each * scale_.asDiagonal() * orthogonal_.colsPermutation();
+            const Eigen::HouseholderQR<Eigen::MatrixXd> other(ordered);
+            spread = spread.cwiseMax((other.matrixQR().diagonal().cwiseAbs() - pivots).cwiseAbs());
+        }
+        const double in_question = std::ldexp(orthogonal_.maxPivot(), -bits_in_question(share));
+        double threshold = rank_threshold;
+        constexpr double above = 1.000001;
+        for (Eigen::Index i = 0; i < pivots.size() && threshold == rank_threshold; ++i)
+            if (pivots[i] <= in_question && is_zero_within(pivots[i], spread[i]))
+                threshold = std::max(threshold, above * pivots[i] / orthogonal_.maxPivot());
+        orthogonal_.setThreshold(threshold);
     }
 
     Solved solve(const Eigen::VectorXd& right) const {
@@ -91,6 +120,9 @@ public:
     }
 
 private:
+    /// A point may miss its curve by 1e-9 of the size, so no smaller pivot can be told from a redundant constraint.
+    static constexpr double rank_threshold = 1e-9;
+
     Eigen::VectorXd residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const {
         Eigen::VectorXd miss(right.size());
         for (Eigen::Index i = 0; i < matrix_.rows(); ++i) {
@@ -110,10 +142,9 @@ private:
         return orthogonal_.colsPermutation() * x;
     }
     void mark_known(const Eigen::VectorXd& right, const Eigen::VectorXd& x, std::vector<bool>& known) const {
-        constexpr double nothing = 1e-8;
         // Equations that contradict each other (a driver at a dead point) determine nothing.
         const double largest = std::max(right.cwiseAbs().maxCoeff(), x.cwiseAbs().maxCoeff());
-        if (residual(right, x).cwiseAbs().maxCoeff() > nothing * largest) return;
+        if (residual(right, x).cwiseAbs().maxCoeff() > nothing_ * largest) return;
         const Eigen::Index rank = orthogonal_.rank();
         const Eigen::Index free = columns_ - rank;
         Eigen::MatrixXd null(columns_, free);
@@ -125,7 +156,7 @@ private:
             null = orthogonal_.colsPermutation() * null;
         }
         for (Eigen::Index j = 0; j < columns_; ++j) {
-            known[static_cast<std::size_t>(j)] = free == 0 || null.row(j).cwiseAbs().maxCoeff() < nothing;
+            known[static_cast<std::size_t>(j)] = free == 0 || null.row(j).cwiseAbs().maxCoeff() < nothing_;
         }
     }
 
@@ -133,6 +164,7 @@ private:
     Eigen::MatrixXd matrix_;
     Eigen::VectorXd scale_;
     bool is_regular_ = false;
+    double nothing_ = 1e-8;  ///< what is smaller, relative to the largest, is zero
     Eigen::PartialPivLU<Eigen::MatrixXd> square_;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> orthogonal_;
 };
@@ -143,6 +175,7 @@ public:
         : mechanism_(mechanism),
           pose_(pose),
           size_(pose.size.to_double()),
+          rounding_(pose.rounding()),
           columns_(3 * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1)) {
         motion_.bodies.resize(mechanism.bodies.size());
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
@@ -158,14 +191,11 @@ public:
     }
 
     NumericMotion run() {
-        for (const Joint& joint : mechanism_.joints) write(joint, mechanism_.index_of(joint));
-        for (const Driver& driver : mechanism_.drivers) {
-            std::visit([&](const auto& form) { write(form); }, driver);
-        }
-        if (mechanism_.motion) write(*mechanism_.motion);
+        write_all();
         if (columns_ == 0) return std::move(motion_);
 
-        const System velocities(rows_, columns_);
+        System velocities(rows_, columns_, rounding_);
+        if (pose_.is_rounded()) velocities.end_rank_within(shifted_matrices(), rounding_);
         take(velocities.solve(right_side([](const Row& row) { return row.velocity; })), &NumericMotion::BodyState::velocity,
              &NumericMotion::BodyState::omega, &NumericMotion::BodyState::velocity_known);
 
@@ -186,8 +216,8 @@ public:
             row.acceleration = second_order().value_or(0);
             rows_.push_back(std::move(row));
         }
-        const auto solved =
-            all_known ? velocities.solve(right_side(acceleration)) : System(rows_, columns_).solve(right_side(acceleration));
+        const auto solved = all_known ? velocities.solve(right_side(acceleration))
+                                      : System(rows_, columns_, rounding_).solve(right_side(acceleration));
         take(solved, &NumericMotion::BodyState::acceleration, &NumericMotion::BodyState::alpha,
              &NumericMotion::BodyState::acceleration_known);
         for (auto& body : motion_.bodies) body.acceleration_known = body.acceleration_known && body.velocity_known;
@@ -195,6 +225,23 @@ public:
     }
 
 private:
+    void write_all() {
+        for (const Joint& joint : mechanism_.joints) write(joint, mechanism_.index_of(joint));
+        for (const Driver& driver : mechanism_.drivers) {
+            std::visit([&](const auto& form) { write(form); }, driver);
+        }
+        if (mechanism_.motion) write(*mechanism_.motion);
+    }
+    std::vector<Eigen::MatrixXd> shifted_matrices() const {
+        std::vector<Eigen::MatrixXd> matrices;
+        for (const ShiftedDrawing& each : *pose_.shifted) {
+            Check other(each.mechanism, each.pose);
+            other.write_all();
+            matrices.push_back(System::matrix_of(other.rows_, columns_));
+        }
+        return matrices;
+    }
+
     using SecondOrder = std::function<std::optional<double>()>;
 
     template <class Side>
@@ -458,7 +505,7 @@ private:
 
     const Mechanism& mechanism_;
     const Pose& pose_;
-    double size_;
+    double size_, rounding_;
     Eigen::Index columns_;
     NumericMotion motion_;
     std::vector<Vector> references_;  ///< the states' references as exact places

@@ -33,19 +33,21 @@ double largest(const Eigen::VectorXd& a) { return a.size() == 0 ? 0 : a.cwiseAbs
 /// No smaller pivot can be told from a redundant constraint: a point may miss its curve by 1e-9 of the size.
 constexpr double rank_threshold = 1e-9;
 /// What is smaller, relative to the largest force, is taken for nothing.
-constexpr double nothing = 1e-8;
+constexpr double least_nothing = 1e-8;
 
 /// A x = b in the least-squares sense, with refinement in long double, and what of x the equations determine.
 class Solver {
 public:
-    explicit Solver(const Eigen::MatrixXd& matrix) : matrix_(matrix), scale_(Eigen::VectorXd::Ones(matrix.cols())) {
+    /// `doubt`: how far rounded points may move a pivot.
+    Solver(const Eigen::MatrixXd& matrix, double doubt)
+        : matrix_(matrix), scale_(Eigen::VectorXd::Ones(matrix.cols())), nothing_(std::max(least_nothing, doubt)) {
         if (is_empty()) return;
         for (Index j = 0; j < matrix_.cols(); ++j) {
             const double size = matrix_.col(j).cwiseAbs().maxCoeff();
             if (size > 0) scale_[j] = 1 / size;
         }
         matrix_ = matrix_ * scale_.asDiagonal();
-        orthogonal_.setThreshold(rank_threshold);
+        orthogonal_.setThreshold(std::max(rank_threshold, doubt));
         orthogonal_.compute(matrix_);
     }
 
@@ -75,7 +77,7 @@ public:
         null.bottomRows(free).setIdentity();
         null = orthogonal_.colsPermutation() * null;
         for (Index j = 0; j < free; ++j) null.col(j).normalize();
-        for (Index i = 0; i < columns; ++i) known[static_cast<std::size_t>(i)] = null.row(i).cwiseAbs().maxCoeff() < nothing;
+        for (Index i = 0; i < columns; ++i) known[static_cast<std::size_t>(i)] = null.row(i).cwiseAbs().maxCoeff() < nothing_;
         return known;
     }
 
@@ -101,6 +103,7 @@ private:
 
     Eigen::MatrixXd matrix_;  ///< columns brought to one size
     Eigen::VectorXd scale_;
+    double nothing_;
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> orthogonal_;
 };
 
@@ -208,6 +211,9 @@ private:
             constexpr double a_point = 1e-12;  // all places are one; what is left is rounding
             if (reach > a_point * size_) own_size_[b] = reach;
         }
+        // An entry is off by the rounding of its points beside the body's own size; a pivot by a few entries.
+        constexpr double entries = 16;
+        doubt_ = entries * pose_.rounding() * size_ / *std::min_element(own_size_.begin(), own_size_.end());
     }
 
     // --- layout ----------------------------------------------------------------------------------------------------------------
@@ -348,7 +354,7 @@ private:
             if (unknown_inertia_[b]) leave_out(row_of(BodyIndex(b)), used);
         }
         Solved solved;
-        const Solver all(matrix);
+        const Solver all(matrix, doubt_);
         solved.indeterminacy = static_cast<int>(columns_ - all.rank());
         const bool every = std::find(used.begin(), used.end(), false) == used.end();
         if (!every) return solve_part(matrix, used, solved);
@@ -377,7 +383,7 @@ private:
                 right[row] = right_[i];
                 row_in_all.push_back(i);
             }
-            const Solver some(part);
+            const Solver some(part, doubt_);
             solved.values = some.solve(right);
             Eigen::VectorXd miss = Eigen::VectorXd::Zero(rows_);
             const Eigen::VectorXd part_miss = some.residual(right, solved.values);
@@ -389,7 +395,8 @@ private:
             leave_out_unbalanced(miss, solved.values, used);
         }
     }
-    double tolerance(const Eigen::VectorXd& values) const { return nothing * std::max(largest(right_), largest(values)); }
+    double nothing() const { return std::max(least_nothing, doubt_); }
+    double tolerance(const Eigen::VectorXd& values) const { return nothing() * std::max(largest(right_), largest(values)); }
     /// True where nothing is left over. The first imbalance found is the one reported.
     bool note_balance(const Eigen::VectorXd& miss, Solved& solved) const {
         const double left = largest(miss);
@@ -428,7 +435,7 @@ private:
             const Joint& joint = mechanism_.joints[i];
             if (joint.kind != JointKind::gear || !solved.known[static_cast<std::size_t>(first_column_[i])]) continue;
             const double force = solved.values[first_column_[i]];
-            if (std::abs(force) <= nothing * largest(solved.values)) continue;
+            if (std::abs(force) <= nothing() * largest(solved.values)) continue;
             const Pair n = quarter(unit_of(pose_.tangents[i]));
             const double radial = force * inner(n, directions(joint, clockwise[i]).front());
             const double material = curvature(joint, joint.bodies[0], n) - curvature(joint, joint.bodies[1], n);
@@ -502,6 +509,7 @@ private:
     const NumericMotion& motion_;
     double size_;
     double unit_ = 0;  ///< the largest load, N
+    double doubt_ = 0;
     std::vector<Given> given_;
     std::vector<bool> unknown_inertia_;  ///< by body
     std::vector<Vector> references_;     ///< by body

@@ -237,6 +237,7 @@ struct Mechanism {
     std::string source;  ///< the file's name, for messages and the title block
     Words title;
     Units units;
+    std::optional<Exact> precision;  ///< how far coordinates and lengths may be off, m, as the file states it; 0: not at all
     std::vector<NamedPoint> points;
     std::vector<Body> bodies;  ///< the frame first
     std::vector<Joint> joints;

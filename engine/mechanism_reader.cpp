@@ -54,10 +54,11 @@ private:
     // ----- the file
 
     void read_file(JsonValue root) {
-        const Members file = members(root,
-                                     {"$schema", "kinegraph", "title", "units", "frame", "points", "bodies", "joints", "drivers",
-                                      "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
-                                     {"a mechanism", "un meccanismo"});
+        const Members file =
+            members(root,
+                    {"$schema", "kinegraph", "title", "units", "precision", "frame", "points", "bodies", "joints", "drivers",
+                     "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
+                    {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
                      {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});
@@ -65,6 +66,8 @@ private:
         if (file["$schema"]) expect(file["$schema"], Kind::string, {"a text", "un testo"});
         if (file["title"]) mechanism_.title = words(file["title"]);
         read_units(file["units"]);
+        if (file["precision"])
+            mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
         const JsonValue points = required(file, "points", {"an object of points by name", "un oggetto con i punti per nome"});
         const JsonValue bodies = required(file, "bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
         if (points && expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {

@@ -1,6 +1,6 @@
 // Counts freedoms: Grübler's formula from the kinds of joints, and the rank of their constraints at this pose, joint by joint, so
 // that a redundant one is named. The constraints are written once, over a field: residues modulo a large prime where the pose is
-// exact, 512-bit reals where roots were taken. Speeds are unknown here.
+// exact, 512-bit reals where roots were taken or data are rounded. Speeds are unknown here.
 #include "engine/mobility.hpp"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "engine/assert.hpp"
 #include "engine/constraint_rows.hpp"
+#include "engine/rounding.hpp"
 
 namespace kinegraph {
 namespace {
@@ -100,6 +101,19 @@ public:
 
 private:
     Number product_{0, bits};
+};
+
+/// Doubles, for a look at how large what is left of a row is.
+class Doubles {
+public:
+    using Number = double;
+    double from(const Exact& value) const { return value.to_double(); }
+    double zero() const { return 0; }
+    double difference(double a, double b) const { return a - b; }
+    double product(double a, double b) const { return a * b; }
+    void divide(double& a, double b) const { a /= b; }
+    void subtract_product(double& from, double a, double b) const { from -= a * b; }
+    double magnitude(double a) const { return std::abs(a); }
 };
 
 // --- the constraints -----------------------------------------------------------------------------------------------------------
@@ -257,6 +271,13 @@ public:
         }
         return found;
     }
+    /// The largest difference of what is left here from what is left there.
+    double distance(const Echelon& there) const {
+        double apart = 0;
+        for (std::size_t i = 0; i < row_.size(); ++i)
+            apart = std::max(apart, field_.magnitude(field_.difference(row_[i], there.row_[i])));
+        return apart;
+    }
     void keep(int pivot) {
         const Number scale = row_[at_index(pivot)];
         Row<Number> kept;
@@ -284,6 +305,7 @@ struct Verdict {
     std::vector<Owner> owners;
     std::vector<bool> determined;
     bool decided_by_finer_pose = false;
+    bool decided_by_precision = false;
     bool is_full = false;  ///< no rank could be higher
 };
 
@@ -398,6 +420,57 @@ Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose) {
     return *verdict;
 }
 
+/// On rounded data, in step with the shifted drawings: zero is what is left of a row that the precision explains. What is larger
+/// than may be in question is not asked.
+Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
+    Reals field;
+    const auto bodies = static_cast<int>(mechanism.bodies.size());
+    struct Elimination {
+        Constraints<Reals> rows;
+        Echelon<Reals> echelon;
+    };
+    std::vector<Elimination> all;
+    all.reserve(pose.shifted->size() + 1);
+    const auto add = [&](const Mechanism& drawn, const Pose& as) {
+        all.push_back({Constraints<Reals>(field, drawn, as), Echelon<Reals>(field, 3 * (bodies - 1))});
+    };
+    add(mechanism, pose);
+    for (const ShiftedDrawing& each : *pose.shifted) add(each.mechanism, each.pose);
+    Elimination& given = all.front();
+    const double in_question = std::ldexp(1, -bits_in_question(pose.rounding()));
+    bool decided = false;
+
+    // The pivot column, or −1 where what is left is zero. `row(i)` is that of the i-th drawing.
+    const auto left_of = [&](auto row) {
+        for (Elimination& each : all) each.echelon.reduce(row(each));
+        const auto [pivot, size] = given.echelon.largest();
+        if (pivot < 0 || size > in_question) return pivot;
+        double spread = 0;
+        for (std::size_t k = 1; k < all.size(); ++k) spread = std::max(spread, given.echelon.distance(all[k].echelon));
+        const bool finer = !pose.exact && size < std::ldexp(1, -pose.bits * 2 / 5);
+        if (!is_zero_within(size, spread) && !finer) return pivot;
+        decided = true;
+        return -1;
+    };
+    const auto keep = [&](std::size_t i) {
+        const int pivot = left_of([&](const Elimination& each) -> const auto& { return each.rows.rows[i]; });
+        if (pivot < 0) return false;
+        for (Elimination& each : all) each.echelon.keep(pivot);
+        return true;
+    };
+    const auto spanned = [&](const Row<mpf_class>& row) {
+        return left_of([&](const Elimination&) -> const auto& { return row; }) < 0;
+    };
+    Verdict verdict = judge(field, given.rows, bodies, keep, spanned);
+    verdict.decided_by_precision = decided;
+    return verdict;
+}
+
+Verdict judge(const Mechanism& mechanism, const Pose& pose) {
+    if (pose.is_rounded()) return judge_within_precision(mechanism, pose);
+    return pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose);
+}
+
 void count_joints(const Mechanism& mechanism, Mobility& mobility) {
     for (const Joint& joint : mechanism.joints) {
         const int freedoms = joint.pair().freedoms();
@@ -424,7 +497,7 @@ Mobility::Verdict Mobility::verdict() const {
 Mobility mobility_of(const Mechanism& mechanism, const Pose& pose) {
     Mobility mobility;
     count_joints(mechanism, mobility);
-    Verdict verdict = pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose);
+    Verdict verdict = judge(mechanism, pose);
     int rank = 0;
     for (std::size_t i = 0; i < verdict.owners.size(); ++i) {
         const auto [joint, driver] = verdict.owners[i];
@@ -441,7 +514,27 @@ Mobility mobility_of(const Mechanism& mechanism, const Pose& pose) {
     mobility.effective = 3 * (mobility.bodies - 1) - rank;
     mobility.determined = std::move(verdict.determined);
     mobility.decided_by_finer_pose = verdict.decided_by_finer_pose;
+    mobility.decided_by_precision = verdict.decided_by_precision;
     return mobility;
+}
+
+std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility) {
+    constexpr double nearly = 1e-3, rounding = 1e-13;
+    Doubles field;
+    const Constraints<Doubles> constraints(field, mechanism, pose);
+    Echelon<Doubles> echelon(field, 3 * (static_cast<int>(mechanism.bodies.size()) - 1));
+    std::vector<JointIndex> found;
+    for (std::size_t i = 0; i < constraints.rows.size(); ++i) {
+        const JointIndex joint = constraints.owners[i].joint;
+        if (joint == none) continue;
+        echelon.reduce(constraints.rows[i]);
+        const auto [pivot, size] = echelon.largest();
+        const bool is_redundant = std::any_of(mobility.redundant.begin(), mobility.redundant.end(),
+                                              [&](const Mobility::Redundant& each) { return each.joint == joint; });
+        if (size < nearly && !is_redundant && (found.empty() || found.back() != joint)) found.push_back(joint);
+        if (size > rounding) echelon.keep(pivot);
+    }
+    return found;
 }
 
 }  // namespace kinegraph

@@ -26,6 +26,7 @@ struct Mobility {
     std::vector<int> idle_drivers;       ///< drivers (by index) that fix nothing that is not fixed already
     std::vector<bool> determined;        ///< by BodyIndex: the body's velocity follows from the drivers (by the rank)
     bool decided_by_finer_pose = false;  ///< a pivot was judged zero because it shrank on the finer pose
+    bool decided_by_precision = false;   ///< … because the precision of the givens explains it
 
     /// How many constraints say what others say already.
     int repeated() const;
@@ -40,7 +41,12 @@ struct Mobility {
 };
 
 /// Rank by exact arithmetic (residues modulo two large primes; never too high) on an exact pose; on a pose with a leftover by
-/// elimination in 512-bit floating point, where a suspiciously small pivot is judged on a pose twice as fine.
+/// elimination in 512-bit floating point, where a suspiciously small pivot is judged on a pose twice as fine; where the data are
+/// rounded, on poses shifted within their precision.
 Mobility mobility_of(const Mechanism& mechanism, const Pose& pose);
+
+/// Joints, in the file's order, whose constraints are independent of those before, but by less than a thousandth (lengths over
+/// the drawing's size): in doubles, for a remark.
+std::vector<JointIndex> nearly_redundant_joints(const Mechanism& mechanism, const Pose& pose, const Mobility& mobility);
 
 }  // namespace kinegraph

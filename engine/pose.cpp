@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "engine/assert.hpp"
+#include "engine/rounding.hpp"
 
 namespace kinegraph {
 namespace {
@@ -46,6 +47,13 @@ std::string number_text(double value) {
     return {text.data(), end.ptr};
 }
 
+Words length_text(double metres, const Unit& unit) {
+    const std::string number = number_text(metres / unit.si.to_double());
+    std::string with_comma = number;
+    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+    return {number + " " + unit.symbol, with_comma + " " + unit.symbol};
+}
+
 struct Ray {
     Vector through;
     Vector along;
@@ -70,8 +78,9 @@ struct Candidates {
 
 class Drawing {
 public:
-    Drawing(const Mechanism& mechanism, int bits, int size_exponent, std::size_t longest_given)
-        : mechanism_(mechanism), grid_(bits - size_exponent), rounds_(longest_given > most_bits) {
+    /// `slack` (m): what misses by no more fits, because the data are rounded; 0 where they are exact.
+    Drawing(const Mechanism& mechanism, int bits, int size_exponent, std::size_t longest_given, Exact slack)
+        : mechanism_(mechanism), grid_(bits - size_exponent), rounds_(longest_given > most_bits), slack_(std::move(slack)) {
         pose_.bits = bits;
         constexpr double digits_of_bit = 0.30103;  // log10 2
         const auto digits = [](std::size_t of) { return Count{static_cast<int>(digits_of_bit * static_cast<double>(of))}; };
@@ -100,12 +109,7 @@ private:
     enum class State { waiting, under_way, done, failed };
 
     // --- words ---------------------------------------------------------------------------------------------------------------
-    Words in_file_units(double metres) const {
-        const std::string number = number_text(metres / mechanism_.units.length.si.to_double());
-        std::string with_comma = number;
-        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
-        return {number + " " + mechanism_.units.length.symbol, with_comma + " " + mechanism_.units.length.symbol};
-    }
+    Words in_file_units(double metres) const { return length_text(metres, mechanism_.units.length); }
     Amount amount(double metres) const {
         return {metres / mechanism_.units.length.si.to_double(), mechanism_.units.length.symbol};
     }
@@ -174,7 +178,7 @@ private:
     /// from → to; nothing, and said, where they coincide.
     std::optional<Vector> direction_between(const Bearing::Between& between, const std::string& where) {
         const Vector direction = pose_.at(between.to) - pose_.at(between.from);
-        const bool nothing = touched(between) ? is_small(direction) : direction.is_zero();
+        const bool nothing = touched(between) ? is_small(direction) : squared_length(direction) <= square(slack_);
         if (!nothing) return direction;
         fail(where, {"{0} and {1} coincide, so they give no direction; name two other points",
                      "{0} e {1} coincidono, quindi non danno una direzione; indicare altri due punti", name_of(between.from),
@@ -410,7 +414,7 @@ private:
         const Exact room = square(circle.radius) - squared_length(to_line);  // square of half the chord
         const bool inexact = line.touched || circle.touched || !line.rational_angle;
         const Exact angle_miss = line.rational_angle ? Exact() : Exact::power_of_two(1 - pose_.bits) * reach_of(line, circle);
-        if (room.is_zero() || (inexact && is_doubtful(room, circle.radius))) {
+        if (touches(room, circle.radius, 1) || (inexact && is_doubtful(room, circle.radius))) {
             return Candidates{
                 {on_line(line.through, line.along, foot, inexact)}, inexact ? grid_step() + angle_miss : Exact(), inexact};
         }
@@ -441,6 +445,12 @@ private:
         return abs(room) < Exact::power_of_two(bits_in_doubt - pose_.bits) * radius * estimated_size_;
     }
 
+    /// The square of half the chord is 2rδ (for two circles times r_b over the distance of the centres, `lever` its square) where
+    /// the curves overlap by δ: within the precision they touch.
+    bool touches(const Exact& room, const Exact& radius, const Exact& lever) const {
+        return room.is_zero() || square(room) <= lever * square(2 * radius * slack_);
+    }
+
     std::optional<Candidates> meet(const Disc& a, const Disc& b, const std::string& where) {
         const Vector across = b.centre - a.centre;
         const bool inexact = a.touched || b.touched;
@@ -457,7 +467,8 @@ private:
         const Exact squared = squared_length(across);
         const Exact foot = (square(a.radius) - square(b.radius) + squared) / (2 * squared);
         const Exact room = square(a.radius) - square(foot) * squared;
-        if (room.is_zero() || (inexact && is_doubtful(room, a.radius))) {
+        const Exact lever = std::max(Exact(1), square(b.radius) / squared);
+        if (touches(room, a.radius, lever) || (inexact && is_doubtful(room, a.radius))) {
             return Candidates{{on_line(a.centre, across, foot, inexact)}, inexact ? grid_step() : Exact(), inexact};
         }
         if (room.sign() < 0) {
@@ -641,11 +652,14 @@ private:
         }
     }
 
-    /// Compass noise, no fault of the file.
-    bool is_noise(double misfit) const { return misfit <= std::ldexp(pose_.size.to_double(), bits_in_doubt - pose_.bits); }
+    /// Compass noise or the data's own rounding, no fault of the file. A move that no double shows is none either.
+    bool is_noise(double misfit) const {
+        constexpr double roundings = 1e-15;
+        return misfit <= std::max(slack_.to_double(), roundings * pose_.size.to_double());
+    }
     bool is_refused(double misfit) const {
         constexpr double fit = 1e-9;
-        return misfit > fit * pose_.size.to_double();
+        return misfit > std::max(fit * pose_.size.to_double(), slack_.to_double());
     }
 
     bool fits_radius(const Joint& joint, BodyIndex body, PointIndex centre) {
@@ -703,6 +717,7 @@ private:
     const Mechanism& mechanism_;
     int grid_;     ///< coordinates are multiples of 2^-grid where they are inexact
     bool rounds_;  ///< some number of the file is too long to be kept
+    Exact slack_;
     Exact estimated_size_;
     Pose pose_;
     std::vector<bool> touched_;  ///< by PointIndex: the place depends on a leftover, its own or an earlier one
@@ -749,19 +764,55 @@ Lengths lengths_of(const Mechanism& mechanism) {
     return {largest.is_zero() ? 0 : magnitude(largest), longest};
 }
 
-}  // namespace
-
-Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
+Result<Pose> draw_within(const Mechanism& mechanism, int bits, const Exact& slack) {
     // The grid must suit the drawing's size, which is known only once it is drawn: two bits to spare, and a second drawing where
     // the lengths given are much larger than what they make (a long radius about a far centre).
     constexpr int spare = 2;
     const Lengths given = lengths_of(mechanism);
     const int estimate = given.size - spare;
-    auto pose = Drawing(mechanism, bits, estimate, given.longest).draw();
+    auto pose = Drawing(mechanism, bits, estimate, given.longest, slack).draw();
     if (!pose || pose->exact) return pose;
     const int true_size = magnitude(pose->size);
     if (true_size >= estimate) return pose;
-    return Drawing(mechanism, bits, true_size, given.longest).draw();
+    return Drawing(mechanism, bits, true_size, given.longest, slack).draw();
+}
+
+/// What fits in the drawing as it is given fits in the shifted ones, which are off by as much again.
+constexpr int slack_as_given = 4, slack_when_shifted = 2 * slack_as_given;
+
+/// A drawing that cannot be closed with its numbers shifted has nothing to say.
+std::shared_ptr<const std::vector<ShiftedDrawing>> shifted_drawings_of(const Mechanism& mechanism, const Pose& pose) {
+    auto drawings = std::make_shared<std::vector<ShiftedDrawing>>();
+    for (int sample = 0; sample < shifted_drawings; ++sample) {
+        Mechanism moved = shifted(mechanism, pose.precision, pose.precision / pose.size, sample);
+        if (auto drawn = draw_within(moved, pose.bits, slack_when_shifted * pose.precision))
+            drawings->push_back({std::move(moved), std::move(*drawn)});
+    }
+    return drawings;
+}
+
+}  // namespace
+
+Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
+    const bool inferred = looks_rounded(mechanism);
+    const Exact expected =
+        inferred ? inferred_share() * Exact::power_of_two(lengths_of(mechanism).size) : mechanism.precision.value_or(Exact());
+    auto pose = draw_within(mechanism, bits, slack_as_given * expected);
+    if (!pose || expected.is_zero()) return pose;
+    pose->precision = inferred ? inferred_share() * pose->size : expected;
+    const Unit& unit = mechanism.units.length;
+    if (constexpr int coarsest = 100; coarsest * pose->precision > pose->size)
+        return tl::unexpected(
+            Errors{{ErrorCode::bad_input,
+                    "/precision",
+                    {"{0} is too coarse for a drawing of {1}; it must be at most a hundredth of it",
+                     "{0} è troppo per un disegno di {1}; dev’essere al più un centesimo di esso",
+                     length_text(pose->precision.to_double(), unit), length_text(pose->size.to_double(), unit)}}});
+    if (inferred)
+        pose->remarks.insert(pose->remarks.begin(),
+                             {Sentence::taken_as_rounded, {Amount{(pose->precision / unit.si).to_double(), unit.symbol}}});
+    pose->shifted = shifted_drawings_of(mechanism, *pose);
+    return pose;
 }
 
 Vector direction_of(const Angle& angle, int bits) {

@@ -2,6 +2,7 @@
 // bound on what the compass left over. The only place where square roots and angles are met; knows nothing of motion.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct PositionStep {
     std::vector<Arc> arcs;  ///< the compass strokes
 };
 
+struct ShiftedDrawing;
+
 struct Pose {
     int bits = 100;               ///< the compass works to 2^-bits of the drawing's size
     std::vector<Vector> points;   ///< by PointIndex, m
@@ -39,12 +42,24 @@ struct Pose {
     bool exact = true;  ///< no leftover anywhere: predicates need no second look
     std::vector<PositionStep> steps;  ///< in the order found
     std::vector<Message> remarks;     ///< points moved onto their curves, with the misfit
+    Exact precision;                  ///< how far coordinates and lengths may be off, m; zero: decimals are exact as written
+    std::shared_ptr<const std::vector<ShiftedDrawing>> shifted;  ///< none where nothing is rounded (engine/rounding.hpp)
 
+    bool is_rounded() const { return shifted != nullptr; }
+    /// The precision as a share of the drawing's size.
+    double rounding() const { return precision.to_double() / size.to_double(); }
     const Vector& at(PointIndex point) const { return points[at_index(point)]; }
 };
 
+/// The same mechanism with its rounded numbers shifted within their precision, drawn.
+struct ShiftedDrawing {
+    Mechanism mechanism;
+    Pose pose;
+};
+
 /// Finds every point. Errors: a cycle of points, curves that do not meet (by how much), two intersections and no choice,
-/// a point off its curve by more than 1e-9 of the size (the misfit), a direction between coincident points.
+/// a point off its curve by more than 1e-9 of the size and than the data's precision (the misfit), a direction between
+/// coincident points. Circles that touch within the precision touch.
 /// Which of two intersections: `near`, the nearer (a tie is an error); `side` of two circles, left or right of first centre →
 /// second; `side` on a line, as it looks with the line's direction pointing right: "right" is the one further along it, "left"
 /// the one further back, wherever the circle's centre lies. A gear's normal is its line of action, the common tangent turned

@@ -263,6 +263,7 @@ Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int set
     mark_inputs(program, needed);
 
     Cut result;
+    result.program.doubtful_bits = program.doubtful_bits;
     result.element.assign(program.strokes.size(), none);
     std::vector<int> made(program.strokes.size() + 1, 0);  // by stroke: how many were kept before it
     for (std::size_t i = 0; i < program.strokes.size(); ++i) {
@@ -312,6 +313,7 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
     largest.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(pose.size);
     const auto holds = [&](const Guard& guard) {
         const auto now = answer(guard, program.strokes, memory, largest);
+        if (guard.how == Guard::How::by_precision && now.is_small(program.doubtful_bits)) return true;
         // On a pose of compass strokes what is as small as their leftovers was decided once, and stays decided.
         if (!pose.exact && !now.is_exact && now.is_small(pose.bits / 2)) return guard.how == Guard::How::by_finer_pose;
         return now.verdict == guard.verdict;

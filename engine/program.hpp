@@ -123,6 +123,7 @@ struct Guard {
     enum class How : std::uint8_t {
         exactly,
         by_finer_pose,  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
+        by_precision,   ///< zero within the data: no larger than what the precision of the givens does to it
         by_choice       ///< no result hangs on it: of several ways, all right, the handier one was taken
     } how = How::exactly;
     ElementIndex inputs[2] = {none, none};
@@ -134,6 +135,7 @@ struct Program {
     std::vector<Given> givens;
     std::vector<Stroke> strokes;
     std::vector<Guard> guards;  ///< in the order asked
+    int doubtful_bits = 0;  ///< what guards judged zero by the precision of the givens is below 2^-this of what it stands beside
 };
 
 /// Whether a point or a line lies at infinity: its verb tells, for the verb was chosen by what the guards say.
@@ -316,6 +318,7 @@ struct Answer {
     int verdict = 0;
     bool is_exact = true;  ///< no number was measured, or it is exactly zero
     Magnitude<Number> excess, unit;
+    std::optional<VectorOf<Number>> measured;  ///< what was asked about, where that was wanted; a scalar in x
 
     bool is_small(int bits) const { return is_exact || excess.is_below(unit, bits); }
 };
@@ -359,24 +362,34 @@ Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const 
 /// says that the excess is exactly zero.
 template <class Memory>
 Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Stroke>& strokes, const Memory& memory,
-                                       const Largest<typename Memory::Number>& largest) {
+                                       const Largest<typename Memory::Number>& largest, bool measures = false) {
     using Number = typename Memory::Number;
     using Question = Guard::Question;
     const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
     const Plane lies_in = strokes[at_index(a)].plane;
     const auto plane = static_cast<std::size_t>(lies_in);
-    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}}; };
-    const auto zero = [](const auto& excess, Magnitude<Number> unit) {
+    const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}, {}}; };
+    const auto noted = [&](Answer<Number> found, const auto& value) {
+        if (measures) {
+            if constexpr (requires { value.x; }) {
+                found.measured = value;
+            } else {
+                found.measured = VectorOf<Number>{value, Number(0)};
+            }
+        }
+        return found;
+    };
+    const auto zero = [&](const auto& excess, Magnitude<Number> unit) {
         const Magnitude<Number> size = magnitude_of(excess);
         if constexpr (requires { excess.is_zero(); }) {
-            return Answer<Number>{excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit};
+            return noted({excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit, {}}, excess);
         } else {
-            return Answer<Number>{excess == Number(0) ? 1 : 0, excess == Number(0), size, unit};
+            return noted({excess == Number(0) ? 1 : 0, excess == Number(0), size, unit, {}}, excess);
         }
     };
-    const auto sign = [](const Number& value, Magnitude<Number> unit) {
+    const auto sign = [&](const Number& value, Magnitude<Number> unit) {
         const int verdict = value == Number(0) ? 0 : value < Number(0) ? -1 : 1;
-        return Answer<Number>{verdict, verdict == 0, magnitude_of(value), unit};
+        return noted({verdict, verdict == 0, magnitude_of(value), unit, {}}, value);
     };
     const auto angle = [&](const VectorOf<Number>& d, const VectorOf<Number>& e) {
         return zero(Number(cross(d, e)), magnitude_of(d) * magnitude_of(e));

@@ -42,7 +42,8 @@ Kind kind_of(Verb verb) {
 
 }  // namespace
 
-Replay::Replay(const Program& program, const std::vector<Value>& givens, double size) : strokes_(program.strokes) {
+Replay::Replay(const Program& program, const std::vector<Value>& givens, double size)
+    : strokes_(program.strokes), doubtful_bits_(program.doubtful_bits) {
     const std::size_t count = strokes_.size();
     memory_.cells.resize(count);
     memory_.lines.resize(count);
@@ -111,6 +112,7 @@ inline void Replay::carry_out_until(std::size_t end) {
 inline bool Replay::holds(const Guard& guard) const {
     const auto now = answer(guard, strokes_, memory_, largest_);
     const int zero = asks_for_zero(guard.question) ? 1 : 0;
+    if (guard.how == Guard::How::by_precision && now.is_small(doubtful_bits_)) return true;
     if (guard.verdict != zero) return now.verdict == guard.verdict && (now.is_exact || !now.is_small(vanishing_bits));
     if (now.verdict == zero || (!now.is_exact && now.is_small(zero_bits))) return true;
     return guard.question == Guard::Question::parallel && !now.is_exact &&

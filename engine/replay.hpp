@@ -65,6 +65,7 @@ private:
     std::vector<Step> noted_givens_;
     std::vector<Guard> guards_;  ///< `before` counts steps_
     std::vector<ElementIndex> element_of_given_;
+    int doubtful_bits_ = 0;
     Memory memory_;
     Largest<double> at_start_, largest_;
     std::size_t next_ = 0;  ///< how far the run is in steps_

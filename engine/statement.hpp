@@ -123,6 +123,12 @@ enum class Sentence {
     off_its_centres,         ///< {0} point, {1} distance, {2} {3} centres: the same between two circles
     moved_to_foot,           ///< {0} point, {1} distance, {2} centre: a contact moved onto its line
     moved_to_centres,        ///< {0} point, {1} distance, {2} {3} centres: a contact moved onto the line of the centres
+    taken_as_rounded,        ///< {0} distance: the file has coordinates of many digits and states no precision
+    nearly_on_line,          ///< {0} point, {1} segment, {2} distance by which it misses
+    nearly_parallel,         ///< {0} {1} two lines by their reasons, {2} angle by which they miss
+    nearly_coincident,       ///< {0} {1} points, {2} distance
+    nearly_repeated,         ///< {0} joint: its constraints all but say what those before it say
+    hangs_on_a_hair,         ///< {0} symbol, {1} change in per cent, {2} given point, {3} distance by which it moves
     repeated_constraints,    ///< {0} joint, {1} count
     lift_off,                ///< {0} joint
     change_point,            ///< {0} count of freedoms by the rank, {1} by Grübler, {2} count of branches

@@ -158,13 +158,19 @@ private:
     /// Where a vector lies already.
     struct Drawn {
         Spot tail, tip;
+        double value = 0;
         bool arrow = false;  // else a broken line
         std::optional<std::size_t> label;
         bool is_same(const PolygonVector& vector) const {
-            return length(tail - vector.tail) < coincident && length(tip - vector.tip) < coincident;
+            return has_size_of(vector) && length(tail - vector.tail) < coincident && length(tip - vector.tip) < coincident;
         }
         bool is_opposite(const PolygonVector& vector) const {
-            return length(tail - vector.tip) < coincident && length(tip - vector.tail) < coincident;
+            return has_size_of(vector) && length(tail - vector.tip) < coincident && length(tip - vector.tail) < coincident;
+        }
+        /// Two that are too short to be told apart on paper are not equal for that.
+        bool has_size_of(const PolygonVector& vector) const {
+            constexpr double equal = 1e-3;
+            return std::abs(value - vector.value) <= equal * std::max(value, vector.value);
         }
     };
     /// Whether one would hide the other: so far along one line, in different inks. Of one ink the heads tell them apart.
@@ -179,7 +185,7 @@ private:
     /// A vector upon another is drawn thinner, and that one broader, so that both are seen, shafts and heads.
     double width_of(const PolygonVector& vector) const {
         const auto hides = [&](const PolygonVector& other) {
-            const Drawn drawn{vector.tail, vector.tip, true, std::nullopt};
+            const Drawn drawn{vector.tail, vector.tip, vector.value, true, std::nullopt};
             return !drawn.is_same(other) && hide_each_other(vector, other);
         };
         const auto own = parts_.vectors.begin() + (&vector - parts_.vectors.data());
@@ -230,7 +236,7 @@ private:
             }
             return;
         }
-        drawn.push_back({vector.tail, vector.tip, !vector.internal, std::nullopt});
+        drawn.push_back({vector.tail, vector.tip, vector.value, !vector.internal, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
         LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,

@@ -2,6 +2,7 @@
 // the largest of its kind is nothing here. Looks up and computes no mechanics.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -13,38 +14,43 @@ namespace kinegraph::render {
 class CheckedNumbers {
 public:
     explicit CheckedNumbers(const Solution& solution) : solution_(solution), magnitudes_(solution) {
-        for (const CheckRow& row : solution.checks) rows_.emplace(row.quantity, row.numeric);
+        for (const CheckRow& row : solution.checks) rows_.emplace(row.quantity, row);
     }
 
     std::optional<double> of(const Quantity& quantity) const {
         const auto found = rows_.find(quantity);
-        return found == rows_.end() ? std::nullopt : clean(quantity, found->second);
+        return found == rows_.end() ? std::nullopt : clean(quantity, found->second.numeric, found->second.graphical == 0);
     }
     /// The modulus of one of Protocol::vectors.
     std::optional<double> of_vector(int vector) const {
         const auto index = static_cast<std::size_t>(vector);
         if (index >= solution_.numeric_moduli.size()) return std::nullopt;
-        return clean(solution_.protocol.vectors[index].quantity, solution_.numeric_moduli[index]);
+        const DrawnVector& drawn = solution_.protocol.vectors[index];
+        return clean(drawn.quantity, solution_.numeric_moduli[index], drawn.vanishes);
     }
     /// The modulus of a force.
     std::optional<double> force_of(const FreeBody& body, const AppliedForce& applied) const {
-        return clean(quantity_of(body, applied), applied.numeric_force);
+        return clean(quantity_of(body, applied), applied.numeric_force, applied.force.is_zero());
     }
     std::optional<double> couple_of(const FreeBody& body, const AppliedForce& applied) const {
         Quantity quantity = quantity_of(body, applied);
         if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::inertia)
             quantity.kind = Quantity::Kind::couple;
-        return clean(quantity, applied.numeric_couple);
+        return clean(quantity, applied.numeric_couple, applied.couple.is_zero());
     }
 
 private:
-    std::optional<double> clean(const Quantity& quantity, std::optional<double> value) const {
-        return value && magnitudes_.is_noise(quantity, *value) ? 0 : value;
+    /// `vanishes`: by the construction, on rounded data within their precision; the check's number then shows no more than that.
+    std::optional<double> clean(const Quantity& quantity, std::optional<double> value, bool vanishes) const {
+        if (!value || magnitudes_.is_noise(quantity, *value)) return value ? 0 : value;
+        const bool within = vanishes && solution_.pose.is_rounded() &&
+                            std::abs(*value) <= std::cbrt(solution_.pose.rounding()) * magnitudes_.of(quantity);
+        return within ? 0 : value;
     }
 
     const Solution& solution_;
     Magnitudes magnitudes_;
-    std::map<Quantity, double> rows_;
+    std::map<Quantity, CheckRow> rows_;
 };
 
 }  // namespace kinegraph::render

@@ -37,11 +37,17 @@ const FreeBody* opposite(const Solution& solution, const FreeBody& body, const A
     return nullptr;
 }
 
+/// As a share of the drawing's size, of a force: what is this small beside it is zero, on rounded data to their precision,
+/// amplified a little.
+double least_share(const Pose& pose, double least) {
+    constexpr double amplified = 64;
+    return std::max(least, amplified * pose.rounding());
+}
 /// Whether a place lies on the line of action, to what a drawing can show.
-bool on_line(const AppliedForce& applied, const Vector& place, const Exact& size) {
+bool on_line(const AppliedForce& applied, const Vector& place, const Pose& pose) {
     const Vector d = place - applied.at;
     const double away = std::abs(cross(applied.force, d).to_double()) / std::max(kinegraph::length(applied.force), 1e-300);
-    return away < 1e-7 * size.to_double();
+    return away < least_share(pose, 1e-7) * pose.size.to_double();
 }
 
 /// The line of a force as the table names it; nothing: any line, none was deduced.
@@ -63,7 +69,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
         for (const Joint& other : mechanism.joints) {
             if (other.point == joint.point || (solution.pose.at(other.point) - own).is_zero()) continue;
             if (std::find(other.bodies.begin(), other.bodies.end(), applied.from) == other.bodies.end()) continue;
-            if (!on_line(applied, solution.pose.at(other.point), solution.pose.size)) continue;
+            if (!on_line(applied, solution.pose.at(other.point), solution.pose)) continue;
             append(text, point(mechanism, other.point, language));
             return text;
         }
@@ -72,7 +78,8 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     for (const FreeBody& other : solution.free_bodies)
         if (other.body == applied.from && applied.from > frame) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
     for (const FreeBody::Meet& meet : meets)
-        if (on_line(applied, meet.place, solution.pose.size) && !(meet.place - own).is_zero()) {
+        if (on_line(applied, meet.place, solution.pose) &&
+            kinegraph::length(meet.place - own) > least_share(solution.pose, 0) * solution.pose.size.to_double()) {
             append(text, typeset(Symbol{Symbol::Letter::point, meet.name, ""}, language));
             return text;
         }
@@ -116,9 +123,12 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     Block block;
     if (body.polygon < 0 || body.in_parts) return block;
     // Forces of one direction are found by moments: no triangle to be closed.
-    if (std::all_of(body.forces.begin(), body.forces.end(),
-                    [&](const AppliedForce& each) { return cross(each.force, body.forces.front().force).is_zero(); }))
-        return block;
+    const auto is_parallel = [&](const AppliedForce& each) {
+        const Vector& first = body.forces.front().force;
+        return std::abs(cross(each.force, first).to_double()) <=
+               least_share(solution.pose, 0) * kinegraph::length(each.force) * kinegraph::length(first);
+    };
+    if (std::all_of(body.forces.begin(), body.forces.end(), is_parallel)) return block;
     struct Column {
         ShapedLine symbol, line;
         bool magnitude = false, direction = true;

@@ -328,7 +328,9 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
         each.cells[3] = shape(row.numeric ? value(*row.numeric) : "–", theme.body_text);
         each.cells[4] = shape(row.unit, theme.body_text);
         std::string difference = "–";
-        const bool too_short_to_read = reading && !(reading->value > 0);
+        // Read to 0.1 mm, what is shorter than this is off by a fifth and more.
+        constexpr double readable = 0.5;
+        const bool too_short_to_read = reading && row.millimetres && !(*row.millimetres >= readable);
         if (row.numeric && !too_short_to_read) {
             const double gap = drawn - *row.numeric;
             const double percent = std::abs(gap) <= 1e-9 * most ? 0
