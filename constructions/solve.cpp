@@ -15,6 +15,7 @@
 #include "constructions/relative_motion.hpp"
 #include "constructions/structure.hpp"
 #include "constructions/virtual_work.hpp"
+#include "constructions/workings.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -137,6 +138,7 @@ private:
         read_values(solution_, protocol.values);
         statics::note_first_use_of_lines(solution_.free_bodies);
         say_projections();
+        add_workings(solution_);
     }
 
     /// By how much the projections of two velocities on the join of their points differ, in the file's unit.
