@@ -147,6 +147,23 @@ Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed) {
     return path;
 }
 
+std::vector<Spot> hull_of(std::vector<Spot> spots) {
+    std::sort(spots.begin(), spots.end(), [](Spot a, Spot b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    if (spots.size() < 3) return spots;
+    std::vector<Spot> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t start = hull.size();
+        for (const Spot spot : spots) {
+            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], spot - hull.back()) <= 1e-9)
+                hull.pop_back();
+            hull.push_back(spot);
+        }
+        hull.pop_back();
+        std::reverse(spots.begin(), spots.end());
+    }
+    return hull;
+}
+
 Path filled(const std::vector<Spot>& spots, Colour fill) {
     Path path = polyline(spots, {}, true);
     path.stroked = false;
