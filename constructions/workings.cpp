@@ -8,8 +8,6 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 class Workings {
 public:
     explicit Workings(Solution& solution)
@@ -20,8 +18,8 @@ public:
         name_polygons();
         add_slidings();
         for (const DrawnVector& vector : protocol_.vectors)
-            if (vector.statement >= 0 && plane_of(vector) != Plane::force) drawn(vector);
-        for (std::size_t i = 0; i < protocol_.statements.size(); ++i) found(static_cast<int>(i));
+            if (vector.statement != none && plane_of(vector) != Plane::force) drawn(vector);
+        for (const StatementIndex each : indices_of(protocol_.statements)) found(each);
         for (const SecondWay& way : solution_.second_way) carried_over(way);
     }
 
@@ -29,8 +27,8 @@ private:
     using Factors = std::vector<Working::Factor>;
     using Role = DrawnVector::Role;
 
-    Message& message(int statement) { return protocol_.statements[at(statement)].message; }
-    Plane plane_of(const DrawnVector& vector) const { return protocol_.polygons[at(vector.polygon)].plane; }
+    Message& message(StatementIndex statement) { return protocol_.statements[at_index(statement)].message; }
+    Plane plane_of(const DrawnVector& vector) const { return protocol_.polygons[at_index(vector.polygon)].plane; }
     const Unit& unit_of(const DrawnVector& vector) const {
         return plane_of(vector) == Plane::velocity ? units_.velocity : units_.acceleration;
     }
@@ -38,7 +36,8 @@ private:
     double distance(const Vector& from, const Vector& to) const { return length(to - from); }
 
     /// A working is said once, and only where it comes out.
-    void tell(int statement, Symbol of, Factors factors, std::optional<double> divisor, double value, const Unit& unit) {
+    void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
+              const Unit& unit) {
         auto& workings = message(statement).workings;
         const auto same = [&](const Working& each) { return each.of == of; };
         if (std::any_of(workings.begin(), workings.end(), same)) return;
@@ -92,7 +91,7 @@ private:
         for (const FreeBody& body : solution_.free_bodies) {
             if (!among(body.body)) continue;
             for (const AppliedForce& applied : body.forces)
-                if (!applied.force.is_zero() && !(applied.from >= 0 && among(applied.from))) ++count;
+                if (!applied.force.is_zero() && !(applied.from != none && among(applied.from))) ++count;
         }
         return count;
     }
@@ -100,9 +99,8 @@ private:
     /// The sentences of the slidings stand in the order of these.
     void add_slidings() {
         auto velocity = solution_.sliding.begin(), acceleration = velocity;
-        for (std::size_t i = 0; i < protocol_.statements.size(); ++i) {
-            Message& said = protocol_.statements[i].message;
-            const auto statement = static_cast<int>(i);
+        for (const StatementIndex statement : indices_of(protocol_.statements)) {
+            Message& said = message(statement);
             if (said.sentence == Sentence::slide_velocity_on_rest) ++velocity;
             if (said.sentence == Sentence::slide_velocity) slides(statement, (velocity++)->velocity, units_.velocity);
             const bool on_rest = said.sentence == Sentence::slide_acceleration_on_rest;
@@ -117,7 +115,7 @@ private:
                 Symbol symbol = std::get<Symbol>(said.arguments[0]);
                 symbol.term = "cor";
                 const double omega =
-                    std::abs(spin(solution_.mechanism.joints[at(sliding.joint)].bodies[1], Symbol::Letter::omega));
+                    std::abs(spin(solution_.mechanism.joints[at_index(sliding.joint)].bodies[1], Symbol::Letter::omega));
                 const double speed = length(*sliding.velocity);
                 tell(statement, symbol, {{2}, {omega}, {in(speed, units_.acceleration)}}, std::nullopt,
                      in(coriolis, units_.acceleration), units_.acceleration);
@@ -125,7 +123,7 @@ private:
             slides(statement, sliding.acceleration, units_.acceleration);
         }
     }
-    void slides(int statement, const Recorded<Vector>& found, const Unit& unit) {
+    void slides(StatementIndex statement, const Recorded<Vector>& found, const Unit& unit) {
         tell(statement, std::get<Symbol>(message(statement).arguments[0]), {}, std::nullopt, in(length(*found), unit), unit);
     }
 
@@ -136,7 +134,9 @@ private:
         const Message& said = message(vector.statement);
         const bool image = said.sentence == Sentence::image_velocity || said.sentence == Sentence::image_acceleration;
         const bool alike = said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
-        if (alike || (vector.role == Role::absolute && image)) return;
+        // A crank that turns uniformly has its normal part alone, which is told.
+        const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
+        if (alike || (vector.role == Role::absolute && (image || uniform))) return;
         const Unit& unit = unit_of(vector);
         const double si = length(protocol_.value_of(vector)), value = in(si, unit);
         if (magnitudes_.is_noise(vector.quantity, si)) return tell(vector.statement, vector.symbol, {}, std::nullopt, 0, unit);
@@ -145,7 +145,7 @@ private:
 
     /// Set off by its length, and not read off.
     bool is_known(const DrawnVector& vector) const {
-        const std::optional<Equation>& equation = protocol_.statements[at(vector.statement)].equation;
+        const std::optional<Equation>& equation = protocol_.statements[at_index(vector.statement)].equation;
         if (!equation) return true;
         for (const std::vector<Term>& side : equation->sides)
             for (const Term& term : side)
@@ -177,23 +177,23 @@ private:
         }
     }
     double lever_of(const DrawnVector& vector) const {
-        if (vector.seen.about < 0 || vector.seen.of.place < 0) return 0;
+        if (vector.seen.about == none || vector.seen.of.place == none) return 0;
         const ProjectivePoint &from = protocol_.point(vector.seen.about), &to = protocol_.point(vector.seen.of.place);
         return from.at_infinity() || to.at_infinity() ? 0 : distance(from.place(), to.place());
     }
     double spin(BodyIndex body, Symbol::Letter letter) const {
-        if (body < 0) return 0;
-        const BodyMotion& motion = solution_.bodies[at(body)];
+        if (body == none) return 0;
+        const BodyMotion& motion = solution_.bodies[at_index(body)];
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
         return value ? value->to_double() : 0;
     }
 
     // --- what a statement ends with ------------------------------------------------------------------------------------------
 
-    void found(int statement) {
+    void found(StatementIndex statement) {
         const Sentence sentence = message(statement).sentence;
         if (sentence == Sentence::inertia_force || sentence == Sentence::inertia_couple) return inertia(statement);
-        for (const Quantity& quantity : protocol_.statements[at(statement)].finds) {
+        for (const Quantity& quantity : protocol_.statements[at_index(statement)].finds) {
             if (quantity.kind == Quantity::Kind::omega) turning_found(statement, quantity, Symbol::Letter::omega);
             if (quantity.kind == Quantity::Kind::alpha) turning_found(statement, quantity, Symbol::Letter::alpha);
         }
@@ -203,13 +203,14 @@ private:
     }
 
     /// ω = v/r, α = a^t/r of two points of the body.
-    void turning_found(int statement, const Quantity& quantity, Symbol::Letter letter) {
+    void turning_found(StatementIndex statement, const Quantity& quantity, Symbol::Letter letter) {
         const Message& said = message(statement);
         const bool omega = letter == Symbol::Letter::omega;
         const double value = spin(quantity.body, letter);
-        const Symbol of{letter, solution_.mechanism.bodies[at(quantity.body)].name, ""};
+        const Symbol of{letter, solution_.mechanism.bodies[at_index(quantity.body)].name, ""};
         static const Unit per_second{"rad/s", 1}, per_second_squared{"rad/s²", 1};
         const Unit& unit = omega ? per_second : per_second_squared;
+        if (said.sentence == Sentence::omega_by_fixed_guide || said.sentence == Sentence::alpha_by_fixed_guide) return;
         if (magnitudes_.is_noise(quantity, value)) return tell(statement, of, {}, std::nullopt, 0, unit);
         Factors factors;
         std::optional<double> divisor;
@@ -232,7 +233,7 @@ private:
         return from && to ? std::optional(distance(*from, *to)) : std::nullopt;
     }
 
-    void force_found(int statement, const FreeBody& body, const AppliedForce& applied) {
+    void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
         if (body.in_parts) return;
         const Quantity quantity = quantity_of(body, applied);
         const double force = length(applied.force), couple = applied.couple.to_double();
@@ -247,13 +248,14 @@ private:
     }
 
     /// F_i = −m a_G, M_i = −J α.
-    void inertia(int statement) {
+    void inertia(StatementIndex statement) {
         const Symbol of = std::get<Symbol>(message(statement).arguments[1]);
         for (const FreeBody& body : solution_.free_bodies)
             for (const AppliedForce& applied : body.forces) {
-                if (applied.kind != AppliedForce::Kind::inertia || body.body != protocol_.statements[at(statement)].bodies[0])
+                if (applied.kind != AppliedForce::Kind::inertia ||
+                    body.body != protocol_.statements[at_index(statement)].bodies[0])
                     continue;
-                const Mass& mass = solution_.mechanism.masses[at(applied.given)];
+                const Mass& mass = solution_.mechanism.masses[at_index(applied.given)];
                 const double m = mass.mass.to_double(), force = length(applied.force), couple = applied.couple.to_double();
                 if (of.letter == Symbol::Letter::F && force > 0)
                     tell(statement, of, {{m}, {force / m}}, std::nullopt, in(force, units_.force), units_.force);
@@ -266,18 +268,18 @@ private:
 
     /// ω_4 = ω_2 · P_12 P_24 / P_14 P_24.
     void carried_over(const SecondWay& way) {
-        for (std::size_t i = 0; i < protocol_.statements.size(); ++i) {
-            const Message& said = protocol_.statements[i].message;
+        for (const StatementIndex statement : indices_of(protocol_.statements)) {
+            const Message& said = message(statement);
             if (said.sentence != Sentence::second_way || !way.omega) continue;
             const Symbol of = std::get<Symbol>(said.arguments[0]);
-            if (of.about != solution_.mechanism.bodies[at(way.body)].name) continue;
+            if (of.about != solution_.mechanism.bodies[at_index(way.body)].name) continue;
             const BodyIndex driver = *solution_.mechanism.body_named(std::get<Symbol>(said.arguments[4]).about);
-            const auto from = centre_of(0, driver), own = centre_of(0, way.body), common = centre_of(driver, way.body);
+            const auto from = centre_of(frame, driver), own = centre_of(frame, way.body), common = centre_of(driver, way.body);
             if (!from || !own || !common) return;
             const double value = way.omega->to_double(), far = in(distance(*own, *common), units_.length);
             double near = in(distance(*from, *common), units_.length);
             if (dot(*common - *from, *common - *own) < Exact(0)) near = -near;  // between the pivots: the senses differ
-            tell(static_cast<int>(i), of, {{spin(driver, Symbol::Letter::omega)}, {near}}, far, value, {"rad/s", 1});
+            tell(statement, of, {{spin(driver, Symbol::Letter::omega)}, {near}}, far, value, {"rad/s", 1});
             return;
         }
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
@@ -154,7 +155,7 @@ private:
 
     /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a Coriolis term
     /// that is set off last.
-    static void add_corner(PolygonParts& parts, int statement, Spot support, Spot along, double reach) {
+    static void add_corner(PolygonParts& parts, StatementIndex statement, Spot support, Spot along, double reach) {
         for (const PolygonVector& vector : parts.vectors) {
             if (!vector.has_right_angles) continue;
             const bool at_tip = length(vector.tip - support) < coincident;
@@ -250,8 +251,8 @@ private:
         draw_arrow(figure.marks, *origin, *origin + arm * along, theme.outline, colour.line);
         draw_arrow(figure.marks, *origin, *origin + arm * across, theme.outline, colour.line);
         const double from = std::atan2(along.y, along.x);
-        draw_arc_arrow(figure.marks, *origin, turn, from, from + (shown.counter_clockwise ? -0.5 : 0.5) * pi, theme.thin,
-                       guide.letter);
+        draw_arc_arrow(figure.marks, *origin, turn, from, from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi,
+                       theme.thin, guide.letter);
         belong(figure.marks, first, shown.statement);
         const auto name = [&](const Symbol& symbol, Spot at, Colour ink) {
             LabelRequest& label = figure.labels.emplace_back();

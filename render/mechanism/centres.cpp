@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/centre_symbol.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
@@ -52,7 +53,7 @@ private:
     struct Ray {
         Spot at, along;
         double from, to;
-        int statement;  // that draws it first
+        StatementIndex statement;  // that draws it first
     };
     struct Arrow {
         Spot base, along;
@@ -105,7 +106,7 @@ private:
         drawn_.assign(all_.size(), false);
         std::vector<std::size_t> wanted;
         for (std::size_t c = 0; c < all_.size(); ++c)
-            if (all_[c].first == 0 || is_primary(c)) wanted.push_back(c);
+            if (all_[c].first == frame || is_primary(c)) wanted.push_back(c);
         while (!wanted.empty()) {
             const std::size_t c = wanted.back();
             wanted.pop_back();
@@ -312,7 +313,7 @@ private:
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, false);
-        if (where_[c] == Where::far && counted_from_[c] && all_[c].first == 0) {
+        if (where_[c] == Where::far && counted_from_[c] && all_[c].first == frame) {
             // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
             append(label.text,
                    how_far(sketch_, counted_from_[c]->name, name_of_centre(c), length(place_[c] - counted_from_[c]->at)));
@@ -337,9 +338,7 @@ private:
 }  // namespace
 
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre) {
-    const std::string &i = mechanism.body(centre.first).name, &j = mechanism.body(centre.second).name;
-    const bool short_names = i.size() == 1 && j.size() == 1;
-    return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j, centre.at && centre.at->at_infinity() ? "∞" : ""};
+    return centre_symbol(mechanism, centre.first, centre.second, centre.at && centre.at->at_infinity());
 }
 
 void draw_pole(Sketch& sketch, const InstantCentre& centre) {

@@ -266,7 +266,10 @@ void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, C
         text.pivot = origin;
         const Shift shift{origin.x, origin.y};
         for (Glyph& glyph : text.glyphs) shift(glyph.origin);
-        for (Path& extra : text.extras) shift(extra);
+        for (Path& extra : text.extras) {
+            shift(extra);
+            (extra.filled ? extra.fill : extra.pen.colour) = text.colour;  // the dot of a derivative has its letter's ink
+        }
         marks.emplace_back(std::move(text));
         first = false;
     }
@@ -314,9 +317,9 @@ Box box_of(const std::vector<Mark>& marks) {
     return bounds.box;
 }
 
-void belong(std::vector<Mark>& marks, std::size_t first, int statement) {
-    const auto take = [&](int& own) {
-        if (own < 0) own = statement;
+void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statement) {
+    const auto take = [&](StatementIndex& own) {
+        if (own == none) own = statement;
     };
     for (std::size_t i = first; i < marks.size(); ++i)
         std::visit(Overloaded{[&](Path& path) { take(path.statement); }, [&](TextMark& text) { take(text.statement); },

@@ -913,6 +913,8 @@ std::string factor(double value, Language language) {
 /// "ω_3 = −0.1963/0.15 = −1.31 rad/s": the sign stands before all, its factors are moduli.
 RichText worked_out(const Working& working, Language language) {
     RichText text = typeset(working.of, language);
+    for (Piece& each : text)
+        if (each.face == Face::bold_italic) each.face = Face::italic;  // of a vector its modulus
     const std::string equals = std::string(unbroken_blank) + "=" + unbroken_blank;
     double sense = 1;
     for (const Working::Factor& each : working.factors) sense *= each.value < 0 && !each.squared ? -1 : 1;
