@@ -140,7 +140,11 @@ private:
         const Unit& unit = unit_of(vector);
         const double si = length(protocol_.value_of(vector)), value = in(si, unit);
         if (magnitudes_.is_noise(vector.quantity, si)) return tell(vector.statement, vector.symbol, {}, std::nullopt, 0, unit);
-        tell(vector.statement, vector.symbol, is_known(vector) ? factors_of(vector, si) : Factors{}, std::nullopt, value, unit);
+        const bool known = is_known(vector);
+        Factors factors = known ? factors_of(vector, si) : Factors{};
+        // A term of an equation that was known already needs no value where nothing is worked out.
+        if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
+        tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
     }
 
     /// Set off by its length, and not read off.

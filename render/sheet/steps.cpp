@@ -230,9 +230,14 @@ private:
         const Statement& statement = this->statement(index);
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
         for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
-        for (Block& row : rows) belong(row.marks, 0, index);
         double height = 0;
         for (const Block& row : rows) height += row.height;
+        if (height > prose_.height() - head_height) {  // no room for both: the equation stays, the arithmetic goes
+            height -= rows.front().height;
+            rows.front() = paragraph(say({statement.message.sentence, statement.message.arguments}, context_.language));
+            height += rows.front().height;
+        }
+        for (Block& row : rows) belong(row.marks, 0, index);
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
         step.draws =
