@@ -8,6 +8,7 @@
 #include "constructions/polygon_pen.hpp"
 #include "constructions/space_diagram.hpp"
 #include "engine/assert.hpp"
+#include "engine/centre_symbol.hpp"
 
 namespace kinegraph {
 namespace {
@@ -108,12 +109,8 @@ private:
     Symbol spin() const {
         return spin_symbol<plane>(structure_.body_name(body_));
     }
-    Symbol centre_symbol() {
-        const std::string& first = structure_.body_name(frame);
-        const std::string& second = structure_.body_name(body_);
-        const bool short_names = first.size() == 1 && second.size() == 1;
-        const bool far = centre_ && board_.is_at_infinity(*centre_);
-        return {Symbol::Letter::centre, short_names ? first + second : first + "," + second, far ? "∞" : ""};
+    Symbol symbol_of_centre() {
+        return centre_symbol(structure_.mechanism(), frame, body_, centre_ && board_.is_at_infinity(*centre_));
     }
     /// In what words the direction given at a point is named.
     template <Plane plane>
@@ -411,7 +408,7 @@ private:
         if constexpr (is_velocity<plane>) {
             settle_centre(met_at, Found::perpendiculars, {first.node, second.node});
             if (wishes_.centre)
-                begin_centre(Sentence::act_perpendiculars, {centre_symbol(), name(first.node), name(second.node)},
+                begin_centre(Sentence::act_perpendiculars, {symbol_of_centre(), name(first.node), name(second.node)},
                              "Euler–Chasles");
             state.base = {none, {}, met_at, board_.pole<plane>()};
         } else {
@@ -652,7 +649,7 @@ private:
                 board_.meet(board_.join(tip(base.place, v_base), tip(other, v_second)), board_.join(base.place, other));
             KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities of different size have no parallel joins");
             settle_centre(*met, Found::tips, {base.node, second});
-            board_.statement(statement).message.arguments = {centre_symbol(), absolute<Plane::velocity>(base.node),
+            board_.statement(statement).message.arguments = {symbol_of_centre(), absolute<Plane::velocity>(base.node),
                                                              absolute<Plane::velocity>(second),
                                                              Segment{base.label, node(second).label}};
             return;
@@ -664,12 +661,12 @@ private:
         const auto met = board_.meet(perpendicular(base.place, v_base), perpendicular(other, v_second));
         KG_ASSERT(met && !board_.is_at_infinity(*met), "velocities that are not parallel have perpendiculars that meet");
         settle_centre(*met, Found::perpendiculars, {base.node, second});
-        board_.statement(statement).message.arguments = {centre_symbol(), name(base.node), name(second)};
+        board_.statement(statement).message.arguments = {symbol_of_centre(), name(base.node), name(second)};
     }
 
     void centre_at_rest(NodeIndex index) {
         settle_centre(place(index), Found::point_at_rest, {index});
-        begin_centre(Sentence::act_point_at_rest, {centre_symbol(), name(index)}, "Euler–Chasles");
+        begin_centre(Sentence::act_point_at_rest, {symbol_of_centre(), name(index)}, "Euler–Chasles");
     }
 
     // --- all other points ----------------------------------------------------------------------------------------------------
@@ -690,15 +687,18 @@ private:
             if (board_.is_zero(state.track.spin(body_))) {
                 begin<plane>(Sentence::translating_velocity, {body(), name(index), absolute<plane>(index)});
             } else if (centre_) {
-                begin<plane>(Sentence::act_velocity, {absolute<plane>(index), name(index), centre_symbol(), spin<plane>()},
+                begin<plane>(Sentence::act_velocity, {absolute<plane>(index), name(index), symbol_of_centre(), spin<plane>()},
                              "Rivals");
             } else {
                 begin<plane>(Sentence::image_velocity,
-                             {name(index), body(), absolute<plane>(index), PointName{state.base->label}}, "Rivals");
+                             {name(index), body(), absolute<plane>(index), PointName{state.base->label}, spin<Plane::velocity>()},
+                             "Rivals");
             }
         } else {
             begin<plane>(Sentence::image_acceleration,
-                         {name(index), body(), absolute<plane>(index), PointName{state.base->label}}, "Rivals");
+                         {name(index), body(), absolute<plane>(index), PointName{state.base->label}, spin<Plane::velocity>(),
+                          spin<plane>()},
+                         "Rivals");
         }
     }
 

@@ -245,11 +245,25 @@ void ForceModel::add_inertia(int index) {
               board_.place(mass.centre),
               {},
               index};
-    add_load(load);
+    const BodyName body{mechanism_.bodies[at(mass.body)].name};
+    const std::string& label = structure_.node(centre).label;
+    add_said(load, {Sentence::inertia_force, {body, load.symbol, Symbol{Symbol::Letter::a, label, {}}, PointName{label}}});
     load.force.reset();
     load.symbol.letter = Symbol::Letter::M;
     load.couple = board_.opposite(board_.product(board_.inertia(index), track.spin(mass.body)));
+    add_said(load, {Sentence::inertia_couple, {body, load.symbol, Symbol{Symbol::Letter::alpha, body.name, {}}}});
+}
+
+void ForceModel::add_said(const Load& load, Message message) {
+    const std::size_t before = loads_.size();
     add_load(load);
+    if (loads_.size() == before) return;
+    Statement statement;
+    statement.message = std::move(message);
+    statement.section = Topic::forces;
+    statement.source = "d’Alembert";
+    statement.bodies = {body_of(load.member)};
+    board_.state(std::move(statement));
 }
 
 Action ForceModel::action(PlaceOnDrawing place, DirectionHandle direction) {

@@ -146,6 +146,8 @@ private:
     /// On which side of the common tangent's normal the material of bodies[0] lies: the sign of 1/x_0 − 1/x_1, x the centres'
     /// places along it (0 for a rack); 0 where the file gives only a tangent.
     int material_side(JointIndex index);
+    /// With the sentence that finds it, where it does not vanish.
+    void add_said(const Load& load, Message message);
     void add_load(Load load);
     void read_loads();
     void add_spring(int index, const SpringLoad& spring);

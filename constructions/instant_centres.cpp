@@ -4,6 +4,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "engine/centre_symbol.hpp"
 
 namespace kinegraph {
 namespace {
@@ -36,14 +37,8 @@ std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
 
 Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
     if (i > j) std::swap(i, j);
-    const std::string& first = structure_.body_name(i);
-    const std::string& second = structure_.body_name(j);
-    Symbol result;
-    result.letter = Symbol::Letter::centre;
-    result.about = first.size() == 1 && second.size() == 1 ? first + second : first + "," + second;
     const Pair& entry = pairs_[index(i, j)];
-    if (entry.point && board_.is_at_infinity(*entry.point)) result.term = "∞";
-    return result;
+    return centre_symbol(structure_.mechanism(), i, j, entry.point && board_.is_at_infinity(*entry.point));
 }
 
 StatementIndex InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {

@@ -90,7 +90,14 @@ private:
     template <Plane plane>
     void draw_vector(const Track<plane>& track, Symbol symbol, const Seen& seen, PointOn<plane> tail, PointOn<plane> tip,
                      BodyIndex body_of, DrawnVector::Role role) {
+        if (!is_velocity<plane> && hand_ == Hand::solution) relative_.insert({seen.of.place, seen.to.place});
         if (hand_ != Hand::silent) pen(track).vector(std::move(symbol), seen, tail, tip, body_of, role);
+    }
+
+    /// Whether the acceleration of one place relative to the other is drawn.
+    bool drawn_between(NodeIndex one, NodeIndex other) {
+        const ElementIndex a = place(one).element, b = place(other).element;
+        return relative_.contains({a, b}) || relative_.contains({b, a});
     }
 
     template <Plane plane>
@@ -237,17 +244,15 @@ private:
     void draw_image(Track<plane>& track, const Step& step) {
         if (!track.has(step.base) || !track.turns(step.body)) return;
         const bool rest = at_rest(step.base);
+        const PointName base{node(step.base).label}, point{node(step.node).label};
+        const Symbol omega = spin_of<Plane::velocity>(step.body);
+        std::vector<Argument> arguments{body(step.body), base, point, absolute<plane>(step.node), omega};
+        if (!rest) arguments = {point, body(step.body), absolute<plane>(step.node), base, omega};
+        if (!is_velocity<plane>) arguments.emplace_back(spin_of<plane>(step.body));
         const StatementIndex statement =
-            rest ? begin<plane>(
-                       either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration),
-                       {body(step.body), PointName{node(step.base).label}, PointName{node(step.node).label},
-                        absolute<plane>(step.node),
-                        is_velocity<plane> ? Argument(spin_of<plane>(step.body)) : Argument(absolute<plane>(step.node, "t"))},
-                       "Rivals")
-                 : begin<plane>(either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
-                                {PointName{node(step.node).label}, body(step.body), absolute<plane>(step.node),
-                                 PointName{node(step.base).label}},
-                                "Rivals");
+            begin<plane>(rest ? either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration)
+                              : either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
+                         std::move(arguments), "Rivals");
         const auto join = diagram_.join(step.base, step.node);
         PointOn<plane> tip = track.tip(step.base);
         if constexpr (is_velocity<plane>) {
@@ -271,6 +276,13 @@ private:
                 if (!board_.is_zero(tangential))
                     draw_vector(track, absolute<plane>(step.node, "t"), seen, middle, end, step.body,
                                 DrawnVector::Role::tangential);
+            } else if (node(step.node).bodies.size() > 1 && !drawn_between(step.node, step.base)) {
+                // A pin from which others go on: its parts are worth a reading.
+                const Seen seen = turning(step.node, step.base);
+                draw_vector(track, relative<plane>(step.node, step.base, "n"), seen, tip, middle, step.body,
+                            DrawnVector::Role::normal);
+                draw_vector(track, relative<plane>(step.node, step.base, "t"), seen, middle, end, step.body,
+                            DrawnVector::Role::tangential);
             }
             tip = end;
         }
@@ -380,8 +392,13 @@ private:
     void spin_from_pair(Track<plane>& track, const Step& step) {
         if (!track.has(step.base) || !track.has(step.node)) return;
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
-        Symbol relative_symbol = at_rest(step.base) ? absolute<plane>(step.node, is_velocity<plane> ? "" : "t")
-                                                    : relative<plane>(step.node, step.base, is_velocity<plane> ? "" : "t");
+        const char* const term = is_velocity<plane> ? "" : "t";
+        // The vector is called as it was drawn, be it from the other end.
+        const bool from_node = track.tangential.contains({step.node, step.base});
+        Symbol relative_symbol = at_rest(step.base)   ? absolute<plane>(step.node, term)
+                                 : at_rest(step.node) ? absolute<plane>(step.base, term)
+                                 : from_node          ? relative<plane>(step.base, step.node, term)
+                                                      : relative<plane>(step.node, step.base, term);
         begin_spin<plane>(step.body, either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
                           {spin_of<plane>(step.body), relative_symbol, segment(step.base, step.node), body(step.body)}, "Rivals");
         const auto turned = board_.turn(diagram_.join(step.base, step.node));
@@ -654,7 +671,8 @@ private:
     Hand hand_ = Hand::solution;
     const Step* moved_ = nullptr;
     Statement unsaid_;
-    std::set<JointIndex> introduced_;  ///< higher pairs whose sentence was said
+    std::set<std::pair<ElementIndex, ElementIndex>> relative_;  ///< places between which accelerations are drawn
+    std::set<JointIndex> introduced_;                           ///< higher pairs whose sentence was said
 };
 
 }  // namespace

@@ -61,12 +61,22 @@ private:
         return PolygonPen<plane>::begin(board_, std::move(polygon));
     }
 
+    /// "tr", or "tr,2" where another asks for the same point: whose transport it is must be told then.
+    std::string term_of(const char* term) const {
+        const auto& queries = structure_.mechanism().find.relative_motion;
+        const PointIndex point = structure_.node(point_).point;
+        const bool alone =
+            std::count_if(queries.begin(), queries.end(), [&](const auto& each) { return each.point == point; }) < 2;
+        if (alone || *term == '\0') return term;
+        return std::string(term) + "," + (translating_ ? structure_.node(transport_).label : structure_.body_name(observer_));
+    }
+
     template <Plane plane>
-    void draw(int polygon, std::string term, PointOn<plane> tail, PointOn<plane> tip, DrawnVector::Role role) {
+    void draw(int polygon, const char* term, PointOn<plane> tail, PointOn<plane> tip, DrawnVector::Role role) {
         const BodyIndex body =
             role == DrawnVector::Role::transport && !translating_ ? observer_ : structure_.node(point_).bodies.front();
         PolygonPen<plane>(board_, polygon)
-            .vector(motion_symbol<plane>(structure_.node(point_).label, std::move(term)), seen_as(role), tail, tip, body, role);
+            .vector(motion_symbol<plane>(structure_.node(point_).label, term_of(term)), seen_as(role), tail, tip, body, role);
     }
 
     CarriedPlace carried(NodeIndex node) { return carried(node, structure_.node(node).bodies.front()); }
@@ -86,7 +96,7 @@ private:
     void say(Sentence rotating, Sentence translating, Symbol::Letter letter, const char* source) {
         Statement statement;
         const std::string& name = structure_.node(point_).label;
-        const auto symbol = [&](const char* term) { return Symbol{letter, name, term}; };
+        const auto symbol = [&](const char* term) { return Symbol{letter, name, term_of(term)}; };
         std::vector<Argument> arguments{PointName{name}};
         if (translating_) {
             arguments.emplace_back(PointName{structure_.node(transport_).label});

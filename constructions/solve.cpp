@@ -18,6 +18,7 @@
 #include "constructions/relative_motion.hpp"
 #include "constructions/structure.hpp"
 #include "constructions/virtual_work.hpp"
+#include "constructions/workings.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -147,6 +148,7 @@ private:
         forget_noise(solution_);
         statics::note_first_use_of_lines(solution_.free_bodies, solution_.pose);
         say_projections();
+        add_workings(solution_);
     }
 
     /// By how much the projections of two velocities on the join of their points differ, in the file's unit.

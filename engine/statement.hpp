@@ -2,6 +2,7 @@
 // language, an equation a vector equation with what is known of each term. Knows no language and no font.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,12 +26,14 @@ std::string name_of(const Symbol& symbol);
 
 /// The sentences that a solution may say. render/text/words.cpp has each in every language.
 enum class Sentence {
-    crank_velocity,        ///< {0} body, {1} pivot, {2} point, {3} v, {4} omega: the driven body turns about a point at rest
-    crank_acceleration,    ///< {0} body, {1} pivot, {2} point, {3} a^n, {4} a^t (or absent)
-    image_velocity,        ///< {0} point, {1} body, {2} v: the image (Rivals) from ω and a known point {3}
-    image_acceleration,    ///< the same for a
-    translating_velocity,  ///< {0} body, {1} point, {2} v: ω = 0, all points alike
-    two_lines_velocity,    ///< {0} tip of the point sought (image), {1} first line's reason, {2} second line's reason
+    crank_velocity,            ///< {0} body, {1} pivot, {2} point, {3} v, {4} ω: the driven body turns about a point at rest
+    crank_acceleration,        ///< {0} body, {1} pivot, {2} point, {3} a, {4} ω, {5} α (absent: it turns uniformly)
+    image_velocity,            ///< {0} point, {1} body, {2} v, {3} known point, {4} ω: the image (Rivals)
+    image_acceleration,        ///< {0} point, {1} body, {2} a, {3} known point, {4} ω, {5} α (absent: it turns uniformly)
+    translating_velocity,      ///< {0} body, {1} point, {2} v: ω = 0, all points alike
+    translating_acceleration,  ///< {0} body, {1} point, {2} a: it translates, all points alike
+    image_acceleration_without_omega,  ///< {0} point, {1} body, {2} a, {3} known point, {4} α: ω = 0 for an instant
+    two_lines_velocity,                ///< {0} tip of the point sought (image), {1} first line's reason, {2} second line's reason
     two_lines_acceleration,
     omega_from_pair,  ///< {0} omega, {1} v_BA, {2} segment BA, {3} body
     alpha_from_pair,  ///< {0} alpha, {1} a_BA^t, {2} segment, {3} body
@@ -44,7 +47,8 @@ enum class Sentence {
     alpha_by_driver,
     slide_velocity,  ///< {0} v_rel read off once both ends are known: {1} point, {2} body i, {3} body j
     slide_acceleration,
-    slide_velocity_on_rest,  ///< {0} v_rel, {1} point, {2} v of the slider: the guide is at rest, so they are one
+    slide_acceleration_without_coriolis,  ///< {0} a_rel, {1} point, {2} body i, {3} body j: ω or v_rel vanishes
+    slide_velocity_on_rest,               ///< {0} v_rel, {1} point, {2} v of the slider: the guide is at rest, so they are one
     slide_acceleration_on_rest,
     driven_point_velocity,  ///< {0} v of a point fully known from a slide driver, {1} joint
     driven_point_acceleration,
@@ -82,6 +86,8 @@ enum class Sentence {
     relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel
     relative_translating_velocity,    ///< {0} point, {1} origin, {2} v_tr, {3} v_rel
     relative_translating_acceleration,
+    inertia_force,          ///< {0} body, {1} F_i, {2} a_G, {3} G: equal to m a_G, opposite, through G
+    inertia_couple,         ///< {0} body, {1} M_i, {2} α: J α, opposite
     two_force_body,         ///< {0} body, {1} {2} points: two forces only, so both act along their join
     two_force_guide,        ///< {0} body, {1} point, {2} guide's joint: two forces, so both act through {1} normal to the guide
     two_force_group,        ///< {0} bodies, {1} {2} points: taken together they carry two forces only
@@ -91,6 +97,8 @@ enum class Sentence {
     three_parallel_lines,   ///< {0} body, {1} symbol: two lines are parallel, so the third force is parallel to them
     triangle,               ///< {0} body, {1} {2} symbols found by closing the triangle
     triangle_at,            ///< {0} body, {1} name of the meet, {2} {3} symbols found
+    polygon,                ///< as triangle, of more than three forces
+    polygon_at,             ///< as triangle_at, of more than three forces: the known ones are added first
     parallel_forces,        ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)
     culmann,       ///< {0} body, {1} meet of the lines of {3} and {4}, {2} symbol: by moments about {1}, then the triangle
     culmann_line,  ///< {0} body, {1} {2} the meets that give Culmann's line, {3} {4} {5} symbols: {3} at {1}, the others at {2}
@@ -259,9 +267,21 @@ JointName reader_name(const Mechanism& mechanism, const Joint& joint);
 /// As the file calls it.
 inline JointName file_name(const Joint& joint) { return {joint.name, joint.named}; }
 
+/// A number worked out where its sentence finds it: ω_3 = 0.196/0.15 = 1.31 rad/s.
+struct Working {
+    Symbol of;
+    struct Factor {
+        double value = 0;  ///< in units that make up that of the result
+        bool squared = false;
+    };
+    std::vector<Factor> factors;  ///< none: it is read off the drawing
+    std::optional<double> divisor;
+    Amount result;
+};
 struct Message {
     Sentence sentence = Sentence::count_;
     std::vector<Argument> arguments;
+    std::vector<Working> workings = {};  ///< said after the sentence
 };
 
 /// A term of a vector equation and what is known of it before the polygon is drawn.

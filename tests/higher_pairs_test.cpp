@@ -120,7 +120,7 @@ TEST(Rolling, WithoutProfilesOnlyVelocitiesAreKnown) {
     EXPECT_EQ(read.v("C", "2"), (Vector{-2, 0}));
     EXPECT_FALSE(read.motion("C", "2").acceleration);
     ASSERT_EQ(solution.unsolved.size(), 1U);
-    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the \"profiles\" of both bodies there");
+    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the profiles of both bodies there");
 }
 
 // --- contacts ------------------------------------------------------------------------------------------------------------------
@@ -228,7 +228,7 @@ TEST(Contact, WithoutCurvaturesAccelerationsAskForThem) {
     EXPECT_TRUE((Reading{solution}.motion("P", "3").velocity));
     ASSERT_FALSE(solution.unsolved.empty());
     EXPECT_EQ(english(solution.unsolved[0].what), "acceleration of body 3");
-    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the \"profiles\" of both bodies there");
+    EXPECT_EQ(english(solution.unsolved[0].why), "it needs the curvatures at P; give the profiles of both bodies there");
 }
 
 // --- gears ---------------------------------------------------------------------------------------------------------------------

@@ -82,7 +82,7 @@ TEST(Pairs, OnlyASleeveIsCalledASleeve) {
         "joints": [{"revolute": "O", "bodies": [0, 1]}, {"weld": "A", "bodies": [1, 2]}]})");
     std::string said;
     for (const Statement& statement : solution.protocol.statements) said += english(statement.message) + "\n";
-    EXPECT_NE(said.find("The joint at A allows no relative turning"), std::string::npos) << said;
+    EXPECT_NE(said.find("The joint at A allows no relative rotation"), std::string::npos) << said;
     EXPECT_EQ(said.find("sleeve"), std::string::npos) << said;
 }
 

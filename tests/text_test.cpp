@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "render/page/shapes.hpp"
 #include "render/text/utf8.hpp"
 #include "tests/fonts.hpp"
 
@@ -160,6 +161,17 @@ TEST(Scripts, WiderOfTheTwoSetsTheAdvance) {
     const double wide = fonts().shape({piece("x", Face::regular, "i", "mmm")}, size).width;
     EXPECT_NEAR(both, std::max(sub, set("x").width + 0.7 * set("m").width + 0.03), 1e-12);
     EXPECT_NEAR(wide, set("x").width + 0.7 * set("mmm").width + 0.03, 1e-12);
+}
+
+TEST(Scripts, DotsHaveTheInkOfTheirLetter) {
+    Piece omega = piece("ω", Face::italic);
+    omega.dots = 1;
+    const Colour ink{200, 100, 50};
+    std::vector<Mark> marks;
+    set_text(marks, fonts().shape({omega}, 10), {3, 4}, ink, "text");
+    const auto& text = std::get<TextMark>(marks.front());
+    ASSERT_EQ(text.extras.size(), 1u);
+    EXPECT_EQ(text.extras[0].fill, ink) << "black, it could not be seen on a dark slide";
 }
 
 TEST(Scripts, DotsStandOverTheLastLetter) {

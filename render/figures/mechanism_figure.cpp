@@ -204,6 +204,8 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
             draw_rays(sketch, *one.motion, tip, view, rays);
             draw_velocity(sketch, one, {at, tip});
         }
+        draw_drivers(sketch);
+        draw_turnings(sketch, Symbol::Letter::omega);
         for (const auto& [bar, statement] : rays) {
             sketch.construction.emplace_back(line(bar.from, bar.to, sketch.thin()));
             belong(sketch.construction, sketch.construction.size() - 1, statement);

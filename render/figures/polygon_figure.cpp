@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
@@ -17,6 +18,7 @@ constexpr double short_of_pole = 3;  // … and before its support
 constexpr double seen_apart = 1.5;   // where it ends, from the other line of the meet, …
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
+constexpr double least_image = 12;   // mm²: of a link's image, or it is no figure to be seen
 constexpr double label_reach = 7;    // what labels may add beyond the strokes on each side
 constexpr double coincident = 0.02;  // mm: drawn as one
 
@@ -61,9 +63,11 @@ public:
         return parts;
     }
     Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {
+        draw_images_of_bodies(figure);
         draw_parts(figure, context_, parts, details);
         figure.box = box_of(figure.marks);
         draw_bar(figure);
+        if (!scene_.coriolis.empty()) draw_coriolis(figure, scene_.coriolis.front());
         figure.box = box_of(figure.marks);
         return figure;
     }
@@ -83,6 +87,24 @@ private:
         append(text, scene_.translating ? typeset(Symbol{Symbol::Letter::point, scene_.observer, ""}, language)
                                         : one_piece(scene_.observer));
         return text;
+    }
+
+    /// Similar to the body, turned and to another scale: a tint, and an edge where no vector is.
+    void draw_images_of_bodies(Figure& figure) const {
+        for (const SceneFace& face : scene_.faces) {
+            std::vector<Spot> corners;
+            for (const Place corner : face.corners) corners.push_back(spot(figure, corner));
+            corners = hull_of(std::move(corners));
+            double area = 0;
+            for (std::size_t i = 2; i < corners.size(); ++i)
+                area += 0.5 * std::abs(cross(corners[i - 1] - corners[0], corners[i] - corners[0]));
+            if (area < least_image) continue;
+            const BodyColour colour = context_.theme.colour_of(face.body);
+            const std::size_t first = figure.marks.size();
+            figure.marks.emplace_back(tinted(filled(corners, colour.tint)));
+            figure.marks.emplace_back(polyline(corners, {context_.theme.thin, colour.line, {}, false}, true));
+            belong(figure.marks, first, face.statement);
+        }
     }
 
     struct Ray {
@@ -208,6 +230,47 @@ private:
             }
         render::move(bar, chosen.x, chosen.y);
         figure.marks.insert(figure.marks.end(), bar.begin(), bar.end());
+    }
+    /// Why the Coriolis term has its direction, where a corner is free: v_rel, and v_rel turned a quarter with ω.
+    void draw_coriolis(Figure& figure, const SceneCoriolis& shown) const {
+        constexpr double arm = 11, turn = 5.5, reach = 7;  // mm; `reach`: of the letters
+        const Spot along{shown.along.x, -shown.along.y};
+        const Spot across = (shown.counter_clockwise ? -1.0 : 1.0) * Spot{-along.y, along.x};
+        const Box size = box_round({Spot{}, arm * along, arm * across});
+        const Box& box = figure.box;
+        std::optional<Spot> origin;
+        for (const double y : {box.max.y - size.max.y, box.min.y - size.min.y})
+            for (const double x : {box.max.x - size.max.x, box.min.x - size.min.x})
+                if (!origin && is_free(figure, {{size.min.x + x - reach, size.min.y + y - reach},
+                                                {size.max.x + x + reach, size.max.y + y + reach}}))
+                    origin = Spot{x, y};
+        if (!origin) return;
+        const Theme& theme = context_.theme;
+        const BodyColour colour = theme.colour_of(shown.body), guide = theme.colour_of(shown.guide);
+        const std::size_t first = figure.marks.size();
+        draw_arrow(figure.marks, *origin, *origin + arm * along, theme.outline, colour.line);
+        draw_arrow(figure.marks, *origin, *origin + arm * across, theme.outline, colour.line);
+        const double from = std::atan2(along.y, along.x);
+        draw_arc_arrow(figure.marks, *origin, turn, from, from + (shown.counter_clockwise ? -0.5 : 0.5) * std::numbers::pi,
+                       theme.thin, guide.letter);
+        belong(figure.marks, first, shown.statement);
+        const auto name = [&](const Symbol& symbol, Spot at, Colour ink) {
+            LabelRequest& label = figure.labels.emplace_back();
+            label.text = typeset(symbol, context_.language);
+            label.size = theme.small;
+            label.colour = ink;
+            label.anchor = *origin + at;
+            label.clearance = 1.2;
+            label.statement = shown.statement;
+        };
+        name(shown.velocity, 0.8 * arm * along, colour.letter);
+        name(shown.coriolis, 0.8 * arm * across, colour.letter);
+        name(shown.omega, (turn / std::sqrt(2.0)) * (along + across), guide.letter);
+    }
+    static Box box_round(const std::vector<Spot>& spots) {
+        Box box{spots.front(), spots.front()};
+        for (const Spot spot : spots) box.include(spot);
+        return box;
     }
     static bool is_free(const Figure& figure, const Box& box) {
         Spot pen;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/centre_symbol.hpp"
 #include "render/mechanism/sketch.hpp"
 
 namespace kinegraph::render::drawing {
@@ -180,11 +181,11 @@ private:
                 forward = obstruction(ray, ray.to, 1) + 0.01 * (seen.to - ray.to) <=
                           obstruction(ray, ray.from, -1) + 0.01 * (ray.from - seen.from);
         }
-        constexpr double beyond = 16;
+        constexpr double beyond = 16, both_seen = 9;
         if (forward)
-            ray.to = where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + 4) : ray.to + beyond;
+            ray.to = where_[c] == Where::far ? std::max(seen.to - 0.6 * broken_end, ray.to + both_seen) : ray.to + beyond;
         else
-            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - 4) : ray.from - beyond;
+            ray.from = where_[c] == Where::far ? std::min(seen.from + 0.6 * broken_end, ray.from - both_seen) : ray.from - beyond;
         arrows_[c].push_back({ray.at + (forward ? ray.to : ray.from) * ray.along, (forward ? 1.0 : -1.0) * ray.along});
     }
     double obstruction(const Ray& ray, double end, double sense) const {
@@ -305,8 +306,8 @@ private:
         for (const std::size_t d : cluster) {
             marks.emplace_back(group(d));
             draw_arrow(marks, shaft.base, tip, theme.thin, theme.secondary, shaft.broken ? dashes() : std::vector<double>{});
-            // Parallels all say where they go; of two lines to a far centre one says it.
-            for (std::size_t k = 1; k < arrows_[d].size() && where_[d] == Where::infinity; ++k)
+            // Both lines say where they go.
+            for (std::size_t k = 1; k < arrows_[d].size(); ++k)
                 draw_arrow(marks, arrows_[d][k].base, arrows_[d][k].base + 3.0 * arrows_[d][k].along, theme.thin,
                            theme.secondary);
             marks.emplace_back(GroupEnd{});
@@ -337,9 +338,7 @@ private:
 }  // namespace
 
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre) {
-    const std::string &i = mechanism.body(centre.first).name, &j = mechanism.body(centre.second).name;
-    const bool short_names = i.size() == 1 && j.size() == 1;
-    return Symbol{Symbol::Letter::centre, short_names ? i + j : i + "," + j, centre.at && centre.at->at_infinity() ? "∞" : ""};
+    return centre_symbol(mechanism, centre.first, centre.second, centre.at && centre.at->at_infinity());
 }
 
 void draw_pole(Sketch& sketch, const InstantCentre& centre) {

@@ -171,7 +171,9 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
         const StatementIndex statement = statement_of_turning(solution, {.kind = kind, .body = body});
         if (statement == none) continue;
-        const RichText text = typeset(symbol, sketch.context.language);
+        const Unit per_second_squared{"rad/s²", 1};
+        const Unit& unit = kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared;
+        const RichText text = given_value(sketch, symbol, value->to_double(), unit);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
     }
 }

@@ -3,27 +3,11 @@
 #include <cmath>
 
 #include "render/mechanism/layout.hpp"
+#include "render/page/shapes.hpp"
 
 namespace kinegraph::render::drawing {
 
 namespace {
-
-std::vector<Spot> hull_of(std::vector<Spot> spots) {
-    std::sort(spots.begin(), spots.end(), [](Spot a, Spot b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    if (spots.size() < 3) return spots;
-    std::vector<Spot> hull;
-    for (int pass = 0; pass < 2; ++pass) {
-        const std::size_t start = hull.size();
-        for (const Spot spot : spots) {
-            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], spot - hull.back()) <= 1e-9)
-                hull.pop_back();
-            hull.push_back(spot);
-        }
-        hull.pop_back();
-        std::reverse(spots.begin(), spots.end());
-    }
-    return hull;
-}
 
 /// The farthest pair and how far the others stand off its line.
 struct Chord {

@@ -147,6 +147,23 @@ Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed) {
     return path;
 }
 
+std::vector<Spot> hull_of(std::vector<Spot> spots) {
+    std::sort(spots.begin(), spots.end(), [](Spot a, Spot b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    if (spots.size() < 3) return spots;
+    std::vector<Spot> hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t start = hull.size();
+        for (const Spot spot : spots) {
+            while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], spot - hull.back()) <= 1e-9)
+                hull.pop_back();
+            hull.push_back(spot);
+        }
+        hull.pop_back();
+        std::reverse(spots.begin(), spots.end());
+    }
+    return hull;
+}
+
 Path filled(const std::vector<Spot>& spots, Colour fill) {
     Path path = polyline(spots, {}, true);
     path.stroked = false;
@@ -249,7 +266,10 @@ void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, C
         text.pivot = origin;
         const Shift shift{origin.x, origin.y};
         for (Glyph& glyph : text.glyphs) shift(glyph.origin);
-        for (Path& extra : text.extras) shift(extra);
+        for (Path& extra : text.extras) {
+            shift(extra);
+            (extra.filled ? extra.fill : extra.pen.colour) = text.colour;  // the dot of a derivative has its letter's ink
+        }
         marks.emplace_back(std::move(text));
         first = false;
     }

@@ -21,6 +21,8 @@ std::vector<double> going_round(std::vector<double> dashes, double length);
 
 Path line(Spot from, Spot to, Pen pen);
 Path polyline(const std::vector<Spot>& spots, Pen pen, bool closed = false);
+/// The corners of the convex outline of spots, in order round it.
+std::vector<Spot> hull_of(std::vector<Spot> spots);
 /// A filled polygon with no edge.
 Path filled(const std::vector<Spot>& spots, Colour fill);
 /// The same filled with a body's tint or the paper, and stroked: blocks, slots, grounds.

@@ -57,6 +57,7 @@ public:
             add_trials();
             add_lines();
             add_images();
+            if (polygon_.kind == Polygon::Kind::motion) add_images_of_bodies();
         }
         return std::move(scene_);
     }
@@ -123,8 +124,26 @@ private:
             shown.falls_out = scene_.kind == PolygonScene::Kind::closure && vector.role == DrawnVector::Role::internal;
             shown.has_right_angles = vector.role == DrawnVector::Role::normal || vector.role == DrawnVector::Role::coriolis;
             shown.statement = statement_of(vector);
+            if (vector.role == DrawnVector::Role::coriolis) add_coriolis(vector, exact);
         }
         if (longest) scene_.along = direction(*longest);
+    }
+    void add_coriolis(const DrawnVector& vector, const Vector& exact) {
+        const BodyIndex guide = vector.seen.to.body;
+        if (guide == none || !solution_.bodies[at(guide)].omega) return;
+        SceneCoriolis& shown = scene_.coriolis.emplace_back();
+        shown.coriolis = shown.velocity = vector.symbol;
+        shown.velocity.letter = Symbol::Letter::v;
+        // The observer's own term has its velocity beside it: a^cor, v^rel; at a joint v_AA* is the relative one.
+        const bool observed = polygon_.kind == Polygon::Kind::relative_motion;
+        shown.velocity.term = observed ? "rel" + vector.symbol.term.substr(std::string_view("cor").size()) : "";
+        shown.omega = {Symbol::Letter::omega, solution_.mechanism.bodies[at(guide)].name, ""};
+        shown.counter_clockwise = solution_.bodies[at(guide)].omega->sign() > 0;
+        const Place turned = direction(exact);
+        shown.along = shown.counter_clockwise ? Place{turned.y, -turned.x} : Place{-turned.y, turned.x};
+        shown.body = vector.body;
+        shown.guide = guide;
+        shown.statement = statement_of(vector);
     }
     /// A force is drawn by what finds it; the polygon of one body by what closes it, with all its sides.
     StatementIndex statement_of(const DrawnVector& vector) const {
@@ -200,6 +219,28 @@ private:
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
         }
         return image.statement;
+    }
+
+    /// A body of three points or more has an image like itself.
+    void add_images_of_bodies() {
+        std::map<ElementIndex, StatementIndex> statements;  // by point
+        for (const int index : polygon_.images) {
+            const Image& image = protocol_.images[at(index)];
+            StatementIndex& statement = statements.try_emplace(image.point, none).first->second;
+            if (image.body > frame) statement = std::max(statement, statement_of(image));
+        }
+        for (const BodyIndex body : indices(solution_.mechanism.bodies.size(), frame.next())) {
+            SceneFace face{body, {}, none};
+            for (const PointMotion& point : solution_.points) {
+                if (std::find(point.bodies.begin(), point.bodies.end(), body) == point.bodies.end()) continue;
+                const auto& found = polygon_.plane == Plane::velocity ? point.velocity : point.acceleration;
+                const auto drawn = found ? statements.find(found.element()) : statements.end();
+                if (drawn == statements.end()) continue;
+                face.corners.push_back(place(drawn->first));
+                face.statement = std::max(face.statement, drawn->second);
+            }
+            if (face.corners.size() > 2) scene_.faces.push_back(std::move(face));
+        }
     }
 
     const Solution& solution_;

@@ -44,10 +44,20 @@ struct SceneImage {
     int trial = 0;  ///< 1, 2: of which trial value
     StatementIndex statement = none;
 };
-/// The polygon of one body within a force polygon.
+/// The polygon of one body within a force polygon, in order; in one of motion the images of its points, in any.
 struct SceneFace {
     BodyIndex body = none;
     std::vector<Place> corners;
+    StatementIndex statement = none;  ///< after which all its corners stand
+};
+
+/// What gives a Coriolis term its direction: the relative velocity, turned a quarter as ω turns.
+struct SceneCoriolis {
+    Symbol coriolis, velocity, omega;
+    Place along;  ///< of the velocity, a unit
+    bool counter_clockwise = true;
+    BodyIndex body = none, guide = none;  ///< whose colours they have
+    StatementIndex statement = none;
 };
 
 struct PolygonScene {
@@ -61,6 +71,7 @@ struct PolygonScene {
     std::vector<SceneTrial> trials;
     std::vector<SceneImage> images;
     std::vector<SceneFace> faces;
+    std::vector<SceneCoriolis> coriolis;
     Place least, most;  ///< round its vectors; round pole and images too where it is one of motion
     Place along;        ///< direction of the longest vector
 

@@ -230,10 +230,14 @@ private:
         const Statement& statement = this->statement(index);
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
         for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
-        for (const RichText& found : values_found(index)) rows.push_back(paragraph(found, 4));
-        for (Block& row : rows) belong(row.marks, 0, index);
         double height = 0;
         for (const Block& row : rows) height += row.height;
+        if (height > prose_.height() - head_height) {  // no room for both: the equation stays, the arithmetic goes
+            height -= rows.front().height;
+            rows.front() = paragraph(say({statement.message.sentence, statement.message.arguments}, context_.language));
+            height += rows.front().height;
+        }
+        for (Block& row : rows) belong(row.marks, 0, index);
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
         step.draws =
@@ -278,77 +282,6 @@ private:
             block.height += 5;
         }
         return found;
-    }
-
-    // --- what a statement finds ----------------------------------------------------------------------------------------------
-
-    /// "v_B = 0.375 m/s": what its equation sought and what it names, as far as it ends with it.
-    std::vector<RichText> values_found(StatementIndex index) const {
-        const Statement& statement = this->statement(index);
-        std::vector<Symbol> symbols;
-        if (statement.equation)
-            for (const std::vector<Term>& side : statement.equation->sides)
-                for (const Term& term : side)
-                    if (!term.magnitude_known) symbols.push_back(term.symbol);
-        for (const Argument& argument : statement.message.arguments)
-            if (const auto* symbol = std::get_if<Symbol>(&argument)) symbols.push_back(*symbol);
-        std::vector<RichText> found;
-        for (const Quantity& quantity : statement.finds)
-            if (auto value = value_of(quantity, index)) found.push_back(std::move(*value));
-        std::set<std::string> told;
-        for (const Symbol& symbol : symbols)
-            if (told.insert(name_of(symbol)).second)
-                if (const auto value = vector_drawn(index, symbol)) found.push_back(with_value(symbol, *value));
-        return found;
-    }
-    struct Value {
-        double amount;
-        std::string unit;
-    };
-    static Value in_unit(double si, const Unit& unit) { return {si / unit.si.to_double(), unit.symbol}; }
-    std::optional<RichText> value_of(const Quantity& quantity, StatementIndex statement) const {
-        switch (quantity.kind) {
-            case Quantity::Kind::omega:
-            case Quantity::Kind::alpha:
-                return turning_found(quantity);
-            default:
-                return force_found(quantity, statement);
-        }
-    }
-    std::optional<RichText> turning_found(const Quantity& quantity) const {
-        const bool omega = quantity.kind == Quantity::Kind::omega;
-        const BodyMotion& motion = solution_.bodies[at_index(quantity.body)];
-        const auto& value = omega ? motion.omega : motion.alpha;
-        if (!value) return std::nullopt;
-        const Symbol symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha,
-                            solution_.mechanism.bodies[at_index(quantity.body)].name, ""};
-        return with_value(symbol, omega ? in_unit(value->to_double(), solution_.mechanism.units.angular_velocity)
-                                        : Value{value->to_double(), "rad/s²"});
-    }
-    std::optional<RichText> force_found(const Quantity& quantity, StatementIndex statement) const {
-        const Units& units = solution_.mechanism.units;
-        for (const FreeBody& body : solution_.free_bodies)
-            for (const AppliedForce& applied : body.forces) {
-                // A part of it, before parts are added, is no value of its own.
-                if (applied.force_statement != statement || quantity_of(body, applied) != quantity) continue;
-                if (!applied.force.is_zero()) return with_value(applied.symbol, in_unit(length(applied.force), units.force));
-                return with_value(couple_symbol(applied), in_unit(applied.couple.to_double(), units.moment));
-            }
-        return std::nullopt;
-    }
-    std::optional<Value> vector_drawn(StatementIndex index, const Symbol& symbol) const {
-        const Units& units = solution_.mechanism.units;
-        if (symbol.letter != Symbol::Letter::v && symbol.letter != Symbol::Letter::a) return std::nullopt;
-        for (const DrawnVector& vector : solution_.protocol.vectors)
-            if (vector.statement == index && vector.symbol == symbol)
-                return in_unit(length(solution_.protocol.value_of(vector)),
-                               symbol.letter == Symbol::Letter::v ? units.velocity : units.acceleration);
-        return std::nullopt;
-    }
-    RichText with_value(const Symbol& symbol, const Value& value) const {
-        RichText text = typeset(symbol, context_.language);
-        append(text, with_powers(" = " + number(value.amount, 4, context_.language) + " " + value.unit));
-        return text;
     }
 
     /// What the statements name, as `data-name` has it and as the figures write it.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "engine/centre_symbol.hpp"
 #include "render/page/figure.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/checked_numbers.hpp"
@@ -383,10 +384,7 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
 namespace {
 
 Symbol symbol_of(const InstantCentre& centre, const Mechanism& mechanism) {
-    const std::string& i = mechanism.bodies[at_index(centre.first)].name;
-    const std::string& j = mechanism.bodies[at_index(centre.second)].name;
-    const bool infinite = centre.at && centre.at->at_infinity();
-    return {Symbol::Letter::centre, i.size() == 1 && j.size() == 1 ? i + j : i + "," + j, infinite ? "∞" : ""};
+    return centre_symbol(mechanism, centre.first, centre.second, centre.at && centre.at->at_infinity());
 }
 
 /// The joint that holds two bodies, if one does.

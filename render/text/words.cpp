@@ -24,54 +24,63 @@ struct Row {
 };
 
 constexpr std::array sentences{
-    Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the length {4}~{1}{2}.",
-        "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e vale {4}~{1}{2}."},
+    Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the magnitude {4}~{1}{2}.",
+        "Il corpo {0} ruota attorno a {1}: {3} è normale a {1}{2} e ha modulo {4}~{1}{2}."},
     Row{Sentence::crank_acceleration,
-        "Body {0} turns about {1}: {3} is made of ω²~{1}{2}, from {2} to {1}, and α~{1}{2}, normal to it.",
-        "Il corpo {0} ruota attorno a {1}: {3} si compone di ω²~{1}{2}, da {2} a {1}, e di α~{1}{2}, normale a {1}{2}."},
-    Row{Sentence::image_velocity,
-        "The motion of body {1} is known: {2} follows from its image[; from {3} the step is ω~{3}{0}, normal to {3}{0}].",
-        "Il moto del corpo {1} è noto: {2} segue dalla sua immagine[; da {3} il passo è ω~{3}{0}, normale a {3}{0}]."},
+        "Body {0} turns about {1}: {3} has the normal part {4}²~{1}{2}, directed from {2} to {1}[, and the tangential part {5}~{1}{2}, normal to {1}{2}].",
+        "Il corpo {0} ruota attorno a {1}: {3} ha componente normale {4}²~{1}{2}, diretta da {2} verso {1}[, e componente tangenziale {5}~{1}{2}, normale a {1}{2}]."},
+    Row{Sentence::image_velocity, "The image of body {1} gives {2}[: to the velocity of {3} add {4}~{3}{0}, normal to {3}{0}].",
+        "L’immagine del corpo {1} dà {2}[: alla velocità di {3} si aggiunge {4}~{3}{0}, normale a {3}{0}]."},
     Row{Sentence::image_acceleration,
-        "{2} follows from the image of body {1}[: from {3} step ω²~{3}{0} from {0} towards {3}, then α~{3}{0} normal to it].",
-        "{2} segue dall’immagine del corpo {1}[: da {3} si porta ω²~{3}{0} da {0} verso {3}, poi α~{3}{0} normale a {3}{0}]."},
+        "The image of body {1} gives {2}[: to the acceleration of {3} add {4}²~{3}{0}, directed from {0} towards {3}][, and {5}~{3}{0}, normal to {3}{0}].",
+        "L’immagine del corpo {1} dà {2}[: all’accelerazione di {3} si aggiunge {4}²~{3}{0}, diretta da {0} verso {3}][, e {5}~{3}{0}, normale a {3}{0}]."},
     Row{Sentence::translating_velocity, "Body {0} translates, so {1} moves as all its points do: {2}.",
         "Il corpo {0} trasla, quindi {1} si muove come tutti i suoi punti: {2}."},
-    Row{Sentence::two_lines_velocity, "From the known ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
-        "Dagli estremi noti si tracciano le rette {1} e {2}: si incontrano in {0} e chiudono il poligono."},
+    Row{Sentence::translating_acceleration, "Body {0} translates: {1} has the acceleration of all its points, {2}.",
+        "Il corpo {0} trasla: {1} ha l’accelerazione di tutti i suoi punti, {2}."},
+    Row{Sentence::image_acceleration_without_omega,
+        "The image of body {1}, which does not turn at this instant, gives {2}[: to the acceleration of {3} add {4}~{3}{0} alone, normal to {3}{0}].",
+        "L’immagine del corpo {1}, che in questo istante non ruota, dà {2}[: all’accelerazione di {3} si aggiunge soltanto {4}~{3}{0}, normale a {3}{0}]."},
+    Row{Sentence::two_lines_velocity,
+        "Through the known ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
+        "Per gli estremi noti si tracciano le rette {1} e {2}, che si incontrano in {0} e chiudono il poligono."},
     Row{Sentence::two_lines_acceleration,
-        "Set off the known terms; from their ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
-        "Si compongono i termini noti; dai loro estremi le rette {1} e {2} si incontrano in {0} e chiudono il poligono."},
-    Row{Sentence::omega_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
+        "Set off the known terms; through their ends draw the lines {1} and {2}: they meet in {0} and close the polygon.",
+        "Si riportano i termini noti; per i loro estremi si tracciano le rette {1} e {2}, che si incontrano in {0} e chiudono il poligono."},
+    Row{Sentence::omega_from_pair, "{0} is {1} divided by {2}; its sense is that in which {1} turns {2}.",
         "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
-    Row{Sentence::alpha_from_pair, "{0} is {1} over {2}; its sense is that in which {1} turns {2}.",
+    Row{Sentence::alpha_from_pair, "{0} is {1} divided by {2}; its sense is that in which {1} turns {2}.",
         "{0} è {1} diviso {2}; il verso è quello in cui {1} fa ruotare {2}."},
-    Row{Sentence::omega_by_sleeve, "The sleeve at {2} allows no relative turning: {0}~=~{1}.",
-        "Il manicotto in {2} non consente rotazione relativa: {0}~=~{1}."},
-    Row{Sentence::alpha_by_sleeve, "The sleeve at {2} keeps the two bodies parallel: {0}~=~{1}.",
-        "Il manicotto in {2} mantiene paralleli i due corpi: {0}~=~{1}."},
-    Row{Sentence::omega_by_joint, "The joint at {2} allows no relative turning: {0}~=~{1}.",
+    Row{Sentence::omega_by_sleeve, "The sliding pair at {2} allows no relative rotation: {0}~=~{1}.",
+        "La coppia prismatica in {2} non consente rotazione relativa: {0}~=~{1}."},
+    Row{Sentence::alpha_by_sleeve, "The sliding pair at {2} never allows a relative rotation, so {0}~=~{1} too.",
+        "La coppia prismatica in {2} non consente mai rotazione relativa, quindi anche {0}~=~{1}."},
+    Row{Sentence::omega_by_joint, "The joint at {2} allows no relative rotation: {0}~=~{1}.",
         "Il vincolo in {2} non consente rotazione relativa: {0}~=~{1}."},
-    Row{Sentence::alpha_by_joint, "The joint at {2} keeps the two bodies from turning against each other: {0}~=~{1}.",
-        "Il vincolo in {2} impedisce ai due corpi di ruotare l’uno rispetto all’altro: {0}~=~{1}."},
+    Row{Sentence::alpha_by_joint, "The joint at {2} never allows a relative rotation, so {0}~=~{1} too.",
+        "Il vincolo in {2} non consente mai rotazione relativa, quindi anche {0}~=~{1}."},
     Row{Sentence::omega_by_fixed_guide, "The guide at {2} is fixed, so body {1} does not turn: {0}~=~0.",
         "La guida in {2} è fissa, quindi il corpo {1} non ruota: {0}~=~0."},
     Row{Sentence::alpha_by_fixed_guide, "Body {1} never turns: {0}~=~0.", "Il corpo {1} non ruota mai: {0}~=~0."},
-    Row{Sentence::omega_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
-    Row{Sentence::alpha_by_driver, "The drive sets {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
-    Row{Sentence::slide_velocity, "At {1} both ends are known: {0} joins them, the sliding of body {2} on body {3}.",
-        "In {1} sono noti i due estremi: {0} li congiunge, velocità relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::omega_by_driver, "The driver gives {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
+    Row{Sentence::alpha_by_driver, "The driver gives {0}[ relative to {1}].", "Il movente assegna {0}[ rispetto a {1}]."},
+    Row{Sentence::slide_velocity,
+        "At {1} both velocities are known: {0} joins their tips and is the velocity with which body {2} slides on body {3}.",
+        "In {1} sono note le due velocità: {0} ne congiunge gli estremi ed è la velocità relativa del corpo {2} rispetto al corpo {3}."},
     Row{Sentence::slide_acceleration,
-        "At {1}, once the Coriolis term is set off, {0} closes: the relative acceleration of body {2} on body {3}.",
-        "In {1}, portato il termine di Coriolis, chiude {0}: accelerazione relativa del corpo {2} rispetto al corpo {3}."},
+        "At {1}, once the Coriolis term is set off, {0} closes the polygon: it is the relative acceleration of body {2} on body {3}.",
+        "In {1}, riportato il termine di Coriolis, {0} chiude il poligono: è l’accelerazione relativa del corpo {2} rispetto al corpo {3}."},
+    Row{Sentence::slide_acceleration_without_coriolis,
+        "At {1} there is no Coriolis term: {0} joins the tips of the two accelerations and is the relative acceleration of body {2} on body {3}.",
+        "In {1} il termine di Coriolis è nullo: {0} congiunge gli estremi delle due accelerazioni ed è l’accelerazione relativa del corpo {2} rispetto al corpo {3}."},
     Row{Sentence::slide_velocity_on_rest, "The guide at {1} is at rest: {0}, the velocity along it, is {2} itself.",
         "La guida in {1} è ferma: {0}, velocità lungo la guida, coincide con {2}."},
     Row{Sentence::slide_acceleration_on_rest, "The guide at {1} is at rest: {0} is {2} itself, without a Coriolis term.",
         "La guida in {1} è ferma: {0} coincide con {2}, senza termine di Coriolis."},
-    Row{Sentence::driven_point_velocity, "The drive at {1} gives {0} in length and direction.",
-        "Il movente in {1} assegna {0} in modulo e direzione."},
-    Row{Sentence::driven_point_acceleration, "The drive at {1} gives {0} in length and direction.",
-        "Il movente in {1} assegna {0} in modulo e direzione."},
+    Row{Sentence::driven_point_velocity, "With the driver at {1}, {0} is known in magnitude and direction.",
+        "Con il movente in {1} è nota {0}, in modulo e direzione."},
+    Row{Sentence::driven_point_acceleration, "With the driver at {1}, {0} is known in magnitude and direction.",
+        "Con il movente in {1} è nota {0}, in modulo e direzione."},
     Row{Sentence::auxiliary_point, "On body {1} the normals to the two known directions meet in the auxiliary point {0}.",
         "Sul corpo {1} le normali alle due direzioni note si incontrano nel punto ausiliario {0}."},
     Row{Sentence::omega_from_parallels,
@@ -104,8 +113,8 @@ constexpr std::array sentences{
         "At the contact {2} bodies {0} and {1} have no relative velocity along the common normal: it lies along the tangent.",
         "Nel contatto {2} i corpi {0} e {1} non hanno velocità relativa lungo la normale comune: essa è diretta come la tangente."},
     Row{Sentence::pitch_curves,
-        "The pitch curves of bodies {0} and {1} roll on each other at {2}: along the common tangent its two points move alike.",
-        "Le primitive dei corpi {0} e {1} rotolano l’una sull’altra in {2}: lungo la tangente comune i due punti hanno lo stesso moto."},
+        "The pitch curves of bodies {0} and {1} roll on each other at {2}: the two points in contact have equal velocities along the common tangent.",
+        "Le primitive dei corpi {0} e {1} rotolano l’una sull’altra in {2}: i due punti a contatto hanno uguale velocità lungo la tangente comune."},
     Row{Sentence::primary_revolute, "{0} is the hinge {1}.", "{0} è la cerniera {1}."},
     Row{Sentence::primary_prismatic, "{0} is at infinity, normal to the guide at {1}.",
         "{0} è all’infinito, in direzione normale alla guida in {1}."},
@@ -120,41 +129,42 @@ constexpr std::array sentences{
         "{0} è l’incontro di {1}{2} con la normale in {3}."},
     Row{Sentence::kennedy_two_normals, "{0} is where the normals at {1} and {2} meet.",
         "{0} è l’incontro delle normali in {1} e {2}."},
-    Row{Sentence::kennedy_same, "{1} and {2} fall together, so {0} is there too.",
-        "{1} e {2} coincidono, quindi anche {0} è lì."},
-    Row{Sentence::centre_by_rigidity, "Two of the bodies do not move against each other: {0} falls on {1}.",
-        "Due dei corpi non si muovono l’uno rispetto all’altro: {0} cade in {1}."},
+    Row{Sentence::kennedy_same, "{1} and {2} coincide, so {0} is there too.", "{1} e {2} coincidono, quindi anche {0} è lì."},
+    Row{Sentence::centre_by_rigidity, "Two of the bodies do not move relative to each other: {0} coincides with {1}.",
+        "Due dei corpi non si muovono l’uno rispetto all’altro: {0} coincide con {1}."},
     Row{Sentence::centre_from_velocities,
         "{0} from the velocities: the normals to the relative velocities[ of {1} and {2}] meet there.",
         "{0} dalle velocità: vi si incontrano le normali alle velocità relative[ di {1} e {2}]."},
-    Row{Sentence::second_way, "Second way: the centres {1}, {2} and {3} carry {4} over to {0}, the same as by the polygon.",
-        "Seconda via: i centri {1}, {2} e {3} danno {0} da {4}, come il poligono."},
+    Row{Sentence::second_way, "Second way: {3} moves alike on both bodies, so {0}~=~{4}~{1}{3}/{2}{3}, as by the polygon.",
+        "Seconda via: {3} ha la stessa velocità sui due corpi, quindi {0}~=~{4}~{1}{3}/{2}{3}, come dal poligono."},
     Row{Sentence::trial_on_line,
-        "No dyad or triad leads on, so {0} is tried at two places on its line, {1}; from each the polygon is drawn on (thin broken "
-        "lines).",
-        "Nessuna diade o triade porta oltre: si prova {0} in due posizioni sulla sua retta, {1}, e da ciascuna si prosegue il "
-        "poligono (a tratti sottili)."},
+        "No dyad or triad leads on, so {0} is tried at two places of its line, {1}; from each the polygon is carried on (thin broken lines).",
+        "Nessuna diade o triade permette di proseguire: si prova {0} in due posizioni sulla sua retta, {1}, e da ciascuna si continua il poligono (linee sottili a tratti)."},
     Row{Sentence::trial_of_spin,
-        "No dyad or triad leads on, so {0} is given two trial values, and the polygon is drawn on from each.",
-        "Nessuna diade o triade porta oltre: si danno a {0} due valori di prova, e da ciascuno si prosegue il poligono."},
+        "No dyad or triad leads on, so {0} is given two trial values, and from each the polygon is carried on.",
+        "Nessuna diade o triade permette di proseguire: si danno a {0} due valori di prova, e da ciascuno si continua il poligono."},
     Row{Sentence::trial_closes_on_line,
-        "{0} must lie on the line {1}. All is linear: in proportion to how far the two trials miss it, the true {2} follows.",
-        "{0} deve stare sulla retta {1}. Tutto è lineare: in proporzione a quanto le due prove se ne scostano si ha il vero {2}."},
+        "{0} must lie on the line {1}. Everything is linear, so the true {2} follows in proportion from how far the two trials miss it.",
+        "{0} deve stare sulla retta {1}. Tutto è lineare: dagli scarti delle due prove si ricava in proporzione {2}."},
     Row{Sentence::trial_closes_by_spin,
-        "{0} and {1} must agree. All is linear: in proportion to how far they differ in the two trials, the true {2} follows.",
-        "{0} e {1} devono accordarsi. Tutto è lineare: in proporzione alla loro differenza nelle due prove si ha il vero {2}."},
+        "{0} and {1} must agree. Everything is linear, so the true {2} follows in proportion from how far they differ in the two trials.",
+        "{0} e {1} devono coincidere. Tutto è lineare: dalle loro differenze nelle due prove si ricava in proporzione {2}."},
     Row{Sentence::relative_transport_velocity,
-        "Seen from body {1}, {0} moves with {3}: its velocity less the transport velocity {2}.",
-        "Vista dal corpo {1}, {0} ha velocità relativa {3}: la velocità assoluta meno quella di trascinamento {2}."},
+        "Seen from body {1}, {0} moves with {3}: its velocity minus the transport velocity {2}.",
+        "Rispetto al corpo {1}, {0} ha velocità relativa {3}: quella assoluta meno quella di trascinamento {2}."},
     Row{Sentence::relative_transport_acceleration,
-        "Seen from body {1}, {0} has {4}: its acceleration less the transport term {2} and the Coriolis term {3}.",
-        "Visto dal corpo {1}, {0} ha {4}: l’accelerazione meno quella di trascinamento {2} e quella di Coriolis {3}."},
+        "Seen from body {1}, {0} has {4}: its acceleration minus the transport term {2} and the Coriolis term {3}.",
+        "Rispetto al corpo {1}, {0} ha accelerazione relativa {4}: quella assoluta meno quella di trascinamento {2} e quella di Coriolis {3}."},
     Row{Sentence::relative_translating_velocity,
-        "Seen from axes that translate with {1}, {0} moves with {3}: its velocity less {2}.",
-        "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua velocità meno {2}."},
+        "Seen from axes that translate with {1}, {0} moves with {3}: its velocity minus {2}.",
+        "Rispetto ad assi traslanti con {1}, {0} ha velocità relativa {3}: quella assoluta meno {2}."},
     Row{Sentence::relative_translating_acceleration,
-        "Seen from axes that translate with {1}, {0} has {3}: its acceleration less {2}; there is no Coriolis term.",
-        "Rispetto ad assi che traslano con {1}, {0} ha {3}: la sua accelerazione meno {2}, senza Coriolis."},
+        "Seen from axes that translate with {1}, {0} has {3}: its acceleration minus {2}; axes that translate bring no Coriolis term.",
+        "Rispetto ad assi traslanti con {1}, {0} ha accelerazione relativa {3}: quella assoluta meno {2}; con assi traslanti il termine di Coriolis è nullo."},
+    Row{Sentence::inertia_force, "The inertia force of body {0} acts at {3}, opposite to {2}: {1}~=~−m~{2}.",
+        "La forza d’inerzia del corpo {0} agisce in {3}, opposta a {2}: {1}~=~−m~{2}."},
+    Row{Sentence::inertia_couple, "The inertia couple of body {0} is opposite to {2}: {1}~=~−J~{2}, J about its centre of mass.",
+        "La coppia d’inerzia del corpo {0} è opposta a {2}: {1}~=~−J~{2}, J rispetto al baricentro."},
     Row{Sentence::two_force_body, "Body {0} carries two forces only, so both act along {1}{2}.",
         "Sul corpo {0} agiscono due sole forze: entrambe sono dirette secondo {1}{2}."},
     Row{Sentence::two_force_guide, "Body {0} carries two forces only: both pass through {1}, normal to the guide at {2}.",
@@ -164,17 +174,22 @@ constexpr std::array sentences{
     Row{Sentence::zero_forces, "On body {0} the two forces could not have one line of action: both vanish.",
         "Sul corpo {0} le due forze non possono avere la stessa retta d’azione: sono entrambe nulle."},
     Row{Sentence::two_forces_and_couple,
-        "Body {0} carries two forces and a couple: the forces are equal and opposite, so that at {1} is parallel to the other.",
+        "Body {0} carries two forces and a couple: the forces are equal and opposite, so the one at {1} is parallel to the other.",
         "Sul corpo {0} agiscono due forze e una coppia: le forze sono uguali e opposte, quindi quella in {1} è parallela all’altra."},
     Row{Sentence::three_force_line, "On body {0} two lines of action meet in {1}, so {2} acts along {3}{1}.",
         "Sul corpo {0} due rette d’azione si incontrano in {1}: {2} è diretta secondo {3}{1}."},
     Row{Sentence::three_parallel_lines, "On body {0} two lines of action are parallel, so {1} is parallel to them.",
         "Sul corpo {0} due rette d’azione sono parallele: anche {1} è parallela ad esse."},
-    Row{Sentence::triangle, "The triangle of body {0} closes with {1} and {2}.",
-        "Il triangolo delle forze del corpo {0} si chiude con {1} e {2}."},
+    Row{Sentence::triangle, "The force triangle of body {0} closes and gives {1} and {2}.",
+        "Il triangolo delle forze del corpo {0} si chiude e dà {1} e {2}."},
     Row{Sentence::triangle_at,
         "On body {0} the lines of the known force and of {2} meet in {1}; {3} passes there too, and the triangle gives both.",
         "Sul corpo {0} le rette della forza nota e di {2} si incontrano in {1}; anche {3} vi passa, e il triangolo dà entrambe."},
+    Row{Sentence::polygon, "The force polygon of body {0} closes and gives {1} and {2}.",
+        "Il poligono delle forze del corpo {0} si chiude e dà {1} e {2}."},
+    Row{Sentence::polygon_at,
+        "On body {0} the resultant of the known forces and the line of {2} meet in {1}; {3} passes there too, and the polygon gives both.",
+        "Sul corpo {0} la risultante delle forze note e la retta di {2} si incontrano in {1}; anche {3} vi passa, e il poligono dà entrambe."},
     Row{Sentence::parallel_forces, "The forces on body {0} are parallel: moments give {1}, the sum gives {2}.",
         "Le forze sul corpo {0} sono parallele: i momenti danno {1}, la somma {2}."},
     Row{Sentence::culmann,
@@ -183,15 +198,16 @@ constexpr std::array sentences{
     Row{Sentence::culmann_line,
         "Body {0} carries four forces: the known one meets {3} in {1}, {4} meets {5} in {2}. Culmann’s line {1}{2} carries the sum of each pair, and two triangles close.",
         "Sul corpo {0} agiscono quattro forze: quella nota incontra {3} in {1}, {4} incontra {5} in {2}. La retta di Culmann {1}{2} porta la somma di ciascuna coppia di forze e si chiudono due triangoli."},
-    Row{Sentence::force_and_couple, "On body {0} {1} is equal and opposite to the rest; {2} is that force times its arm.",
-        "Sul corpo {0} {1} è uguale e opposta al resto; {2} è quella forza per il suo braccio."},
-    Row{Sentence::single_reaction, "On body {0} only {1} is left: it balances the rest.",
-        "Sul corpo {0} resta solo {1}: equilibra tutto il resto."},
+    Row{Sentence::force_and_couple,
+        "On body {0} {1} is equal and opposite to the resultant of the other forces; {2} balances the couple that they form, force times arm.",
+        "Sul corpo {0} {1} è uguale e opposta alla risultante delle altre forze; {2} equilibra la coppia che ne nasce, forza per braccio."},
+    Row{Sentence::single_reaction, "On body {0} only {1} is unknown: it balances the rest.",
+        "Sul corpo {0} resta incognita solo {1}, che equilibra tutto il resto."},
     Row{Sentence::superposition, "No order of bodies resolves all loads at once: now those of body {0} act alone.",
         "Nessun ordine dei corpi risolve tutti i carichi insieme: agiscano ora i soli carichi del corpo {0}."},
     Row{Sentence::superposition_sum, "The partial reactions are added.", "Si sommano le reazioni parziali."},
-    Row{Sentence::trial, "{0} is given a trial value; what does not close tells in which proportion it must be taken.",
-        "A {0} si dà un valore di prova; lo scarto di chiusura dice in quale proporzione va preso."},
+    Row{Sentence::trial, "{0} is given a trial value; from the closing error its true value follows in proportion.",
+        "A {0} si dà un valore di prova; dallo scarto di chiusura si ricava in proporzione il valore vero."},
     Row{Sentence::act_given, "{0} is given: set it off from the pole.", "{0} è assegnata: si riporta dal polo."},
     Row{Sentence::act_projections,
         "{0} keeps its length, so the velocities of its ends must project alike on it: {1} and {2} do.",
@@ -236,8 +252,8 @@ constexpr std::array sentences{
         "{0} is normal to the ray from {2} to {1} and its size is {3} times the ray; the image gives the same.",
         "{0} è normale al raggio da {2} a {1} e vale {3} per il raggio; l’immagine dà lo stesso."},
     Row{Sentence::act_acceleration_centre,
-        "The point {0} has no acceleration; seen from it, every other one has the angle arctan(α/ω²) to its ray.",
-        "Il punto {0} ha accelerazione nulla; ogni altra forma con il proprio raggio l’angolo arctan(α/ω²)."},
+        "{0} has no acceleration; that of every other point makes the angle arctan(α/ω²) with its join to {0}.",
+        "{0} ha accelerazione nulla; quella di ogni altro punto forma con la congiungente a {0} l’angolo arctan(α/ω²)."},
     // remarks
     Row{Sentence::off_its_circle, "{0} is {1} off the circle of body {2} and is taken as drawn.",
         "{0} dista {1} dalla circonferenza del corpo {2} e resta dov’è disegnato."},
@@ -367,10 +383,10 @@ constexpr std::array sentences{
         "dipende da corpi il cui moto non è determinato"},
     Row{Sentence::curvatures_coincide, "at {0} both profiles have one centre of curvature, which leaves the accelerations open",
         "in {0} i due profili hanno lo stesso centro di curvatura, il che lascia libere le accelerazioni"},
-    Row{Sentence::curvatures_wanted, "it needs the curvatures at {0}; give the \"profiles\" of both bodies there",
-        "servono le curvature in {0}; assegnare lì i \"profiles\" dei due corpi"},
-    Row{Sentence::nothing_drives, "nothing drives the mechanism, which has {0} {0|freedom|freedoms}; give \"drivers\"",
-        "nulla muove il meccanismo, che ha {0} {0|grado|gradi} di libertà; assegnare \"drivers\""},
+    Row{Sentence::curvatures_wanted, "it needs the curvatures at {0}; give the profiles of both bodies there",
+        "servono le curvature in {0}; assegnare lì i profili dei due corpi"},
+    Row{Sentence::nothing_drives, "nothing drives the mechanism, which has {0} {0|freedom|freedoms}; give its drivers",
+        "nulla muove il meccanismo, che ha {0} {0|grado|gradi} di libertà; assegnare i moventi"},
     Row{Sentence::stays_free, "it stays free: the driver moves nothing at this position (dead point)",
         "resta libero: in questa configurazione il movente non muove nulla (punto morto)"},
     Row{Sentence::dead_point_at, "dead point at {0}: the two lines on which its velocity must lie are parallel",
@@ -392,11 +408,11 @@ constexpr std::array sentences{
     Row{Sentence::spring_without_direction, "the ends of {0} coincide at this position: its pull has no direction",
         "gli estremi di {0} coincidono in questa configurazione: la sua forza non ha direzione"},
     Row{Sentence::inertia_without_motion,
-        "the inertia forces of body {0} need its acceleration, which is not known; give \"drivers\"",
-        "le forze d’inerzia del corpo {0} richiedono la sua accelerazione, che non è nota; assegnare \"drivers\""},
+        "the inertia forces of body {0} need its acceleration, which is not known; give the drivers",
+        "le forze d’inerzia del corpo {0} richiedono la sua accelerazione, che non è nota; assegnare i moventi"},
     Row{Sentence::unbalanced,
-        "the loads are not balanced: the mechanism has {0} {0|freedom|freedoms} and {1} {1|effort|efforts} to hold it; give \"effort\"[; not determined: {2}]",
-        "i carichi non sono equilibrati: il meccanismo ha {0} {0|grado|gradi} di libertà e {1} {1|azione equilibrante|azioni equilibranti}; assegnare \"effort\"[; non determinate: {2}]"},
+        "the loads are not balanced: the mechanism has {0} {0|freedom|freedoms} and {1} {1|effort|efforts} to hold it; give one for each freedom[; not determined: {2}]",
+        "i carichi non sono equilibrati: il meccanismo ha {0} {0|grado|gradi} di libertà e {1} {1|azione equilibrante|azioni equilibranti}; assegnarne una per ciascun grado di libertà[; non determinate: {2}]"},
     Row{Sentence::too_many_efforts,
         "{0} {0|effort stands|efforts stand} against {1} {1|freedom|freedoms}; give one for each freedom[; not determined: {2}]",
         "a {1} {1|grado|gradi} di libertà {0|corrisponde|corrispondono} {0} {0|azione equilibrante|azioni equilibranti}; assegnarne una per ciascuno[; non determinate: {2}]"},
@@ -467,9 +483,9 @@ constexpr std::array fixed_words{
     FixedWords{"one unsolved", "unsolved", "non determinato"},
     FixedWords{"mobility", "Mobility", "Mobilità"},
     FixedWords{"degrees of freedom", "degrees of freedom", "gradi di libertà"},
-    FixedWords{"effective", "effective at this pose", "effettivi in questa configurazione"},
+    FixedWords{"effective", "effective in this position", "effettivi in questa configurazione"},
     FixedWords{"by Grübler", "by Grübler", "secondo Grübler"},
-    FixedWords{"at this pose", "at this pose", "in questa configurazione"},
+    FixedWords{"at this pose", "the rank confirms it in this position", "il rango lo conferma in questa configurazione"},
     FixedWords{"verdict", "verdict", "giudizio"},
     FixedWords{"verdict mechanism", "mechanism", "meccanismo"},
     FixedWords{"verdict isostatic", "isostatic", "isostatico"},
@@ -483,7 +499,7 @@ constexpr std::array fixed_words{
     FixedWords{"lower pairs in space", "Lower pairs in space", "Coppie elementari nello spazio"},
     FixedWords{"multiple hinges", "Multiple hinges", "Cerniere multiple"},
     FixedWords{"pair revolute", "revolute pair (hinge)", "coppia rotoidale (cerniera)"},
-    FixedWords{"pair prismatic", "prismatic pair (slider, sleeve)", "coppia prismatica (corsoio, manicotto)"},
+    FixedWords{"pair prismatic", "prismatic pair (slider, sleeve)", "coppia prismatica (cursore, manicotto)"},
     FixedWords{"pair pin-slot", "pin in a slot", "perno in un glifo"},
     FixedWords{"pair rolling", "rolling without slip", "rotolamento senza strisciamento"},
     FixedWords{"pair contact", "sliding contact (cam, roller support)", "contatto con strisciamento (camma, carrello)"},
@@ -617,13 +633,13 @@ constexpr std::array fixed_words{
     FixedWords{"largest difference", "Largest difference between construction and check",
                "Massima differenza fra costruzione e verifica"},
     FixedWords{"relative to velocity", "of the largest", "del massimo"},
-    FixedWords{"nothing driven", "Nothing is driven: the drawing shows the pose and its centres.",
+    FixedWords{"nothing driven", "Nothing is driven: the drawing shows the position and its centres.",
                "Nessun movente: il disegno mostra la configurazione e i centri."},
     // kinds of bodies, for the key
     FixedWords{"crank", "crank", "manovella"},
     FixedWords{"rocker", "rocker", "bilanciere"},
     FixedWords{"coupler", "coupler", "biella"},
-    FixedWords{"slider", "slider", "corsoio"},
+    FixedWords{"slider", "slider", "cursore"},
     FixedWords{"sleeve", "sleeve", "manicotto"},
     FixedWords{"slotted link", "slotted link", "glifo"},
     FixedWords{"link", "link", "asta"},
@@ -684,11 +700,10 @@ constexpr std::array fixed_words{
         "Le forze sono poste agli estremi delle velocità ruotate di un quarto di giro in verso antiorario: il momento di "
         "ciascuna rispetto al polo, F·h, è la sua potenza cambiata di segno; una coppia ha potenza Mω. La somma delle "
         "potenze è nulla."},
-    FixedWords{"subtitle forces", "Static forces by triangles and closed polygon",
-               "Forze statiche con i triangoli e il poligono chiuso"},
-    FixedWords{"subtitle mixed", "Motion by polygons, forces by triangles and closed polygon",
-               "Moto con i poligoni, forze con i triangoli e il poligono chiuso"},
-    FixedWords{"subtitle pose", "Pose and instant centres", "Configurazione e centri di istantanea rotazione"},
+    FixedWords{"subtitle forces", "Forces by free bodies and force polygons",
+               "Forze con i corpi liberi e i poligoni delle forze"},
+    FixedWords{"subtitle mixed", "Motion and forces by polygons", "Moto e forze con i poligoni"},
+    FixedWords{"subtitle pose", "Position and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
 };
@@ -922,6 +937,39 @@ std::string dressed(std::string_view decimal, Language language) {
     return out;
 }
 
+/// "0.64", "1.309": so many digits, without the zeros that say nothing.
+std::string factor(double value, Language language) {
+    constexpr int digits = 4;
+    std::string text = number(value, digits, Language::en);
+    if (text.find('.') != std::string::npos && text.find(' ') == std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.ends_with('.')) text.pop_back();
+    }
+    return dressed(text, language);
+}
+
+/// "ω_3 = −0.1963/0.15 = −1.31 rad/s": the sign stands before all, its factors are moduli.
+RichText worked_out(const Working& working, Language language) {
+    RichText text = typeset(working.of, language);
+    for (Piece& each : text)
+        if (each.face == Face::bold_italic) each.face = Face::italic;  // of a vector its modulus
+    const std::string equals = std::string(unbroken_blank) + "=" + unbroken_blank;
+    double sense = 1;
+    for (const Working::Factor& each : working.factors) sense *= each.value < 0 && !each.squared ? -1 : 1;
+    std::string product = sense < 0 ? "−" : "";
+    for (std::size_t i = 0; i < working.factors.size(); ++i) {
+        const Working::Factor& each = working.factors[i];
+        product += (i > 0 ? std::string(unbroken_blank) + "·" + unbroken_blank : "") + factor(std::abs(each.value), language) +
+                   (each.squared ? "²" : "");
+    }
+    if (working.divisor) product += "/" + factor(*working.divisor, language);
+    constexpr int digits = 3;
+    std::string result = number(working.result.value, digits, language);
+    if (working.result.value != 0) result += unbroken_blank + working.result.unit;
+    append(text, with_powers(equals + (product.empty() ? "" : product + " =" + unbroken_blank) + result));
+    return text;
+}
+
 bool is_all_zero(std::string_view decimal) {
     return std::none_of(decimal.begin(), decimal.end(), [](char c) { return c >= '1' && c <= '9'; });
 }
@@ -931,6 +979,11 @@ bool is_all_zero(std::string_view decimal) {
 RichText say(const Message& message, Language language) {
     RichText text;
     fill(pattern_of(message.sentence, language), message.arguments, language, Setting::typeset, text);
+    for (std::size_t i = 0; i < message.workings.size(); ++i) {
+        text.push_back(piece(i == 0 ? " " : "; "));
+        append(text, worked_out(message.workings[i], language));
+    }
+    if (!message.workings.empty()) text.push_back(piece("."));
     return text;
 }
 

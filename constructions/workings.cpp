@@ -1,0 +1,308 @@
+#include "constructions/workings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/magnitudes.hpp"
+
+namespace kinegraph {
+namespace {
+
+class Workings {
+public:
+    explicit Workings(Solution& solution)
+        : solution_(solution), protocol_(solution.protocol), units_(solution.mechanism.units), magnitudes_(solution) {}
+
+    void add() {
+        for (Statement& statement : protocol_.statements) leave_out_what_vanishes(statement.message);
+        name_polygons();
+        add_slidings();
+        for (const DrawnVector& vector : protocol_.vectors)
+            if (vector.statement != none && plane_of(vector) != Plane::force) drawn(vector);
+        for (const StatementIndex each : indices_of(protocol_.statements)) found(each);
+        for (const SecondWay& way : solution_.second_way) carried_over(way);
+    }
+
+private:
+    using Factors = std::vector<Working::Factor>;
+    using Role = DrawnVector::Role;
+
+    Message& message(StatementIndex statement) { return protocol_.statements[at_index(statement)].message; }
+    Plane plane_of(const DrawnVector& vector) const { return protocol_.polygons[at_index(vector.polygon)].plane; }
+    const Unit& unit_of(const DrawnVector& vector) const {
+        return plane_of(vector) == Plane::velocity ? units_.velocity : units_.acceleration;
+    }
+    static double in(double si, const Unit& unit) { return si / unit.si.to_double(); }
+    double distance(const Vector& from, const Vector& to) const { return length(to - from); }
+
+    /// A working is said once, and only where it comes out.
+    void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
+              const Unit& unit) {
+        auto& workings = message(statement).workings;
+        const auto same = [&](const Working& each) { return each.of == of; };
+        if (std::any_of(workings.begin(), workings.end(), same)) return;
+        double product = 1;
+        for (const Working::Factor& each : factors) product *= each.squared ? each.value * each.value : each.value;
+        if (divisor) product /= *divisor;
+        constexpr double rounding = 1e-9;
+        if (!(std::abs(product - value) <= rounding * std::abs(value))) factors.clear();
+        if (factors.empty()) divisor.reset();
+        workings.push_back({std::move(of), std::move(factors), divisor, {value, unit.symbol}});
+    }
+
+    // --- what sentences leave out --------------------------------------------------------------------------------------------
+
+    bool turns(const Argument& argument) const {
+        const Symbol& symbol = std::get<Symbol>(argument);
+        const auto body = solution_.mechanism.body_named(symbol.about);
+        if (!body) return true;
+        const bool omega = symbol.letter == Symbol::Letter::omega;
+        const Quantity quantity{.kind = omega ? Quantity::Kind::omega : Quantity::Kind::alpha, .body = *body};
+        return !magnitudes_.is_noise(quantity, spin(*body, symbol.letter));
+    }
+    /// No ω² where nothing turns, no α where it turns uniformly.
+    void leave_out_what_vanishes(Message& message) const {
+        auto& arguments = message.arguments;
+        if (message.sentence == Sentence::crank_acceleration && !turns(arguments[5])) arguments.pop_back();
+        if (message.sentence != Sentence::image_acceleration) return;
+        const bool omega = turns(arguments[4]), alpha = turns(arguments[5]);
+        if (!omega && !alpha)
+            message = {Sentence::translating_acceleration, {arguments[1], arguments[0], arguments[2]}};
+        else if (!omega)
+            message = {Sentence::image_acceleration_without_omega,
+                       {arguments[0], arguments[1], arguments[2], arguments[3], arguments[5]}};
+        else if (!alpha)
+            arguments.pop_back();
+    }
+
+    /// A triangle is of three forces.
+    void name_polygons() {
+        for (Statement& statement : protocol_.statements) {
+            Sentence& sentence = statement.message.sentence;
+            if (sentence != Sentence::triangle && sentence != Sentence::triangle_at) continue;
+            if (forces_on(statement.bodies) > 3)
+                sentence = sentence == Sentence::triangle ? Sentence::polygon : Sentence::polygon_at;
+        }
+    }
+    /// From outside on bodies taken together.
+    int forces_on(const std::vector<BodyIndex>& bodies) const {
+        const auto among = [&](BodyIndex body) { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
+        int count = 0;
+        for (const FreeBody& body : solution_.free_bodies) {
+            if (!among(body.body)) continue;
+            for (const AppliedForce& applied : body.forces)
+                if (!applied.force.is_zero() && !(applied.from != none && among(applied.from))) ++count;
+        }
+        return count;
+    }
+
+    /// The sentences of the slidings stand in the order of these.
+    void add_slidings() {
+        auto velocity = solution_.sliding.begin(), acceleration = velocity;
+        for (const StatementIndex statement : indices_of(protocol_.statements)) {
+            Message& said = message(statement);
+            if (said.sentence == Sentence::slide_velocity_on_rest) ++velocity;
+            if (said.sentence == Sentence::slide_velocity) slides(statement, (velocity++)->velocity, units_.velocity);
+            const bool on_rest = said.sentence == Sentence::slide_acceleration_on_rest;
+            if (!on_rest && said.sentence != Sentence::slide_acceleration) continue;
+            while (!acceleration->acceleration) ++acceleration;
+            const Sliding& sliding = *acceleration++;
+            if (on_rest) continue;
+            const double coriolis = length(*sliding.coriolis);
+            if (magnitudes_.is_noise({.kind = Quantity::Kind::sliding_coriolis, .joint = sliding.joint}, coriolis)) {
+                said.sentence = Sentence::slide_acceleration_without_coriolis;
+            } else {
+                Symbol symbol = std::get<Symbol>(said.arguments[0]);
+                symbol.term = "cor";
+                const double omega =
+                    std::abs(spin(solution_.mechanism.joints[at_index(sliding.joint)].bodies[1], Symbol::Letter::omega));
+                const double speed = length(*sliding.velocity);
+                tell(statement, symbol, {{2}, {omega}, {in(speed, units_.acceleration)}}, std::nullopt,
+                     in(coriolis, units_.acceleration), units_.acceleration);
+            }
+            slides(statement, sliding.acceleration, units_.acceleration);
+        }
+    }
+    void slides(StatementIndex statement, const Recorded<Vector>& found, const Unit& unit) {
+        tell(statement, std::get<Symbol>(message(statement).arguments[0]), {}, std::nullopt, in(length(*found), unit), unit);
+    }
+
+    // --- vectors of motion ---------------------------------------------------------------------------------------------------
+
+    /// What the statement that draws a vector says of its length.
+    void drawn(const DrawnVector& vector) {
+        const Message& said = message(vector.statement);
+        const bool image = said.sentence == Sentence::image_velocity || said.sentence == Sentence::image_acceleration;
+        const bool alike = said.sentence == Sentence::translating_velocity || said.sentence == Sentence::translating_acceleration;
+        // A crank that turns uniformly has its normal part alone, which is told.
+        const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
+        if (alike || (vector.role == Role::absolute && (image || uniform))) return;
+        const Unit& unit = unit_of(vector);
+        const double si = length(protocol_.value_of(vector)), value = in(si, unit);
+        if (magnitudes_.is_noise(vector.quantity, si)) return tell(vector.statement, vector.symbol, {}, std::nullopt, 0, unit);
+        const bool known = is_known(vector);
+        Factors factors = known ? factors_of(vector, si) : Factors{};
+        // A term of an equation that was known already needs no value where nothing is worked out.
+        if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
+        tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
+    }
+
+    /// Set off by its length, and not read off.
+    bool is_known(const DrawnVector& vector) const {
+        const std::optional<Equation>& equation = protocol_.statements[at_index(vector.statement)].equation;
+        if (!equation) return true;
+        for (const std::vector<Term>& side : equation->sides)
+            for (const Term& term : side)
+                if (term.symbol == vector.symbol) return term.magnitude_known;
+        return false;
+    }
+
+    Factors factors_of(const DrawnVector& vector, double si) {
+        const Unit& unit = unit_of(vector);
+        const auto turning = [&](BodyIndex body) { return std::abs(spin(body, Symbol::Letter::omega)); };
+        switch (vector.role) {
+            case Role::absolute:
+                // The crank of the sentence: from its pivot with its ω.
+                if (message(vector.statement).sentence == Sentence::crank_velocity && turning(vector.body) > 0)
+                    return {{turning(vector.body)}, {in(si / turning(vector.body), unit)}};
+                return {};
+            case Role::normal:
+                return {{turning(vector.body), true}, {in(lever_of(vector), unit)}};
+            case Role::tangential:
+                return {{std::abs(spin(vector.body,
+                                       plane_of(vector) == Plane::velocity ? Symbol::Letter::omega : Symbol::Letter::alpha))},
+                        {in(lever_of(vector), unit)}};
+            case Role::coriolis: {
+                const double omega = turning(vector.seen.to.body);
+                return omega > 0 ? Factors{{2}, {omega}, {in(si / (2 * omega), unit)}} : Factors{};
+            }
+            default:
+                return {};
+        }
+    }
+    double lever_of(const DrawnVector& vector) const {
+        if (vector.seen.about == none || vector.seen.of.place == none) return 0;
+        const ProjectivePoint &from = protocol_.point(vector.seen.about), &to = protocol_.point(vector.seen.of.place);
+        return from.at_infinity() || to.at_infinity() ? 0 : distance(from.place(), to.place());
+    }
+    double spin(BodyIndex body, Symbol::Letter letter) const {
+        if (body == none) return 0;
+        const BodyMotion& motion = solution_.bodies[at_index(body)];
+        const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
+        return value ? value->to_double() : 0;
+    }
+
+    // --- what a statement ends with ------------------------------------------------------------------------------------------
+
+    void found(StatementIndex statement) {
+        const Sentence sentence = message(statement).sentence;
+        if (sentence == Sentence::inertia_force || sentence == Sentence::inertia_couple) return inertia(statement);
+        for (const Quantity& quantity : protocol_.statements[at_index(statement)].finds) {
+            if (quantity.kind == Quantity::Kind::omega) turning_found(statement, quantity, Symbol::Letter::omega);
+            if (quantity.kind == Quantity::Kind::alpha) turning_found(statement, quantity, Symbol::Letter::alpha);
+        }
+        for (const FreeBody& body : solution_.free_bodies)
+            for (const AppliedForce& applied : body.forces)
+                if (applied.force_statement == statement) force_found(statement, body, applied);
+    }
+
+    /// ω = v/r, α = a^t/r of two points of the body.
+    void turning_found(StatementIndex statement, const Quantity& quantity, Symbol::Letter letter) {
+        const Message& said = message(statement);
+        const bool omega = letter == Symbol::Letter::omega;
+        const double value = spin(quantity.body, letter);
+        const Symbol of{letter, solution_.mechanism.bodies[at_index(quantity.body)].name, ""};
+        static const Unit per_second{"rad/s", 1}, per_second_squared{"rad/s²", 1};
+        const Unit& unit = omega ? per_second : per_second_squared;
+        if (said.sentence == Sentence::omega_by_fixed_guide || said.sentence == Sentence::alpha_by_fixed_guide) return;
+        if (magnitudes_.is_noise(quantity, value)) return tell(statement, of, {}, std::nullopt, 0, unit);
+        Factors factors;
+        std::optional<double> divisor;
+        if (said.sentence == Sentence::omega_from_pair || said.sentence == Sentence::alpha_from_pair)
+            if (const auto lever = segment_length(std::get<Segment>(said.arguments[2]))) {
+                const Unit& linear = omega ? units_.velocity : units_.acceleration;
+                factors = {{in(value * *lever, linear)}};
+                divisor = in(*lever, linear);
+            }
+        tell(statement, of, std::move(factors), divisor, value, unit);
+    }
+    /// Of places that the file names; a star tells apart whom a place belongs to, not where it is.
+    std::optional<double> segment_length(const Segment& segment) const {
+        const auto place = [&](std::string name) -> std::optional<Vector> {
+            while (name.ends_with('*')) name.pop_back();
+            const auto point = solution_.mechanism.point_named(name);
+            return point ? std::optional(solution_.pose.at(*point)) : std::nullopt;
+        };
+        const auto from = place(segment.from), to = place(segment.to);
+        return from && to ? std::optional(distance(*from, *to)) : std::nullopt;
+    }
+
+    void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
+        if (body.in_parts) return;
+        const Quantity quantity = quantity_of(body, applied);
+        const double force = length(applied.force), couple = applied.couple.to_double();
+        if (!applied.force.is_zero()) {
+            const bool nothing = magnitudes_.is_noise(quantity, force);
+            tell(statement, applied.symbol, {}, std::nullopt, nothing ? 0 : in(force, units_.force), units_.force);
+        } else if (couple != 0) {
+            Symbol symbol = applied.symbol;
+            symbol.letter = Symbol::Letter::M;
+            tell(statement, symbol, {}, std::nullopt, in(couple, units_.moment), units_.moment);
+        }
+    }
+
+    /// F_i = −m a_G, M_i = −J α.
+    void inertia(StatementIndex statement) {
+        const Symbol of = std::get<Symbol>(message(statement).arguments[1]);
+        for (const FreeBody& body : solution_.free_bodies)
+            for (const AppliedForce& applied : body.forces) {
+                if (applied.kind != AppliedForce::Kind::inertia ||
+                    body.body != protocol_.statements[at_index(statement)].bodies[0])
+                    continue;
+                const Mass& mass = solution_.mechanism.masses[at_index(applied.given)];
+                const double m = mass.mass.to_double(), force = length(applied.force), couple = applied.couple.to_double();
+                if (of.letter == Symbol::Letter::F && force > 0)
+                    tell(statement, of, {{m}, {force / m}}, std::nullopt, in(force, units_.force), units_.force);
+                const double alpha = spin(body.body, Symbol::Letter::alpha);
+                if (of.letter == Symbol::Letter::M && couple != 0)
+                    tell(statement, of, {{-mass.inertia.to_double()}, {alpha}}, std::nullopt, in(couple, units_.moment),
+                         units_.moment);
+            }
+    }
+
+    /// ω_4 = ω_2 · P_12 P_24 / P_14 P_24.
+    void carried_over(const SecondWay& way) {
+        for (const StatementIndex statement : indices_of(protocol_.statements)) {
+            const Message& said = message(statement);
+            if (said.sentence != Sentence::second_way || !way.omega) continue;
+            const Symbol of = std::get<Symbol>(said.arguments[0]);
+            if (of.about != solution_.mechanism.bodies[at_index(way.body)].name) continue;
+            const BodyIndex driver = *solution_.mechanism.body_named(std::get<Symbol>(said.arguments[4]).about);
+            const auto from = centre_of(frame, driver), own = centre_of(frame, way.body), common = centre_of(driver, way.body);
+            if (!from || !own || !common) return;
+            const double value = way.omega->to_double(), far = in(distance(*own, *common), units_.length);
+            double near = in(distance(*from, *common), units_.length);
+            if (dot(*common - *from, *common - *own) < Exact(0)) near = -near;  // between the pivots: the senses differ
+            tell(statement, of, {{spin(driver, Symbol::Letter::omega)}, {near}}, far, value, {"rad/s", 1});
+            return;
+        }
+    }
+    std::optional<Vector> centre_of(BodyIndex first, BodyIndex second) const {
+        for (const InstantCentre& centre : solution_.centres)
+            if (centre.first == std::min(first, second) && centre.second == std::max(first, second) && centre.at &&
+                !centre.at->at_infinity())
+                return centre.at->place();
+        return std::nullopt;
+    }
+
+    Solution& solution_;
+    Protocol& protocol_;
+    const Units& units_;
+    Magnitudes magnitudes_;
+};
+
+}  // namespace
+
+void add_workings(Solution& solution) { Workings(solution).add(); }
+
+}  // namespace kinegraph

@@ -1,0 +1,13 @@
+// The symbol of an instant centre, wherever it is said, tabulated or drawn.
+#pragma once
+
+#include "engine/mechanism.hpp"
+#include "engine/statement.hpp"
+
+namespace kinegraph {
+
+/// P_13, the bodies in the file's order; P_1,3 where a body's name is longer than a letter, or a point of the file is called P1
+/// or C1 (centres are C in Italian): the two would be taken for one another.
+Symbol centre_symbol(const Mechanism& mechanism, BodyIndex first, BodyIndex second, bool at_infinity);
+
+}  // namespace kinegraph

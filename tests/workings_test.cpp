@@ -1,0 +1,114 @@
+// Workings: the arithmetic beside the sentences comes out, and nothing is said of what vanishes.
+#include "constructions/workings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "render/scene/polygon_scene.hpp"
+#include "tests/files.hpp"
+#include "tests/solved.hpp"
+#include "tests/told.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using tests::example;
+
+/// All that an example says of one kind, with its numbers.
+std::string said(const Solution& solution, Sentence sentence) {
+    std::string text;
+    for (const Statement& statement : solution.protocol.statements)
+        if (statement.message.sentence == sentence) text += plain(say(statement.message, render::Language::en)) + "\n";
+    return text;
+}
+bool has(const std::string& text, std::string words) {
+    for (std::size_t at = 0; (at = words.find('~', at)) != std::string::npos;) words.replace(at, 1, "\u00a0");
+    return text.find(words) != std::string::npos;
+}
+
+TEST(Workings, ComeOutInEveryExample) {
+    for (const std::string& name : tests::example_names()) {
+        const Solution solution = example(name);
+        for (const Statement& statement : solution.protocol.statements)
+            for (const Working& working : statement.message.workings) {
+                EXPECT_TRUE(std::isfinite(working.result.value)) << name << ' ' << name_of(working.of);
+                if (working.factors.empty()) continue;
+                double product = 1;
+                for (const auto& [value, squared] : working.factors) product *= squared ? value * value : value;
+                if (working.divisor) product /= *working.divisor;
+                EXPECT_NEAR(product, working.result.value, 1e-9 * std::abs(product)) << name << ' ' << name_of(working.of);
+            }
+    }
+}
+
+TEST(Workings, OfTheFourBarAreThoseOfTheBlackboard) {
+    const Solution solution = example("four_bar");  // ω = −120 rpm, O2A 40 mm, AB 150 mm, O4B 80 mm
+    EXPECT_TRUE(has(said(solution, Sentence::crank_velocity), "v_A~=~12.57~·~0.04 =~0.503~m/s"));
+    EXPECT_TRUE(has(said(solution, Sentence::crank_acceleration), "a_A^n~=~12.57²~·~0.04 =~6.32~m/s^2") ||
+                has(said(solution, Sentence::crank_acceleration), "a_A^n~=~12.57^2~·~0.04 =~6.32~m/s^2"))
+        << said(solution, Sentence::crank_acceleration);
+    EXPECT_TRUE(has(said(solution, Sentence::omega_from_pair), "ω_3~=~0.1963/0.15 =~1.31~rad/s"));
+    EXPECT_TRUE(has(said(solution, Sentence::omega_from_pair), "ω_4~=~−0.3828/0.08 =~−4.78~rad/s"));
+    // P_12 P_24 : P_14 P_24 = 92.2 mm : 242.2 mm, both on one side of P_24.
+    EXPECT_TRUE(has(said(solution, Sentence::second_way), "ω_4~=~−12.57~·~92.23/242.2 =~−4.78~rad/s"))
+        << said(solution, Sentence::second_way);
+}
+
+TEST(Workings, AUniformCrankHasNoTangentialPart) {
+    EXPECT_FALSE(has(said(example("four_bar"), Sentence::crank_acceleration), "tangential"));
+}
+
+TEST(Workings, ABodyThatTranslatesHasNoOmegaSquared) {
+    for (const std::string& name : tests::example_names()) {
+        const Solution solution = example(name);
+        for (const Statement& statement : solution.protocol.statements) {
+            if (statement.message.sentence != Sentence::image_acceleration) continue;
+            const auto& body = std::get<BodyName>(statement.message.arguments[1]);
+            const BodyMotion& motion = solution.bodies.at(at_index(*solution.mechanism.body_named(body.name)));
+            EXPECT_FALSE(motion.omega->is_zero()) << name << ": " << english(statement.message);
+        }
+    }
+}
+
+TEST(Workings, ATriangleIsOfThreeForces) {
+    const Solution solution = example("exam_2001");  // body 5: weight, inertia, the rod's force and the guide's
+    EXPECT_TRUE(has(said(solution, Sentence::polygon), "force polygon of body 5"));
+    EXPECT_FALSE(has(said(solution, Sentence::triangle), "body 5"));
+}
+
+TEST(Workings, TheInertiaForceIsAStep) {
+    const Solution solution = example("exam_2001");
+    EXPECT_TRUE(has(said(solution, Sentence::inertia_force), "10~·~1.468 =~14.7~N")) << said(solution, Sentence::inertia_force);
+}
+
+TEST(ImagesOfBodies, AreSimilarToThem) {
+    const Solution solution = example("watt_six_bar");
+    int checked = 0;
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+        const Polygon& polygon = solution.protocol.polygons[p];
+        if (polygon.plane == Plane::force || polygon.kind != Polygon::Kind::motion) continue;
+        for (const render::SceneFace& face : render::polygon_scene(solution, static_cast<int>(p)).faces) {
+            std::vector<Vector> places;
+            for (const PointMotion& point : solution.points)
+                if (std::count(point.bodies.begin(), point.bodies.end(), face.body) > 0)
+                    places.push_back(solution.pose.at(point.point));
+            ASSERT_EQ(places.size(), face.corners.size());
+            const auto ratio = [&](std::size_t i, std::size_t j) {
+                const auto &a = face.corners[i], &b = face.corners[j];
+                return std::hypot(a.x - b.x, a.y - b.y) / length(places[i] - places[j]);
+            };
+            for (std::size_t i = 2; i < places.size(); ++i) {
+                EXPECT_NEAR(ratio(0, i), ratio(0, 1), 1e-9 * ratio(0, 1));
+                EXPECT_NEAR(ratio(1, i), ratio(0, 1), 1e-9 * ratio(0, 1));
+                ++checked;
+            }
+        }
+    }
+    EXPECT_GT(checked, 1);
+}
+
+}  // namespace
