@@ -72,13 +72,13 @@ private:
             std::vector<Block> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
-            for (const FreeBody* body : closed_by(solution_, i)) equations.push_back(force_equation_block(context_, *body, true));
+            for (const FreeBody* body : closed_by(solution_, StatementIndex(i))) equations.push_back(force_equation_block(context_, *body, true));
             for (const Block& equation : equations) {
                 if (!(equation.width > 0) || equation.width > measure_ - indent) continue;
                 set(row.marks, equation, {indent, row.height + 0.5});
                 row.height += equation.height + 2.5;
             }
-            belong(row.marks, 0, static_cast<int>(i));
+            belong(row.marks, 0, StatementIndex(i));
             rows.push_back(std::move(row));
         }
         return rows;
@@ -252,14 +252,14 @@ void Bands::collect_motion() {
                                                                        : Topic::velocity;
             last_of.emplace(topic, list.size() - 1);
         }
-    std::map<int, int> polygon_of;  // by statement
+    std::map<StatementIndex, int> polygon_of;
     for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
     for (const DrawnLine& drawn : protocol.lines)
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
     for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
         const Topic topic = protocol.statements[i].section;
         if (topic == Topic::forces) continue;
-        const auto polygon = polygon_of.find(static_cast<int>(i));
+        const auto polygon = polygon_of.find(StatementIndex(i));
         const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
         // What draws nothing stands with what was drawn before it.
         if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
@@ -276,7 +276,7 @@ void Bands::collect_forces() {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
         // A sentence that closes a body's polygon stands beside it.
         std::size_t home = at_lines;
-        const std::vector<const FreeBody*> closed = closed_by(solution_, i);
+        const std::vector<const FreeBody*> closed = closed_by(solution_, StatementIndex(i));
         if (!closed.empty())
             for (std::size_t b = at_lines; b < list.size(); ++b)
                 for (const std::size_t figure : list[b].figures)
@@ -297,7 +297,7 @@ void Bands::collect_bodies() {
     std::vector<const FreeBody*> order;
     for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
     std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
-        const auto rank = [](const FreeBody& body) { return body.statement < 0 || body.in_parts ? 1 << 30 : body.statement; };
+        const auto rank = [](const FreeBody& body) { return body.statement == none || body.in_parts ? 1 << 30 : body.statement.number(); };
         return rank(*a) < rank(*b);
     });
     bool of_two_forces = false;
@@ -372,7 +372,7 @@ Block Bands::equations(const Band& band, double most) const {
             if (!statement.equation) continue;
             if (++count > most_equations) return {};
             Block block = equation_block(context_, *statement.equation, most);
-            belong(block.marks, 0, static_cast<int>(i));
+            belong(block.marks, 0, StatementIndex(i));
             if (all.height > 0) all.height += between;
             set(all.marks, block, {0, all.height});
             all.width = std::max(all.width, block.width);

@@ -18,8 +18,8 @@ bool is_mixed(const Solution& solution) { return has_forces(solution) && has_mot
 
 std::string name_of(const Solution& solution, const FreeBody& body) {
     const Mechanism& mechanism = solution.mechanism;
-    return body.body >= 0 ? "body-" + mechanism.bodies[static_cast<std::size_t>(body.body)].name
-                          : "pin-" + mechanism.points[static_cast<std::size_t>(body.pin)].name;
+    return body.body != none ? "body-" + mechanism.bodies[at_index(body.body)].name
+                          : "pin-" + mechanism.points[at_index(body.pin)].name;
 }
 
 namespace {
@@ -34,7 +34,7 @@ bool has_circle(const Solution& solution) {
 bool has_velocities(const Solution& solution) {
     // An act of motion has them in its own figure.
     return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
-        return m.point >= 0 && m.velocity && !m.velocity->is_zero();
+        return m.point != none && m.velocity && !m.velocity->is_zero();
     });
 }
 
@@ -146,7 +146,7 @@ void WantedFigures::add_free_bodies() {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t i) { return s.free_bodies[i].body < 0 ? 1 << 20 : s.free_bodies[i].body; };
+        const auto rank = [&](std::size_t i) { return s.free_bodies[i].body == none ? 1 << 20 : s.free_bodies[i].body.number(); };
         return rank(a) < rank(b);
     });
     for (const std::size_t i : order) {
