@@ -156,6 +156,7 @@ void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole
         layout.divided = 0;
         return try_figures(best, layout, {whole, above});
     }
+    if (base.divided > format_.columns && words.is_too_wide()) return;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
     if (layout.columns > 0 && words.height(layout.columns) <= above) {
         if (sizes_.empty()) {

@@ -72,9 +72,11 @@ private:
             std::vector<Block> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
-            for (const FreeBody* body : closed_by(solution_, StatementIndex(i))) equations.push_back(force_equation_block(context_, *body, true));
+            for (const FreeBody* body : closed_by(solution_, StatementIndex(i)))
+                if (Block block = force_equation_block(context_, *body, true);
+                    block.width > 0 && block.width <= measure_ - indent)
+                    equations.push_back(std::move(block));
             for (const Block& equation : equations) {
-                if (!(equation.width > 0) || equation.width > measure_ - indent) continue;
                 set(row.marks, equation, {indent, row.height + 0.5});
                 row.height += equation.height + 2.5;
             }
@@ -242,7 +244,8 @@ void Bands::collect_motion() {
             const bool relative = kind == Polygon::Kind::relative_motion;
             const bool again = relative && p > 0 && of_one_motion(protocol.polygons[p - 1], polygon) &&
                                band_of.contains(static_cast<int>(p) - 1);
-            if (again)
+            // An act of motion shows what both polygons find in its own figure.
+            if (again || solution_.act_of_motion)
                 list.back().figures.push_back(*wanted_.named(polygon.id));
             else
                 add(polygon.id, {polygon.id});
@@ -297,7 +300,9 @@ void Bands::collect_bodies() {
     std::vector<const FreeBody*> order;
     for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
     std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
-        const auto rank = [](const FreeBody& body) { return body.statement == none || body.in_parts ? 1 << 30 : body.statement.number(); };
+        const auto rank = [](const FreeBody& body) {
+            return body.statement == none || body.in_parts ? 1 << 30 : body.statement.number();
+        };
         return rank(*a) < rank(*b);
     });
     bool of_two_forces = false;

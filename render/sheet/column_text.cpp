@@ -21,6 +21,14 @@ ColumnText::ColumnText(std::vector<Passage> passages, double measure, double sca
     }
 }
 
+bool ColumnText::is_too_wide() const {
+    constexpr double ink = 0.2;
+    return std::any_of(passages_.begin(), passages_.end(), [&](const Passage& passage) {
+        return std::any_of(passage.rows.begin(), passage.rows.end(),
+                           [&](const Block& row) { return row.width > measure_ + ink; });
+    });
+}
+
 bool ColumnText::flow(int columns, double height, const std::function<void(const Block&, int column, double y)>& place) const {
     int column = 0;
     double y = 0;

@@ -15,6 +15,8 @@ public:
 
     bool empty() const { return passages_.empty(); }
     double measure() const { return measure_; }
+    /// Whether a table is wider than its column.
+    bool is_too_wide() const;
     /// The least height at which it stands in so many columns.
     double height(int columns) const;
     void set(std::vector<Mark>& marks, Spot at, int columns, double gap) const;

@@ -161,7 +161,8 @@ private:
     bool has_outgrown(const Drawn& drawn) {
         const Box& box = drawn.figure.box;
         const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
-        if (over_x < grace && over_y < grace) return false;
+        constexpr double ink = 0.25;  // of rules at the rim
+        if (over_x < ink && over_y < ink) return false;
         Wanted& wanted = wanted_.list[drawn.wanted];
         wanted.rim_x += std::max(over_x, 0.0);
         wanted.rim_y += std::max(over_y, 0.0);
@@ -174,14 +175,20 @@ private:
         double least = 1e300, most = 0;
         for (const auto& [band, figures] : drawn_)
             for (const Drawn& drawn : figures) {
-                const Wanted& wanted = wanted_.list[drawn.wanted];
+                Wanted& wanted = wanted_.list[drawn.wanted];
                 if (wanted.to_force_scale) {
                     least = std::min(least, drawn.figure.scale);
                     most = std::max(most, drawn.figure.scale);
                 }
                 const bool misses = wanted.asked && !wanted.empty && !wanted.fills && !wanted.spare &&
                                     std::abs(drawn.figure.scale - *wanted.asked) > 1e-9 * drawn.figure.scale;
-                if (misses) otherwise = bands_.refuse(wanted.name, drawn.figure.caption) || otherwise;
+                constexpr double more = 16;
+                if (misses && roomier_.insert(wanted.name).second) {
+                    wanted.rim_x += more;
+                    wanted.rim_y += more;
+                    otherwise = true;
+                } else if (misses)
+                    otherwise = bands_.refuse(wanted.name, drawn.figure.caption) || otherwise;
                 otherwise = has_outgrown(drawn) || otherwise;
             }
         if (most > least * (1 + 1e-9)) {
@@ -289,6 +296,7 @@ private:
     Bands bands_;
     std::set<std::string> crowded_;     // bands whose figures may be smaller than is well readable
     std::set<std::string> cornerless_;  // … whose figure leaves their equations no corner
+    std::set<std::string> roomier_;     // figures that got more room for the scale asked for
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> plan_;
     std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band

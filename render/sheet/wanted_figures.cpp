@@ -19,7 +19,7 @@ bool is_mixed(const Solution& solution) { return has_forces(solution) && has_mot
 std::string name_of(const Solution& solution, const FreeBody& body) {
     const Mechanism& mechanism = solution.mechanism;
     return body.body != none ? "body-" + mechanism.bodies[at_index(body.body)].name
-                          : "pin-" + mechanism.points[at_index(body.pin)].name;
+                             : "pin-" + mechanism.points[at_index(body.pin)].name;
 }
 
 namespace {
@@ -205,8 +205,8 @@ void WantedFigures::collect_motion() {
 void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
     Wanted wanted = mechanism(s.centres.empty() || s.act_of_motion ? "mechanism" : "centres", !s.centres.empty());
-    wanted.rim_x = 22;
-    wanted.rim_y = 26;
+    wanted.rim_x = 26;
+    wanted.rim_y = 34;
     const auto draw = [](const DrawingContext& context, double x, double y) {
         if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
         return mechanism_figure(context, x, y, !context.solution.centres.empty());
