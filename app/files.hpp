@@ -15,7 +15,7 @@ namespace kinegraph::app {
 constexpr std::size_t largest_input = std::size_t{64} << 20;
 
 /// The whole of a file, which should be a `kind` ("mechanism file"). Error: why it cannot be read, in a few words.
-tl::expected<std::string, std::string> read_whole(const std::string& path, const std::string& kind);
+tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind);
 
 /// True where both paths exist and are the same file.
 bool same_file(const std::string& one, const std::string& other);
@@ -26,13 +26,15 @@ struct Output {
     std::string bytes;
 };
 struct NotWritten {
-    std::string path;
-    std::string why;
+    Words path;
+    Words why;
 };
 /// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as it was.
 /// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
 /// A text on standard output, and how that ended; a failure is told.
-Status print(const std::string& text);
+Status print(const std::string& text, Language language);
+/// Says what could not be written.
+Status fail_to_write(const NotWritten& failure, Language language);
 
 }  // namespace kinegraph::app

@@ -50,27 +50,33 @@ struct Target {
 bool is_painted(const Target& target) { return target.format == Format::png || target.format == Format::pdf; }
 
 /// What is to be written, or why the command line cannot be meant so.
-tl::expected<std::vector<Target>, std::string> targets_of(const SolveRequest& request) {
+tl::expected<std::vector<Target>, Words> targets_of(const SolveRequest& request) {
     std::vector<std::string> paths = request.outputs;
     if (paths.empty() && !request.format.empty()) paths.emplace_back("-");
     std::vector<Target> targets;
     for (const std::string& path : paths) {
-        if (path.empty() || path.ends_with('/')) return tl::unexpected("-o \"" + path + "\" names no file");
+        if (path.empty() || path.ends_with('/'))
+            return tl::unexpected(Words("-o \"{0}\" names no file", "-o \"{0}\" non indica un file", path));
         const std::size_t ending = ending_of(path);
         std::optional<Format> format;
         if (path != "-" && ending < path.size()) format = format_named(path.substr(ending + 1));
         if (!format) format = format_named(request.format);
-        if (!format && path == "-") return tl::unexpected(std::string("-o - needs --format svg, png, pdf or json"));
+        if (!format && path == "-")
+            return tl::unexpected(
+                Words("-o - needs --format svg, png, pdf or json", "-o - richiede --format svg, png, pdf o json"));
         if (!format)
             return tl::unexpected(
-                "-o " + path +
-                ": the ending does not say what to write; it may be .svg, .png, .pdf or .json (or --format says it)");
+                Words("-o {0}: the ending does not say what to write; it may be .svg, .png, .pdf or .json (or --format says it)",
+                      "-o {0}: l’estensione non dice che cosa scrivere; può essere .svg, .png, .pdf o .json (o lo dice --format)",
+                      path));
         for (const Target& other : targets)
             if (other.path == path)
-                return tl::unexpected(path == "-" ? std::string("standard output can carry one output only")
-                                                  : "-o " + path + " is given twice");
+                return tl::unexpected(path == "-" ? Words("standard output can carry one output only",
+                                                          "l’uscita standard può portare un solo risultato")
+                                                  : Words("-o {0} is given twice", "-o {0} è dato due volte", path));
         if (path != "-" && same_file(path, request.file))
-            return tl::unexpected("-o " + path + " would overwrite the mechanism file itself");
+            return tl::unexpected(Words("-o {0} would overwrite the mechanism file itself",
+                                        "-o {0} sovrascriverebbe il file del meccanismo", path));
         targets.push_back({path, *format});
     }
     return targets;
@@ -107,58 +113,63 @@ std::vector<Output> outputs_of(const Solution& solution, const std::vector<Targe
                 outputs.push_back({target.path_of_page(page), painter->to_png(pages[page], *fonts, request.dpi)});
         }
         if (count < pages.size())
-            remarks.push_back("the sheet has " + std::to_string(pages.size()) +
-                              " pages and standard output carries the first only; a PDF has them all, and so has -o with a name");
+            remarks.push_back(in(
+                {"the sheet has {0} pages and standard output carries the first only; a PDF has them all, and so has -o with a name",
+                 "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, e così -o con un nome",
+                 std::to_string(pages.size())},
+                request.language));
     }
     if (fonts) {
         std::string absent;
         for (const std::string& character : fonts->missing()) absent += (absent.empty() ? "" : ", ") + character;
-        if (!absent.empty()) remarks.push_back("the font has no " + absent + ": drawn as its code in a box");
+        if (!absent.empty())
+            remarks.push_back(in({"the font has no {0}: drawn as its code in a box",
+                                  "il font non ha {0}: disegnato come codice in un riquadro", absent},
+                                 request.language));
     }
     return outputs;
 }
 
 /// A built-in theme, or that of a file; else it has been said what is wrong.
-tl::expected<render::Theme, Status> theme_of(const std::string& name) {
+tl::expected<render::Theme, Status> theme_of(const std::string& name, Language language) {
     if (auto built_in = render::built_in_theme(name)) return *std::move(built_in);
-    const auto text = read_whole(name, "theme file");
+    const auto text = read_whole(name, {"theme file", "file di tema"});
     if (!text) {
         std::string known;
         for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
-        say(spoken(name), text.error() + " (--theme is one of " + known + ", or the path of a theme file)");
+        say(spoken(name),
+            {"{0} (--theme is one of {1}, or the path of a theme file)",
+             "{0} (--theme è uno fra {1}, o il percorso di un file di tema)", text.error(), known},
+            language);
         return tl::unexpected(Status::bad_input);
     }
     auto theme = render::read_theme(*text);
-    if (!theme) return tl::unexpected(say(spoken(name), theme.error()));
+    if (!theme) return tl::unexpected(say(spoken(name), theme.error(), language));
     return *std::move(theme);
 }
 
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
-const char* why_no_lever(const Solution& solution) {
+Words why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
         case render::NoLever::none:
-            return "";
+            return {};
         case render::NoLever::no_forces:
-            return "no forces act, or none are asked for";
+            return {"no forces act, or none are asked for", "nessuna forza agisce o è richiesta"};
         case render::NoLever::no_velocities:
-            return "forces have powers only where something is driven and its velocities are known";
+            return {"forces have powers only where something is driven and its velocities are known",
+                    "le forze hanno potenza solo dove qualcosa è comandato e le sue velocità sono note"};
         case render::NoLever::nothing_moves:
-            return "no force acts at a point that moves";
+            return {"no force acts at a point that moves", "nessuna forza agisce in un punto che si muove"};
     }
-    return "";
+    return {};
 }
 
 /// The file read and solved; else it has been said what is wrong.
-tl::expected<Solution, Status> solution_of(const SolveRequest& request, const std::string& name) {
-    const auto text = read_whole(request.file, "mechanism file");
-    if (!text) {
-        say(name, text.error());
-        return tl::unexpected(Status::bad_input);
-    }
-    auto mechanism = read_mechanism(*text, bare_name(request.file));
-    if (!mechanism) return tl::unexpected(say(name, mechanism.error()));
+tl::expected<Solution, Status> solution_of(const SolveRequest& request) {
+    auto mechanism = mechanism_of(request.file, request.language);
+    if (!mechanism) return tl::unexpected(mechanism.error());
     auto solution = solve(*std::move(mechanism));
-    if (!solution) return tl::unexpected(say(name, solution.error()));
+    if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
     return *std::move(solution);
 }
 
@@ -168,8 +179,7 @@ bool wants_lever(const SolveRequest& request) {
 
 /// The sheet, its steps or one figure; else it has been said that there is no such figure.
 tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
-                                                         const SolveRequest& request, const std::string& name,
-                                                         const render::Fonts& fonts) {
+                                                         const SolveRequest& request, const render::Fonts& fonts) {
     render::SheetOptions options;
     options.paper = request.paper;
     options.language = request.language;
@@ -184,7 +194,10 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
     std::string names;
     for (const std::string& each : render::figure_names(solution, options, fonts)) names += (names.empty() ? "" : ", ") + each;
-    say(name, "--figure " + request.figure + ": there is no such figure; there are " + names);
+    say(spoken(request.file),
+        {"--figure {0}: there is no such figure; there are {1}", "--figure {0}: non c’è questa figura; ci sono {1}",
+         request.figure, names},
+        request.language);
     return tl::unexpected(Status::bad_input);
 }
 
@@ -193,28 +206,40 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
                        std::vector<std::string>& remarks) {
     const auto is_json = [](const Target& target) { return target.format == Format::json; };
     const bool draws = !std::all_of(targets.begin(), targets.end(), is_json);
+    const auto remark = [&](const Words& words) { remarks.push_back(in(words, request.language)); };
     if (wants_lever(request)) {
-        if (const char* why = why_no_lever(solution); *why)
-            remarks.push_back(std::string("no lever: ") + why);
+        if (const Words why = why_no_lever(solution); !why.empty())
+            remark({"no lever: {0}", "nessuna leva: {0}", why});
         else if (!draws)
-            remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
+            remark({"--with joukowsky adds to the sheet only, and none is asked for",
+                    "--with joukowsky aggiunge solo al foglio, e nessuno è richiesto"});
     }
-    if (!request.figure.empty() && !draws) remarks.emplace_back("--figure chooses what is drawn, and no drawing is asked for");
-    if (request.steps && !draws) remarks.emplace_back("--steps adds pages to what is drawn, and no drawing is asked for");
+    if (!request.figure.empty() && !draws)
+        remark({"--figure chooses what is drawn, and no drawing is asked for",
+                "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});
+    if (request.steps && !draws)
+        remark({"--steps adds pages to what is drawn, and no drawing is asked for",
+                "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"});
     if (request.exact && std::none_of(targets.begin(), targets.end(), is_json))
-        remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");
+
+        remark({"--exact adds to the JSON results only, and none are asked for",
+                "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"});
 }
 
 /// The names of further pages are known only now; none may be another output's, or the mechanism file's. Says so where one is.
-bool names_clash(const std::vector<Output>& outputs, const std::string& file) {
+bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
-            say("kinegraph", "two outputs of this run would both be " + outputs[i].path);
+            refuse({"two outputs of this run would both be {0}", "due risultati di questo comando sarebbero entrambi {0}",
+                    outputs[i].path},
+                   language);
             return true;
         }
         if (outputs[i].path != "-" && same_file(outputs[i].path, file)) {
-            say("kinegraph", outputs[i].path + " (a further page) would overwrite the mechanism file itself");
+            refuse({"{0} (a further page) would overwrite the mechanism file itself",
+                    "{0} (una pagina seguente) sovrascriverebbe il file del meccanismo", outputs[i].path},
+                   language);
             return true;
         }
     }
@@ -223,16 +248,15 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file) {
 
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
 tl::expected<std::vector<Output>, Status> made(const Solution& solution, const std::vector<Target>& targets,
-                                               const render::Theme& theme, const SolveRequest& request, const std::string& name,
+                                               const render::Theme& theme, const SolveRequest& request,
                                                std::vector<std::string>& remarks) {
     if (targets.empty()) return std::vector<Output>{{"-", render::results_table(solution, request.language)}};
     if (std::all_of(targets.begin(), targets.end(), [](const Target& target) { return target.format == Format::json; }))
         return outputs_of(solution, targets, request, {}, {}, {}, remarks);
-    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", "Type is set").and_then([](const TypeFunctions* functions) {
-        return functions->open_typefaces();
-    });
+    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
+                         .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
     if (!typefaces) {
-        say("kinegraph", typefaces.error());
+        refuse(typefaces.error(), request.language);
         return tl::unexpected(Status::output);
     }
     const std::optional<render::Fonts> opened(std::in_place, *std::move(typefaces));
@@ -240,12 +264,12 @@ tl::expected<std::vector<Output>, Status> made(const Solution& solution, const s
     if (std::any_of(targets.begin(), targets.end(), is_painted)) {
         auto loaded = Painter::open();
         if (!loaded) {
-            say("kinegraph", loaded.error());
+            refuse(loaded.error(), request.language);
             return tl::unexpected(Status::output);
         }
         painter.emplace(*std::move(loaded));
     }
-    const auto pages = pages_of(solution, theme, request, name, *opened);
+    const auto pages = pages_of(solution, theme, request, *opened);
     if (!pages) return tl::unexpected(pages.error());
     return outputs_of(solution, targets, request, *pages, opened, painter, remarks);
 }
@@ -253,35 +277,31 @@ tl::expected<std::vector<Output>, Status> made(const Solution& solution, const s
 }  // namespace
 
 Status solve_command(const SolveRequest& request) {
-    const std::string name = spoken(request.file);
+    const Language language = request.language;
     const auto targets = targets_of(request);
-    if (!targets) {
-        say("kinegraph", targets.error());
-        return Status::bad_input;
-    }
-    if (request.theme == "-" && request.file == "-") {
-        say("kinegraph", "standard input can be the mechanism file or the theme, not both");
-        return Status::bad_input;
-    }
-    const auto theme = theme_of(request.theme);
+    if (!targets) return refuse(targets.error(), language);
+    if (request.theme == "-" && request.file == "-")
+        return refuse({"standard input can be the mechanism file or the theme, not both",
+                       "l’ingresso standard può essere il file del meccanismo o il tema, non entrambi"},
+                      language);
+    const auto theme = theme_of(request.theme, language);
     if (!theme) return theme.error();
-    const auto solution = solution_of(request, name);
+    const auto solution = solution_of(request);
     if (!solution) return solution.error();
 
     std::vector<std::string> remarks;
-    const auto tell = [&](const Message& message) { return render::tell(message, request.language); };
+    const auto tell = [&](const Message& message) { return render::tell(message, language); };
     for (const Message& remark : solution->remarks) remarks.push_back(tell(remark));
-    const auto outputs = made(*solution, *targets, *theme, request, name, remarks);
+    const auto outputs = made(*solution, *targets, *theme, request, remarks);
     if (!outputs) return outputs.error();
     remark_on_request(request, *solution, *targets, remarks);
-    if (names_clash(*outputs, request.file)) return Status::bad_input;
-    if (const auto failure = write_all(*outputs)) {
-        say(failure->path == "-" ? "standard output" : failure->path, "cannot be written: " + failure->why);
-        return Status::output;
-    }
-    for (const std::string& remark : remarks) say(name, render::word("a remark", request.language) + ": " + remark);
-    for (const Unsolved& unsolved : solution->unsolved)
-        say(name, render::word("one unsolved", request.language) + ": " + tell(unsolved.what) + ": " + tell(unsolved.why));
+    if (names_clash(*outputs, request.file, language)) return Status::bad_input;
+    if (const auto failure = write_all(*outputs)) return fail_to_write(*failure, language);
+    const auto tell_of = [&](const char* kind, const std::string& line) {
+        say(spoken(request.file), render::word(kind, language) + ": " + line, language);
+    };
+    for (const std::string& remark : remarks) tell_of("a remark", remark);
+    for (const Unsolved& unsolved : solution->unsolved) tell_of("one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
     return solution->unsolved.empty() ? Status::done : Status::unsolved;
 }
 

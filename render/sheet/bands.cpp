@@ -24,7 +24,7 @@ public:
         : context_(context), solution_(context.solution), measure_(measure), equations_apart_(equations_apart), steps_(steps) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
-                       const std::map<std::string, RichText>& refused) const {
+                       const std::map<std::string, RichText>& on_figures) const {
         switch (part.kind) {
             case Kind::bodies:
                 return under("bodies", body_lines(context_, measure_));
@@ -46,7 +46,7 @@ public:
             case Kind::unsolved:
                 return under("unsolved", unsolved());
             case Kind::remarks:
-                return under("remarks", remarks(refused));
+                return under("remarks", remarks(on_figures));
         }
         KG_ASSERT(false, "a part has a kind");
     }
@@ -106,12 +106,9 @@ private:
         }
         return rows;
     }
-    std::vector<Block> remarks(const std::map<std::string, RichText>& refused) const {
+    std::vector<Block> remarks(const std::map<std::string, RichText>& on_figures) const {
         std::vector<Block> rows;
-        for (auto [figure, text] : refused) {
-            append(text, one_piece(": " + word("scale refused", context_.language)));
-            rows.push_back(paragraph(text));
-        }
+        for (const auto& [figure, text] : on_figures) rows.push_back(paragraph(text));
         for (const Message& each : solution_.remarks) rows.push_back(paragraph(say(each, context_.language)));
         return rows;
     }
@@ -209,8 +206,8 @@ void Bands::add_remarks() {
     last.parts.push_back({Kind::remarks});
 }
 
-bool Bands::refuse(const std::string& figure, const RichText& caption) {
-    if (!refused_.emplace(figure, caption).second) return false;
+bool Bands::remark(const std::string& figure, const RichText& text) {
+    if (!remarks_.emplace(figure, text).second) return false;
     if (list.back().question != "remarks") add_remarks();
     return true;
 }
@@ -392,7 +389,7 @@ std::vector<Passage> Bands::text(const Band& band, double measure, bool equation
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         if (part.kind == Kind::results) results = result_rows_on(drawn);
-        all.push_back(writer.passage_of(part, results, refused_));
+        all.push_back(writer.passage_of(part, results, remarks_));
     }
     // What goes on from a page before begins in the middle.
     std::size_t row = 0;

@@ -42,8 +42,9 @@ public:
 
     std::vector<Band> list;
 
-    /// Remarks that a figure could not be drawn at the scale that the file asks for; false where it is said already.
-    bool refuse(const std::string& figure, const RichText& caption);
+    /// A remark on a figure, once it is drawn; false where it is made already.
+    bool remark(const std::string& figure, const RichText& text);
+
     /// Set to a width of `measure` mm. Lengths are measured on `drawn`; `equations_apart`: its equations stand in the figure.
     std::vector<Passage> text(const Band& band, double measure, bool equations_apart, const std::vector<Figure>& drawn) const;
     /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it has none, or
@@ -65,7 +66,7 @@ private:
     const Solution& solution_;
     const WantedFigures& wanted_;
     std::map<std::size_t, int> step_;          // number of a statement
-    std::map<std::string, RichText> refused_;  // captions of figures that are not at the scale asked for
+    std::map<std::string, RichText> remarks_;  // on figures as drawn
 };
 
 }  // namespace kinegraph::render

@@ -168,6 +168,18 @@ private:
         wanted.rim_y += std::max(over_y, 0.0);
         return true;
     }
+    /// The words with what they are followed by, as a remark on a figure; false where it is made already.
+    bool remark(const Drawn& drawn, const char* words, const std::vector<RichText>& followed_by) {
+        constexpr std::size_t most_listed = 12;
+        RichText text = drawn.figure.caption;
+        append(text, one_piece(": " + word(words, context_.language)));
+        for (std::size_t i = 0; i < std::min(followed_by.size(), most_listed); ++i) {
+            append(text, one_piece(i > 0 ? ", " : " "));
+            append(text, followed_by[i]);
+        }
+        if (followed_by.size() > most_listed) append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
+        return bands_.remark(wanted_.list[drawn.wanted].name + words, text);
+    }
     /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the others, a
     /// figure that has no room at the scale which the file asks for, or none in its room.
     bool drawn_otherwise() {
@@ -188,7 +200,9 @@ private:
                     wanted.rim_y += more;
                     otherwise = true;
                 } else if (misses)
-                    otherwise = bands_.refuse(wanted.name, drawn.figure.caption) || otherwise;
+                    otherwise = remark(drawn, "scale refused", {}) || otherwise;
+                if (const std::vector<RichText>& left_out = drawn.figure.unnamed; !left_out.empty())
+                    otherwise = remark(drawn, "names left out", left_out) || otherwise;
                 otherwise = has_outgrown(drawn) || otherwise;
             }
         if (most > least * (1 + 1e-9)) {
