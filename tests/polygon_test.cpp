@@ -204,7 +204,7 @@ TEST(PolygonDetail, NamesEveryVectorOnceOnEveryExample) {
             if (solution.protocol.polygons[p].plane == Plane::force) continue;
             const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, static_cast<int>(p), 150, 130);
             const auto said = said_by_labels(figure);
-            std::map<std::string, std::set<std::pair<int, int>>> places;  // a velocity may be drawn in two
+            std::map<std::string, std::set<std::pair<ElementIndex, ElementIndex>>> places;  // a velocity may be drawn in two
             for (const int v : solution.protocol.polygons[p].vectors) {
                 const DrawnVector& vector = solution.protocol.vectors[static_cast<std::size_t>(v)];
                 places[plain(typeset(vector.symbol, Language::en))].emplace(vector.tail, vector.tip);

@@ -15,6 +15,8 @@ namespace kinegraph::render {
 /// The mechanism with pair symbols, ground, body numbers, centres and their lines where `with_centres`, fitted into a room (mm).
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres,
                         double coarsest = any_scale);
+/// What it spans, with the centres that are near enough to be shown, m.
+Box extent_of_mechanism(const Solution& solution, bool with_centres);
 /// The mechanism with what turns: ω of the bodies (or α), each marked with the statement that finds it.
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres.
@@ -43,9 +45,10 @@ Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
 Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y);
 /// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>". `tables`: with what is
-/// known of each force below, where there is room.
+/// known of each force below, where there is room. `only`: of that body alone, which has one.
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
-                             std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true);
+                             std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true,
+                             const FreeBody* only = nullptr);
 /// Of a free body, whether the figure has its polygon: two equal and opposite forces make none, the steps say so.
 bool has_force_polygon(const Solution& solution, const FreeBody& body);
 /// The polygons joined: external forces full, internal sides dashed.

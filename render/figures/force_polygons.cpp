@@ -145,8 +145,9 @@ std::vector<int> shown_polygons(const Solution& solution) {
 /// Polygons in rows, each with its body's name above and its table below.
 class Rows {
 public:
-    Rows(const DrawingContext& context, bool with_tables) : context_(context) {
+    Rows(const DrawingContext& context, bool with_tables, const FreeBody* only) : context_(context) {
         for (const int polygon : shown_polygons(context.solution)) {
+            if (only != nullptr && only->polygon != polygon) continue;
             Item item{polygon, ForcePolygon(context, polygon), {}, nullptr};
             for (const FreeBody& body : context.solution.free_bodies)
                 if (body.polygon == polygon) {
@@ -367,8 +368,8 @@ Box extent_of_forces(const Solution& solution) {
 }
 
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed,
-                             bool tables) {
-    const Rows with_tables(context, tables), plain_rows = with_tables.without_tables();
+                             bool tables, const FreeBody* only) {
+    const Rows with_tables(context, tables, only), plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
     const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room_x, room_y, false); };
     FitPolicy policy{.room = std::nullopt, .first = plain_rows.least_scale(room_x, room_y), .most_trials = 14};

@@ -177,6 +177,11 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
     return MechanismFigure{context, {room_x, room_y}, {with_centres}}.fitted(coarsest);
 }
 
+Box extent_of_mechanism(const Solution& solution, bool with_centres) {
+    const Subject subject(solution);
+    return with_centres ? extent_with_centres(subject) : subject.box;
+}
+
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
     return MechanismFigure{context, {room_x, room_y}, {false, letter}}.fitted(any_scale);
 }

@@ -1,8 +1,6 @@
 // Blocks: see block.hpp.
 #include "render/page/block.hpp"
 
-#include <algorithm>
-
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -13,24 +11,34 @@ void set(std::vector<Mark>& marks, const Block& block, Spot at) {
     marks.insert(marks.end(), moved.begin(), moved.end());
 }
 
-Block arranged(const std::vector<Block>& blocks, bool in_a_row) {
-    Block all;
-    for (const Block& block : blocks) {
-        std::vector<Mark> marks = block.marks;
-        if (in_a_row) {
-            if (all.width > 0) all.width += 7;
-            move(marks, all.width, 0);
-            all.width += block.width;
-            all.height = std::max(all.height, block.height);
-        } else {
-            if (all.height > 0) all.height += 5;
-            move(marks, 0, all.height);
-            all.height += block.height;
-            all.width = std::max(all.width, block.width);
-        }
-        all.marks.insert(all.marks.end(), marks.begin(), marks.end());
+namespace {
+
+void scale(Path& path, double factor) {
+    const auto at = [factor](Spot& spot) { spot = factor * spot; };
+    for (Segment& segment : path.segments)
+        std::visit(
+            [&](auto& each) {
+                if constexpr (requires { each.to.x; }) at(each.to);
+                if constexpr (requires { each.control_1; }) at(each.control_1), at(each.control_2);
+                if constexpr (requires { each.centre; }) at(each.centre), each.radius *= factor;
+            },
+            segment);
+}
+
+}  // namespace
+
+Block scaled(Block block, double factor) {
+    for (Mark& mark : block.marks) {
+        if (auto* path = std::get_if<Path>(&mark)) scale(*path, factor);
+        auto* text = std::get_if<TextMark>(&mark);
+        if (text == nullptr) continue;
+        for (Glyph& glyph : text->glyphs) glyph.size *= factor, glyph.origin = factor * glyph.origin;
+        for (Path& extra : text->extras) scale(extra, factor), extra.pen.width *= factor;
+        text->pivot = factor * text->pivot;
     }
-    return all;
+    block.width *= factor;
+    block.height *= factor;
+    return block;
 }
 
 }  // namespace kinegraph::render

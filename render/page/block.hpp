@@ -7,14 +7,14 @@
 
 namespace kinegraph::render {
 
-/// Something set and measured, mm, its top left at the origin; to be moved, never scaled.
+/// Something set and measured, mm, its top left at the origin.
 struct Block {
     std::vector<Mark> marks;
     double width = 0, height = 0;
 };
 /// A block with its top left at a place.
 void set(std::vector<Mark>& marks, const Block& block, Spot at);
-/// Blocks one under the other, or side by side.
-Block arranged(const std::vector<Block>& blocks, bool in_a_row);
+/// The same text smaller or larger; figures are never scaled.
+Block scaled(Block block, double factor);
 
 }  // namespace kinegraph::render

@@ -16,18 +16,17 @@ constexpr double tallest = 130;  // less than half a sheet: the text of a book g
 
 struct Choice {
     std::string name;
-    std::function<Figure(double room_x, double room_y, double coarsest)> draw;
+    std::function<Figure(double room_x, double room_y)> draw;
 };
 
 std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted) {
     std::vector<Choice> all;
-    all.push_back({"mechanism", [&context](double x, double y, double) {
+    all.push_back({"mechanism", [&context](double x, double y) {
                        return context.solution.act_of_motion ? act_of_motion_figure(context, x, y)
                                                              : mechanism_figure(context, x, y, false);
                    }});
     for (Wanted& each : wanted.list)
         if (each.name != "mechanism") all.push_back({each.name, each.draw});
-    for (Wanted& each : wanted.late) all.push_back({each.name, each.draw});
     return all;
 }
 
@@ -35,7 +34,7 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
 
 std::vector<std::string> figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
-    WantedFigures wanted(context, format_of(options.paper, options.orientation).measure, options.joukowsky);
+    WantedFigures wanted(context, options.joukowsky);
     std::vector<std::string> names;
     for (const Choice& each : choices(context, wanted)) names.push_back(each.name);
     return names;
@@ -45,11 +44,11 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
                                   const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const SheetFormat format = format_of(options.paper, options.orientation);
-    WantedFigures wanted(context, format.measure, options.joukowsky);
+    WantedFigures wanted(context, options.joukowsky);
     const std::vector<Choice> all = choices(context, wanted);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
     if (found == all.end()) return std::nullopt;
-    Figure figure = found->draw(2 * format.measure + gap, tallest, any_scale);
+    Figure figure = found->draw(2 * format.measure + gap, tallest);
     const Box box = box_of(figure.marks);
     figure.move(margin - box.min.x, margin - box.min.y);
     Page page;

@@ -1,22 +1,29 @@
-// The sheet: figures, equations, tables and steps on pages, nothing overlapping, nothing cut. Owns the choice between one page
-// and several; knows no mechanics, and takes every figure as it comes: it is moved, never scaled.
+// The sheet: figures, equations, tables and steps on pages, nothing overlapping, nothing cut. Owns what is drawn where; knows no
+// mechanics, and takes every figure as it comes: it is moved, never scaled.
 //
-// Method: the figures of a page get cells, chosen among all splits into columns and rows by the size of what they would hold
-// (page_split, figure_pages); equations go into the free corner beside their polygon; text flows into the free runs that are
-// left, then into the columns of further pages (sections, text_flow).
+// Method: a solution is a sequence of bands, each a question with its figures and its text (bands). A band stands in a room as it
+// is worth most (band_layout); bands in their order make rows, rows make the fewest pages (page_plan). Only then are the figures
+// drawn, each once, into the rooms that are theirs; what they leave is shared out between the rows.
 #include "render/sheet/sheet.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "engine/assert.hpp"
+#include "render/figures/caption.hpp"
+#include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
-#include "render/sheet/figure_pages.hpp"
-#include "render/sheet/sections.hpp"
-#include "render/sheet/text_flow.hpp"
+#include "render/sheet/beside.hpp"
+#include "render/sheet/page_plan.hpp"
 #include "render/sheet/title_block.hpp"
-#include "render/sheet/wanted_figures.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-constexpr double one_page_share = 0.5;  // of the page that text may take where all is to stand on one
+constexpr double text_gap = 5;  // between figures and the text under them
+constexpr double grace = 0.05;
 
 class Layout {
 public:
@@ -24,63 +31,291 @@ public:
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
-          wanted_(context_, format_.measure, options.joukowsky) {}
+          wanted_(context_, options.joukowsky),
+          bands_(context_, wanted_) {}
 
     std::vector<Page> pages() {
-        if (!on_one_page()) on_several();
+        constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
+        for (int round = 1;; ++round) {
+            plan();
+            draw();
+            if (round == most_rounds || !drawn_otherwise()) break;
+        }
         std::vector<Page> pages;
-        for (std::size_t i = 0; i < sheets_.size(); ++i)
-            pages.push_back(framed_page(context_, format_, signature_, sheets_[i].marks, sheets_[i].scale_of_mechanism, i + 1,
-                                        sheets_.size()));
+        for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));
         return pages;
     }
 
 private:
-    std::size_t on_first_page() const {
-        for (std::size_t i = 1; i < wanted_.list.size(); ++i)
-            if (wanted_.list[i].starts_page) return i;
-        return wanted_.list.size();
-    }
+    /// A figure as drawn, and the room it was drawn for (from the band's upper left corner).
+    struct Drawn {
+        std::size_t wanted = 0;
+        Box room;
+        int number = 0;
+        double caption = 0;  // mm that it takes
+        Figure figure;
+        std::vector<Mark> beside{};  // equations in its corner
+        double height() const { return caption + figure.box.height(); }
+    };
 
-    /// All on the pages of the figures where it can be: they leave as little room as the text needs.
-    bool on_one_page() {
-        const double text = estimated_text(context_.solution, format_);
-        if (on_first_page() > most_on_first_page(format_) || is_mixed(context_.solution) ||
-            text / (format_.content.width() * format_.content.height()) >= one_page_share)
-            return false;
-        const bool forces = has_forces(context_.solution);
-        for (const bool equations : {true, false}) {
-            for (const double spare : {0.4, 0.5, 0.6, 0.75, 1.0, 0.0}) {
-                if (spare == 0 && !forces) continue;
-                figures_ = place_figures(context_, format_, wanted_, spare * text);
-                std::vector<Section> sections = write_sections(context_, format_, wanted_, figures_);
-                set_text(equations ? std::move(sections) : without_spare_rows(std::move(sections)));
-                if (sheets_.size() == figures_.sheets.size()) return true;
-            }
-            if (!forces) break;
+    // --- the plan
+    // ----------------------------------------------------------------------------------------------------------------
+
+    /// What no page holds at its best is shown smaller, then its text goes on over pages.
+    void plan() {
+        layouts_.clear();
+        for (const Band& band : bands_.list)
+            layouts_.emplace_back(bands_, band, wanted_, format_, crowded_.contains(band.question),
+                                  !cornerless_.contains(band.question));
+        std::size_t lost = 0;
+        plan_ = plan_pages(layouts_, bands_.list, format_, lost);
+        if (!plan_.empty()) {
+            share_force_scale();
+            return;
         }
-        return false;
+        if (crowded_.insert(bands_.list[lost].question).second) return plan();
+        divide(lost);
+        plan();
     }
-    void on_several() {
-        figures_ = place_figures(context_, format_, wanted_, 0);
-        const std::vector<Section> text = write_sections(context_, format_, wanted_, figures_);
-        set_text(without_spare_rows(text));
-        if (!has_forces(context_.solution)) return;
-        // Equations with the steps are not worth a page.
-        std::vector<Sheet> without = sheets_;
-        set_text(text);
-        if (sheets_.size() > without.size()) sheets_ = std::move(without);
+    /// As many rows as a page of text alone holds stay with the figures of a band, at most half of them: the rest goes on.
+    void divide(std::size_t index) {
+        Band& band = bands_.list[index];
+        std::size_t rows = 0;
+        for (const Passage& passage : bands_.text(band, format_.measure, false, {})) rows += passage.rows.size();
+        KG_ASSERT(rows > 1, "a page holds a band's figures with a row of its text");
+        Band rest = band;
+        rest.figures.clear();
+        rest.draws_mechanism = false;
+        band.end_row = rest.first_row = band.first_row + (rows * 2 + 2) / 3 - (rows == 2 ? 1 : 0);
+        bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
     }
 
-    /// The figures where they are, and the text.
-    void set_text(std::vector<Section> text) { sheets_ = flow_text(context_, format_, wanted_, figures_, std::move(text)); }
+    /// Triangles and closed polygon have one scale: that at which all of them have room.
+    void share_force_scale() {
+        if (wanted_.force_scale) return;
+        double common = 0;
+        for_each_figure([&](const PlacedBand& placed, std::size_t f, const BandLayout& layout) {
+            if (wanted_.list[bands_.list[placed.band].figures[f]].to_force_scale)
+                common = std::max(common, layouts_[placed.band].scale_in(f, layout.rooms[f]));
+        });
+        for (const Wanted& each : wanted_.list)
+            if (each.to_force_scale && each.asked) return;
+        if (common > 0) wanted_.force_scale = common;
+    }
+    template <class Look>
+    void for_each_figure(Look look) {
+        for (const PlannedPage& page : plan_)
+            for (const PlannedRow& row : page)
+                for (const PlannedCell& cell : row)
+                    for (const PlacedBand& placed : cell) {
+                        const BandLayout layout = layout_of(placed);
+                        for (std::size_t f = 0; f < layout.rooms.size(); ++f)
+                            if (layout.rooms[f].x > 0) look(placed, f, layout);
+                    }
+    }
+
+    // --- the figures
+    // -------------------------------------------------------------------------------------------------------------
+
+    void draw() {
+        drawn_.clear();
+        int number = 0;
+        std::size_t details = 0;
+        Spot corner;
+        for_each_figure([&](const PlacedBand& placed, std::size_t f, const BandLayout& layout) {
+            if (f == 0) corner = {0, 0};
+            const Spot size = layout.rooms[f];
+            const double wider = layout.cornered ? layouts_[placed.band].wider_in(size) : 0;
+            Drawn& drawn = drawn_[placed.band].emplace_back(
+                draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y}, ++number));
+            drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+            (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
+            if (layout.cornered) set_in_corner(drawn, placed.band);
+            letter_details_on(drawn.figure, context_, details);
+            details += drawn.figure.details.size();
+        });
+    }
+    /// The equations into a corner of the room that the figure leaves free.
+    void set_in_corner(Drawn& drawn, std::size_t band) {
+        const Box room = rectangle(0, 0, drawn.room.width(), drawn.room.height() - drawn.caption);
+        if (set_beside(drawn.beside, drawn.figure, layouts_[band].equations(), room)) {
+            drawn.figure.box.include(box_of(drawn.beside));
+        } else {
+            cornerless_.insert(bands_.list[band].question);
+            corner_missing_ = true;
+        }
+    }
+    Drawn draw_into(std::size_t wanted, Spot room, int number) const {
+        constexpr double one_line = 7;
+        Drawn drawn;
+        drawn.wanted = wanted;
+        drawn.number = number;
+        drawn.figure = wanted_.list[wanted].draw(room.x, room.y - one_line);
+        std::vector<Mark> words;
+        drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
+        if (drawn.height() > room.y) drawn.figure = wanted_.list[wanted].draw(room.x, room.y - drawn.caption);
+        return drawn;
+    }
+
+    /// Whether a figure takes more than its room. It is known now what its letters take.
+    bool has_outgrown(const Drawn& drawn) {
+        const Box& box = drawn.figure.box;
+        const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
+        constexpr double ink = 0.25;  // of rules at the rim
+        if (over_x < ink && over_y < ink) return false;
+        Wanted& wanted = wanted_.list[drawn.wanted];
+        wanted.rim_x += std::max(over_x, 0.0);
+        wanted.rim_y += std::max(over_y, 0.0);
+        return true;
+    }
+    /// The words with what they are followed by, as a remark on a figure; false where it is made already.
+    bool remark(const Drawn& drawn, const char* words, const std::vector<RichText>& followed_by) {
+        constexpr std::size_t most_listed = 12;
+        RichText text = drawn.figure.caption;
+        append(text, one_piece(": " + word(words, context_.language)));
+        for (std::size_t i = 0; i < std::min(followed_by.size(), most_listed); ++i) {
+            append(text, one_piece(i > 0 ? ", " : " "));
+            append(text, followed_by[i]);
+        }
+        if (followed_by.size() > most_listed) append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
+        return bands_.remark(wanted_.list[drawn.wanted].name + words, text);
+    }
+    /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the others, a
+    /// figure that has no room at the scale which the file asks for, or none in its room.
+    bool drawn_otherwise() {
+        bool otherwise = std::exchange(corner_missing_, false);
+        double least = 1e300, most = 0;
+        for (const auto& [band, figures] : drawn_)
+            for (const Drawn& drawn : figures) {
+                Wanted& wanted = wanted_.list[drawn.wanted];
+                if (wanted.to_force_scale) {
+                    least = std::min(least, drawn.figure.scale);
+                    most = std::max(most, drawn.figure.scale);
+                }
+                const bool misses = wanted.asked && !wanted.empty && !wanted.fills && !wanted.spare &&
+                                    std::abs(drawn.figure.scale - *wanted.asked) > 1e-9 * drawn.figure.scale;
+                constexpr double more = 16;
+                if (misses && roomier_.insert(wanted.name).second) {
+                    wanted.rim_x += more;
+                    wanted.rim_y += more;
+                    otherwise = true;
+                } else if (misses)
+                    otherwise = remark(drawn, "scale refused", {}) || otherwise;
+                if (const std::vector<RichText>& left_out = drawn.figure.unnamed; !left_out.empty())
+                    otherwise = remark(drawn, "names left out", left_out) || otherwise;
+                otherwise = has_outgrown(drawn) || otherwise;
+            }
+        if (most > least * (1 + 1e-9)) {
+            wanted_.force_scale = most;
+            otherwise = true;
+        }
+        return otherwise;
+    }
+
+    // --- the page
+    // ----------------------------------------------------------------------------------------------------------------
+
+    double height_of(const PlannedCell& cell) const {
+        double height = -row_gap;
+        for (const PlacedBand& placed : cell) height += row_gap + height_of(placed, true);
+        return height;
+    }
+    /// What a band takes of its room once it is drawn; `whole`: with what the title block takes.
+    double height_of(const PlacedBand& placed, bool whole) const {
+        const BandLayout layout = layout_of(placed);
+        double figures = 0, right = 0;
+        if (const auto drawn = drawn_.find(placed.band); drawn != drawn_.end())
+            for (const Drawn& each : drawn->second) {
+                figures = layout.stacked ? figures + (figures > 0 ? gap : 0) + each.height() : std::max(figures, each.height());
+                right = std::max(right, each.room.max.x);
+            }
+        const double text =
+            layout.divided == 0 ? 0 : layouts_[placed.band].text(layout.divided, layout.cornered).height(layout.columns);
+        const double notch = whole ? placed.notch.high : 0;
+        if (!layout.beside) return figures + (figures > 0 && text > 0 ? text_gap : 0) + text + notch;
+        return std::max(figures + (right > placed.notch.left + grace ? notch : 0), text + notch);
+    }
+
+    Page page(std::size_t index) {
+        std::vector<Mark> marks;
+        std::optional<double> scale_of_mechanism;
+        const PlannedPage& rows = plan_[index];
+        const Box content = content_of(format_, index == 0);
+        std::vector<double> heights;
+        double spare = content.height();
+        for (const PlannedRow& row : rows) {
+            double height = 0;
+            for (const PlannedCell& cell : row) height = std::max(height, height_of(cell));
+            heights.push_back(height);
+            spare -= height + (heights.size() > 1 ? row_gap : 0);
+        }
+        // A little of what is left loosens the rows.
+        constexpr double most_air = 6;
+        const double air = std::clamp(spare / static_cast<double>(rows.size()), 0.0, most_air);
+        double y = content.min.y;
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            for (const PlannedCell& cell : rows[r]) {
+                double down = y;
+                for (const PlacedBand& placed : cell) {
+                    set_band(marks, scale_of_mechanism, placed, {placed.room.min.x, down});
+                    down += height_of(placed, false) + row_gap + std::min(air, (heights[r] - height_of(cell)) / 2);
+                }
+            }
+            y += heights[r] + row_gap + air;
+        }
+        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, plan_.size(), index == 0);
+    }
+    BandLayout layout_of(const PlacedBand& placed) const {
+        return layouts_[placed.band].in(placed.width, placed.room.height(), placed.notch);
+    }
+
+    void set_band(std::vector<Mark>& marks, std::optional<double>& scale_of_mechanism, const PlacedBand& placed, Spot at) {
+        const BandLayout layout = layout_of(placed);
+        const Band& band = bands_.list[placed.band];
+        marks.emplace_back(GroupBegin{"band", "", "", {{"data-question", band.question}}});
+        std::vector<Drawn>& figures = drawn_[placed.band];
+        double down = 0, below = 0;
+        for (Drawn& drawn : figures) {
+            const Spot corner{at.x + drawn.room.min.x, at.y + (layout.stacked ? down : 0)};
+            set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
+            const Box& box = drawn.figure.box;
+            drawn.figure.move(corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()),
+                              corner.y + drawn.caption - box.min.y);
+            marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
+            if (drawn.figure.kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = drawn.figure.scale;
+            down += drawn.height() + gap;
+            below = layout.stacked ? down - gap : std::max(below, drawn.height());
+        }
+        if (layout.divided > 0) {
+            const ColumnText& planned = layouts_[placed.band].text(layout.divided, layout.cornered);
+            const double width = layout.columns * (planned.measure() + gap) - gap;
+            const Spot corner = layout.beside ? Spot{placed.room.max.x - width, at.y}
+                                              : Spot{at.x, at.y + below + (figures.empty() ? 0 : text_gap)};
+            text_of(band, planned.measure(), layout.cornered).set(marks, corner, layout.columns, gap);
+        }
+        marks.emplace_back(GroupEnd{});
+    }
+    /// With the lengths that are measured on the figures as drawn.
+    ColumnText text_of(const Band& band, double measure, bool cornered) {
+        if (all_.empty())
+            for (const auto& [index, figures] : drawn_)
+                for (const Drawn& drawn : figures) all_.push_back(drawn.figure);
+        return {bands_.text(band, measure / format_.text_size, cornered, all_), measure, format_.text_size};
+    }
 
     DrawingContext context_;
     SheetFormat format_;
     Signature signature_;
     WantedFigures wanted_;
-    FigurePages figures_;
-    std::vector<Sheet> sheets_;
+    Bands bands_;
+    std::set<std::string> crowded_;     // bands whose figures may be smaller than is well readable
+    std::set<std::string> cornerless_;  // … whose figure leaves their equations no corner
+    std::set<std::string> roomier_;     // figures that got more room for the scale asked for
+    std::vector<BandLayouts> layouts_;
+    std::vector<PlannedPage> plan_;
+    std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band
+    std::vector<Figure> all_;                          // of them
+    bool corner_missing_ = false;                      // one was promised to equations
 };
 
 }  // namespace

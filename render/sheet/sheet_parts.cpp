@@ -19,7 +19,8 @@ SheetFormat format(const char* name, double width, double height, Spot block, do
         rectangle(f.inner.min.x + padding, f.inner.min.y + padding - 1, f.inner.max.x - padding, f.inner.max.y - padding + 1);
     f.block = rectangle(f.inner.max.x - block.x, f.inner.max.y - block.y, f.inner.max.x, f.inner.max.y);
     f.columns = columns;
-    f.measure = (f.content.width() - (columns - 1) * gap) / columns;
+    f.measure = f.span(1, columns);
+    f.text_size = large ? 1 : 8.0 / 9;
     return f;
 }
 
@@ -38,12 +39,6 @@ SheetFormat format_of(Paper paper, Orientation orientation) {
                            : format("letter", 279.4, 215.9, {112, 18}, 6, 3, false);
     }
     KG_ASSERT(false, "a paper has a format");
-}
-
-Box SheetFormat::column(int k) const {
-    const double left = content.min.x + k * (measure + gap);
-    const double bottom = left + measure > block.min.x - 2 ? block.min.y - 4 : content.max.y;
-    return rectangle(left, content.min.y, left + measure, bottom);
 }
 
 }  // namespace kinegraph::render

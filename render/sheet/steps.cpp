@@ -101,7 +101,7 @@ public:
           solution_(solution),
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
-          wanted_(context_, format_.measure, false),
+          wanted_(context_, false),
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
           beside_context_(context_) {
@@ -308,7 +308,7 @@ private:
             return mechanism_with_turnings(context, name == "omega" ? Symbol::Letter::omega : Symbol::Letter::alpha, room_x,
                                            room_y);
         for (Wanted& wanted : wanted_.list)
-            if (wanted.name == name) return wanted.draw(room_x, room_y, any_scale);
+            if (wanted.name == name) return wanted.draw(room_x, room_y);
         if (solution_.act_of_motion) return act_of_motion_figure(context, room_x, room_y);
         return mechanism_figure(context, room_x, room_y, false);
     }

@@ -66,6 +66,33 @@ std::string subtitle_of(const Solution& solution, Language language) {
                 language);
 }
 
+/// "four_bar.json  ·  A. Rossi  ·  2026-11-21"
+std::string origin_of(const Solution& solution, const Signature& signature) {
+    std::string origin = solution.mechanism.source;
+    if (const std::size_t slash = origin.find_last_of('/'); slash != std::string::npos) origin = origin.substr(slash + 1);
+    for (const std::string& each : {signature.author, signature.date})
+        if (!each.empty()) origin += (origin.empty() ? "" : "  ·  ") + each;
+    return origin;
+}
+
+/// The title on one line along the lower edge of the frame, and which page it is.
+void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format, const Signature& signature,
+                std::size_t index, std::size_t count) {
+    const Theme& theme = context.theme;
+    const Box room =
+        rectangle(format.inner.min.x + 2, format.inner.max.y - strip_height, format.inner.max.x - 2, format.inner.max.y - 1.6);
+    marks.emplace_back(
+        line({format.inner.min.x, room.min.y}, {format.inner.max.x, room.min.y}, Pen{theme.thin, theme.text, {}, false}));
+    const ShapedLine sheet = context.fonts.shape(
+        one_piece(word("block sheet", context.language) + " " + std::to_string(index) + "/" + std::to_string(count)),
+        theme.block);
+    set_text(marks, sheet, {room.max.x - sheet.width, room.max.y}, theme.secondary, "text");
+    std::string words(first_characters(title_of(context.solution, context.language), most_characters));
+    if (const std::string origin = origin_of(context.solution, signature); !origin.empty()) words += "  ·  " + origin;
+    set_text(marks, fitted(context.fonts, words, Face::regular, theme.block, 5, room.width() - sheet.width - 6),
+             {room.min.x, room.max.y}, theme.secondary, "text");
+}
+
 }  // namespace
 
 std::string title_of(const Solution& solution, Language language) {
@@ -114,10 +141,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     }
 
     const double left = format.block.min.x + 3.5, right = cells_left - 2;
-    std::string origin = solution.mechanism.source;
-    if (const std::size_t slash = origin.find_last_of('/'); slash != std::string::npos) origin = origin.substr(slash + 1);
-    for (const std::string& each : {signature.author, signature.date})
-        if (!each.empty()) origin += (origin.empty() ? "" : "  ·  ") + each;
+    const std::string origin = origin_of(solution, signature);
     const double print = format.large ? theme.body_text : 7.5, line = 3.4;
     const auto small_print = [&](const std::string& words, double at) {
         set_text(marks, fitted(context.fonts, words, Face::regular, print, 5, right - left), {left, at}, theme.secondary, "text");
@@ -132,7 +156,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
 }
 
 Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count) {
+                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count,
+                 bool whole_block) {
     const Theme& theme = context.theme;
     Page page;
     page.width = format.width;
@@ -144,7 +169,10 @@ Page framed_page(const DrawingContext& context, const SheetFormat& format, const
     page.marks.emplace_back(polyline(
         {format.inner.min, {format.inner.max.x, format.inner.min.y}, format.inner.max, {format.inner.min.x, format.inner.max.y}},
         pen, true));
-    draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
+    if (whole_block)
+        draw_title_block(page.marks, context, format, scale_of_mechanism, signature, index, count);
+    else
+        draw_strip(page.marks, context, format, signature, index, count);
     page.marks.insert(page.marks.end(), marks.begin(), marks.end());
     // A point's label says its name as the file has it, however it is set.
     std::map<std::string, std::string> names;

@@ -23,8 +23,11 @@ struct Signature {
 void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, const SheetFormat& format,
                       std::optional<double> scale_of_mechanism, const Signature& signature, std::size_t index, std::size_t count);
 
-/// A page with its frame, its title block and what is on it.
+constexpr double strip_height = 5;  ///< mm, of the line that pages carry which go on
+
+/// A page with its frame, its title block and what is on it; without `whole_block` a strip of one line stands for that.
 Page framed_page(const DrawingContext& context, const SheetFormat& format, const Signature& signature,
-                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count);
+                 const std::vector<Mark>& marks, std::optional<double> scale_of_mechanism, std::size_t index, std::size_t count,
+                 bool whole_block = true);
 
 }  // namespace kinegraph::render

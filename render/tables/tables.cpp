@@ -282,7 +282,7 @@ std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vec
     return MotionRows(context, figures).rows();
 }
 
-Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, const std::string& heading) {
+std::vector<Block> results_lines(const DrawingContext& context, const std::vector<ResultRow>& rows, double width) {
     const Language language = context.language;
     const Theme& theme = context.theme;
     const Fonts& fonts = context.fonts;
@@ -350,35 +350,27 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
     std::array<double, 6> left{};
     for (std::size_t c = 1; c < 6; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
 
-    Block block;
-    block.width = left[5] + widths[5];
-    double y = 0;
-    if (!heading.empty()) {
-        set_text(block.marks, fonts.shape(one_piece(heading, Face::bold), theme.label), {0, 3.6}, theme.text, "text");
-        y = 5.6;
-    }
-    const auto set_line = [&](const Line& each, double baseline, Colour colour) {
+    const double whole = left[5] + widths[5];
+    const auto set_line = [&](Block& block, const Line& each, double baseline, Colour colour) {
         set_text(block.marks, each.cells[0], {left[0], baseline}, theme.text, "text");
         set_text(block.marks, each.cells[4], {left[4], baseline}, colour, "text");
         for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}})
             set_right(block.marks, each.cells[c], left[c] + widths[c], baseline, colour);
     };
-    block.marks.emplace_back(rule(0, block.width, y, theme.outline, theme.text));
-    set_line(head, y + 3.4, theme.secondary);
-    y += 4.8;
-    block.marks.emplace_back(rule(0, block.width, y, theme.thin, theme.text));
+    std::vector<Block> set{{{rule(0, whole, 0, theme.outline, theme.text)}, whole, 4.8}};
+    set_line(set.front(), head, 3.4, theme.secondary);
+    set.front().marks.emplace_back(rule(0, whole, 4.8, theme.thin, theme.text));
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (i > 0 && rows[i].group != rows[i - 1].group) {
-            y += 0.4;
-            block.marks.emplace_back(rule(0, block.width, y, theme.thin, theme.secondary));
-        }
-        set_line(lines[i], y + 3.3, theme.text);
-        y += pitch;
+        Block& block = set.emplace_back(Block{{}, whole, pitch});
+        const bool begins = i > 0 && rows[i].group != rows[i - 1].group;
+        if (begins) block.marks.emplace_back(rule(0, whole, 0.4, theme.thin, theme.secondary));
+        set_line(block, lines[i], (begins ? 0.4 : 0) + 3.3, theme.text);
+        block.height += begins ? 0.4 : 0;
     }
-    y += 0.6;
-    block.marks.emplace_back(rule(0, block.width, y, theme.outline, theme.text));
-    block.height = y + 0.2;
-    return block;
+    Block& last = set.back();
+    last.marks.emplace_back(rule(0, whole, last.height + 0.6, theme.outline, theme.text));
+    last.height += 0.8;
+    return set;
 }
 
 namespace {
@@ -525,6 +517,8 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
     std::vector<Block> lines;
     std::vector<const InstantCentre*> centres;
     for (const InstantCentre& centre : context.solution.centres) centres.push_back(&centre);
+    std::stable_sort(centres.begin(), centres.end(),
+                     [](const InstantCentre* a, const InstantCentre* b) { return a->order < b->order; });
     double symbols = 8;
     std::vector<ShapedLine> shaped;
     for (const InstantCentre* centre : centres) {

@@ -40,11 +40,11 @@ struct ResultRow {
 };
 /// Rows for the vectors drawn on `figures` (their axes are measured) and for ω and α of the bodies.
 std::vector<ResultRow> result_rows(const DrawingContext& context, const std::vector<Figure>& figures);
-/// Rows as a table under a heading (empty: none), `width` mm wide: read off the drawing to 0.1 mm, that times the scale, the
-/// number of the check, and by how much the reading misses it.
-Block results_block(const DrawingContext& context, const std::vector<ResultRow>& rows, double width, const std::string& heading);
+/// Rows as the lines of a table `width` mm wide, its head first: read off the drawing to 0.1 mm, that times the scale, the number
+/// of the check, and by how much the reading misses it.
+std::vector<Block> results_lines(const DrawingContext& context, const std::vector<ResultRow>& rows, double width);
 
-/// Instant centres: symbol, how found, where. `columns` of lines are not made here: one centre a line.
+/// Instant centres in the order in which they were found: symbol, how, where.
 std::vector<Block> centre_lines(const DrawingContext& context, double width);
 /// Key of the bodies: colour, number, what it is.
 std::vector<Block> body_lines(const DrawingContext& context, double width);

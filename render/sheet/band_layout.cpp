@@ -1,0 +1,182 @@
+// What a figure is worth at each of its scales, and how the room of a band is divided among figures and text.
+#include "render/sheet/band_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double caption = 7, text_gap = 5;
+constexpr double hardly_readable = 10;  // mm
+
+/// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
+double use_of(double size) { return std::log(size) - 40 / size; }
+
+std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, std::optional<double> force_scale,
+                                 bool crowded) {
+    std::vector<FigureSize> sizes;
+    const double extent = std::max(wanted.extent_x, wanted.extent_y);
+    const auto at = [&](double scale) {
+        const double size = std::min(extent / scale, wanted.enough);
+        return FigureSize{wanted.extent_x / scale + wanted.rim_x, wanted.extent_y / scale + wanted.rim_y + caption,
+                          wanted.weight * use_of(size), scale};
+    };
+    constexpr double nothing = 1e-20;
+    if (wanted.empty)
+        sizes.push_back({60, 30, 0, 1});
+    else if (extent < nothing)
+        sizes.push_back({wanted.rim_x + 12, wanted.rim_y + 12 + caption, 0, 1});
+    else {
+        constexpr double as_asked = 6;
+        if (wanted.asked) {
+            sizes.push_back(at(*wanted.asked));
+            sizes.back().worth += as_asked;
+        }
+        double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - wanted.rim_x,
+                                    format.content.height() - wanted.rim_y - caption, std::nullopt);
+        if (wanted.to_force_scale) scale = std::max(scale, force_scale.value_or(0));
+        const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;
+        for (; !wanted.spare && (sizes.empty() || extent / scale >= std::max(least, hardly_readable)); scale = next_scale(scale))
+            sizes.push_back(at(scale));
+    }
+    if (wanted.spare) sizes.push_back({});
+    return sizes;
+}
+
+}  // namespace
+
+BandLayouts::BandLayouts(const Bands& bands, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
+                         bool crowded, bool cornered)
+    : bands_(bands), band_(band), format_(format) {
+    for (const std::size_t figure : band.figures)
+        sizes_.push_back(sizes_of(wanted.list[figure], format, wanted.force_scale, crowded));
+    if (!cornered || sizes_.size() != 1) return;
+    const Wanted& polygon = wanted.list[band.figures.front()];
+    if (!polygon.wider_for || polygon.empty) return;
+    constexpr double of_measure = 1.25;
+    equations_ = scaled(bands.equations(band, of_measure * format.measure / format.text_size), format.text_size);
+    if (equations_.width > 0)
+        for (FigureSize& size : sizes_.front()) size.wider = polygon.wider_for(size.scale, {equations_.width, equations_.height});
+}
+
+const ColumnText& BandLayouts::text(int divided, bool cornered) const {
+    const auto found = texts_.find({divided, cornered});
+    if (found != texts_.end()) return found->second;
+    const double measure = format_.span(1, divided);
+    ColumnText words(bands_.text(band_, measure / format_.text_size, cornered, {}), measure, format_.text_size);
+    return texts_.emplace(std::pair(divided, cornered), std::move(words)).first->second;
+}
+
+double BandLayouts::wider_in(Spot room) const {
+    for (const FigureSize& size : sizes_.front())
+        if (size.x + size.wider <= room.x + 0.01 && size.y <= room.y + 0.01) return size.wider;
+    return 0;
+}
+
+double BandLayouts::scale_in(std::size_t figure, Spot room) const {
+    for (const FigureSize& size : sizes_[figure])
+        if (size.x <= room.x + 0.01 && size.y <= room.y + 0.01) return size.scale;
+    return sizes_[figure].back().scale;
+}
+
+/// Each figure begins as large as one measure of the room lets it; that which loses least for what it gives becomes smaller
+/// until all have room beside each other.
+void BandLayouts::try_figures(BandLayout& best, BandLayout layout, Spot room) const {
+    layout.rooms.clear();
+    for (const bool stacked : {false, true}) {
+        if (stacked && sizes_.size() < 2) break;
+        const auto along = [&](const FigureSize& size) { return stacked ? size.y : size.x + (layout.cornered ? size.wider : 0); };
+        const auto across = [&](const FigureSize& size) { return stacked ? size.x : size.y; };
+        const double whole = stacked ? room.y : room.x, wide = stacked ? room.x : room.y;
+        std::vector<std::size_t> taken(sizes_.size(), 0);
+        const auto size = [&](std::size_t f) -> const FigureSize& { return sizes_[f][taken[f]]; };
+        bool possible = true;
+        for (std::size_t f = 0; f < sizes_.size() && possible; ++f) {
+            while (taken[f] < sizes_[f].size() && across(size(f)) > wide) ++taken[f];
+            possible = taken[f] < sizes_[f].size();
+        }
+        const auto length = [&] {
+            double sum = 0;
+            for (std::size_t f = 0; f < sizes_.size(); ++f)
+                if (along(size(f)) > 0) sum += along(size(f)) + (sum > 0 ? gap : 0);
+            return sum;
+        };
+        while (possible && length() > whole) {
+            std::optional<std::size_t> smaller;
+            double least = 0;
+            for (std::size_t f = 0; f < sizes_.size(); ++f) {
+                if (taken[f] + 1 == sizes_[f].size()) continue;
+                const FigureSize& next = sizes_[f][taken[f] + 1];
+                const double price = (size(f).worth - next.worth) / std::max(along(size(f)) - along(next), 0.1);
+                if (!smaller || price < least) smaller = f, least = price;
+            }
+            if ((possible = smaller.has_value())) ++taken[*smaller];
+        }
+        if (!possible) continue;
+        BandLayout found = layout;
+        found.stacked = stacked;
+        double shown = 0;
+        for (std::size_t f = 0; f < sizes_.size(); ++f) {
+            found.worth += size(f).worth;
+            shown += along(size(f)) > 0 ? 1 : 0;
+        }
+        // What is left is everybody's.
+        const double share = (whole - length()) / std::max(shown, 1.0);
+        for (std::size_t f = 0; f < sizes_.size(); ++f) {
+            const double own = along(size(f)) > 0 ? along(size(f)) + share : 0;
+            found.rooms.push_back(own > 0 ? (stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
+        }
+        if (found.worth > best.worth) best = std::move(found);
+    }
+}
+
+BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
+    const double whole = format_.span(width.columns, width.of);
+    constexpr double worth_of_corner = 0.01;
+    BandLayout best;
+    if (height <= notch.high) return best;
+    for (const bool cornered : {false, true}) {
+        if (cornered && !(equations_.width > 0)) break;
+        BandLayout base;
+        base.cornered = cornered;
+        base.worth = cornered ? worth_of_corner : 0;
+        for (base.divided = format_.columns; base.divided <= format_.columns + 1; ++base.divided)
+            try_all(best, base, whole, height, notch);
+    }
+    return best;
+}
+
+void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const {
+    constexpr double price_of_columns = 0.05, least_beside = 25, worth_of_beside = 0.02;
+    const double above = height - notch.high;
+    const ColumnText& words = text(base.divided, base.cornered);
+    BandLayout layout = base;
+    if (words.empty()) {
+        layout.divided = 0;
+        return try_figures(best, layout, {whole, above});
+    }
+    if (base.divided > format_.columns && words.is_too_wide()) return;
+    layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
+    if (layout.columns > 0 && words.height(layout.columns) <= above) {
+        if (sizes_.empty()) {
+            layout.worth -= price_of_columns * layout.columns;
+            if (layout.worth > best.worth) best = layout;
+            return;
+        }
+        const double left = above - words.height(layout.columns) - text_gap;
+        if (left > least_beside) try_figures(best, layout, {whole, left});
+    }
+    layout.beside = true;
+    for (layout.columns = 1; layout.columns <= 2 && !sizes_.empty(); ++layout.columns) {
+        const double left = whole - layout.columns * (words.measure() + gap);
+        if (left < least_beside || words.height(layout.columns) > above) continue;
+        layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
+        try_figures(best, layout, {left, above});
+        // Figures stand left of the title block, the text above it.
+        if (notch.high > 0 && std::min(left, notch.left) > least_beside)
+            try_figures(best, layout, {std::min(left, notch.left), height});
+    }
+}
+
+}  // namespace kinegraph::render

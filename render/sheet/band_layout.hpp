@@ -1,0 +1,75 @@
+// How a band stands in a room: its figures left and its text right of them, or its text under them. Owns what a room is worth to
+// a band; draws nothing.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/sheet/bands.hpp"
+#include "render/sheet/column_text.hpp"
+#include "render/sheet/sheet_parts.hpp"
+
+namespace kinegraph::render {
+
+/// A band is so many of the columns wide that a page is divided into.
+struct Width {
+    int columns = 1, of = 1;
+    auto operator<=>(const Width&) const = default;
+};
+
+/// What the title block takes of a room: its lower right corner.
+struct Notch {
+    double left = 0;  ///< of it the room is as wide
+    double high = 0;
+};
+
+struct BandLayout {
+    static constexpr double impossible = -1e300;
+    double worth = impossible;
+    int divided = 0;            ///< the text's column is a page divided by this; 0: no text
+    int columns = 0;            ///< of text
+    bool beside = false;        ///< the text stands right of the figures, else under them
+    bool stacked = false;       ///< the figures stand one under the other
+    bool cornered = false;      ///< the equations stand in a corner of the figure
+    std::vector<Spot> rooms{};  ///< of the figures; no width: left out
+};
+
+/// What a figure takes at a scale, its caption included, and what that is worth.
+struct FigureSize {
+    double x = 0, y = 0, worth = 0, scale = 0;
+    double wider = 0;  ///< for its equations in a corner
+};
+
+class BandLayouts {
+public:
+    /// `force_scale`: no force polygon is drawn larger. `crowded`: figures may be so small that they are hard to read;
+    /// `cornered`: equations may stand in a corner of their polygon.
+    BandLayouts(const Bands& bands, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
+                bool cornered);
+
+    /// The best in a room so high.
+    BandLayout in(Width width, double height, Notch notch = {}) const;
+    /// The text in the columns of a page divided by so many.
+    const ColumnText& text(int divided, bool cornered) const;
+    /// The equations, where they may stand in a corner.
+    const Block& equations() const { return equations_; }
+    /// What of a room is for the equations in the figure's corner.
+    double wider_in(Spot room) const;
+    /// Of a figure of the band, by its place among them: the scale that a room promises.
+    double scale_in(std::size_t figure, Spot room) const;
+
+private:
+    void try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const;
+    void try_figures(BandLayout& best, BandLayout layout, Spot room) const;
+
+    const Bands& bands_;
+    const Band& band_;
+    const SheetFormat& format_;
+    std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
+    Block equations_;
+    mutable std::map<std::pair<int, bool>, ColumnText> texts_;
+};
+
+}  // namespace kinegraph::render

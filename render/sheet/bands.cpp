@@ -1,0 +1,409 @@
+// The bands of a solution: given and centres, polygons of motion, lines of action, a row for each body, the closed polygon; and
+// their text, row by row.
+#include "render/sheet/bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/assert.hpp"
+#include "render/page/shapes.hpp"
+#include "render/scene/sentences.hpp"
+#include "render/tables/force_tables.hpp"
+#include "render/tables/prose.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = Band::Part::Kind;
+
+/// The text of one band, set to a width.
+class BandText {
+public:
+    BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps)
+        : context_(context), solution_(context.solution), measure_(measure), equations_apart_(equations_apart), steps_(steps) {}
+
+    Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
+                       const std::map<std::string, RichText>& on_figures) const {
+        switch (part.kind) {
+            case Kind::bodies:
+                return under("bodies", body_lines(context_, measure_));
+            case Kind::mobility:
+                // Of a body alone there is nothing to count.
+                return under(solution_.act_of_motion ? "conventions" : "mobility", conventions());
+            case Kind::centres:
+                return under("instant centres", centre_lines(context_, measure_),
+                             one_piece(solution_.mechanism.units.length.symbol));
+            case Kind::steps:
+                return under("steps " + std::string(name_of(solution_.protocol.statements[part.which.front()].section)),
+                             steps(part.which));
+            case Kind::results:
+                return table(part.which, results);
+            case Kind::reactions:
+                return under("forces", reaction_lines(context_, measure_));
+            case Kind::lever:
+                return under("lever", {joukowsky_block(context_, measure_)});
+            case Kind::unsolved:
+                return under("unsolved", unsolved());
+            case Kind::remarks:
+                return under("remarks", remarks(on_figures));
+        }
+        KG_ASSERT(false, "a part has a kind");
+    }
+
+private:
+    Passage under(const std::string& title, std::vector<Block> rows, const RichText& note = {}) const {
+        const std::string words = word(title, context_.language);
+        return {heading_block(context_, measure_, words, note),
+                heading_block(context_, measure_, words + ", " + word("continued", context_.language), note),
+                {},
+                std::move(rows)};
+    }
+    Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
+        return paragraph_block(context_, measure_, text, indent, number_text);
+    }
+
+    std::vector<Block> steps(const std::vector<std::size_t>& statements) const {
+        constexpr double indent = 6;
+        std::vector<Block> rows;
+        for (const std::size_t i : statements) {
+            const Statement& statement = solution_.protocol.statements[i];
+            Block row = paragraph(say(statement.message, context_.language), indent, std::to_string(steps_.at(i)));
+            std::vector<Block> equations;
+            if (statement.equation && !equations_apart_)
+                equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
+            for (const FreeBody* body : closed_by(solution_, StatementIndex(i)))
+                if (Block block = force_equation_block(context_, *body, true);
+                    block.width > 0 && block.width <= measure_ - indent)
+                    equations.push_back(std::move(block));
+            for (const Block& equation : equations) {
+                set(row.marks, equation, {indent, row.height + 0.5});
+                row.height += equation.height + 2.5;
+            }
+            belong(row.marks, 0, StatementIndex(i));
+            rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+    Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results) const {
+        std::vector<ResultRow> rows;
+        for (const std::size_t i : which) rows.push_back(results[i]);
+        std::vector<Block> lines = results_lines(context_, rows, measure_);
+        Passage passage;
+        passage.head = std::move(lines.front());
+        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+        return passage;
+    }
+
+    std::vector<Block> unsolved() const {
+        std::vector<Block> rows;
+        for (const Unsolved& each : solution_.unsolved) {
+            RichText text = say(each.what, context_.language);
+            append(text, one_piece(": "));
+            append(text, say(each.why, context_.language));
+            rows.push_back(paragraph(text));
+        }
+        return rows;
+    }
+    std::vector<Block> remarks(const std::map<std::string, RichText>& on_figures) const {
+        std::vector<Block> rows;
+        for (const auto& [figure, text] : on_figures) rows.push_back(paragraph(text));
+        for (const Message& each : solution_.remarks) rows.push_back(paragraph(say(each, context_.language)));
+        return rows;
+    }
+
+    std::vector<Block> conventions() const {
+        std::vector<Block> rows;
+        if (!solution_.act_of_motion) rows.push_back(paragraph(mobility_words()));
+        rows.push_back(paragraph(axes_words()));
+        const Mechanism& mechanism = solution_.mechanism;
+        if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
+            rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
+        return rows;
+    }
+    RichText mobility_words() const {
+        const Mobility& m = solution_.mobility;
+        const auto n = [](int value) { return std::to_string(value); };
+        RichText text;
+        const auto italic = [&](const char* letter, const char* sub = "") {
+            Piece piece = one_piece(letter, Face::italic).front();
+            piece.sub = sub;
+            piece.sub_face = Face::regular;
+            text.push_back(piece);
+        };
+        italic("n");
+        append(text, one_piece(" = 3("));
+        italic("m");
+        append(text, one_piece(" − 1) − 2"));
+        italic("c", "1");
+        append(text, one_piece(" − "));
+        italic("c", "2");
+        if (m.welds > 0) {
+            append(text, one_piece(" − 3"));
+            italic("w");
+        }
+        const auto signed_number = [&](int value) { return (value < 0 ? "−" : "") + n(std::abs(value)); };
+        append(text, one_piece(" = 3·" + n(m.bodies - 1) + " − 2·" + n(m.class_1) + " − " + n(m.class_2) +
+                               (m.welds > 0 ? " − 3·" + n(m.welds) : "") + " = " + signed_number(m.gruebler) + " " +
+                               word("by Grübler", context_.language)));
+        append(text, one_piece("; " +
+                               (m.effective != m.gruebler ? n(m.effective) + " " + word("effective", context_.language)
+                                                          : word("at this pose", context_.language)) +
+                               ": " + verdict_words(m, context_.language) + "."));
+        return text;
+    }
+    RichText axes_words() const {
+        RichText text;
+        const std::string words =
+            word(has_forces(solution_) && !has_motion(solution_) ? "axes forces" : "axes", context_.language);
+        std::string plain_part;
+        for (std::size_t i = 0; i < words.size();) {
+            const std::string_view rest = std::string_view(words).substr(i);
+            const bool omega = rest.starts_with("ω"), alpha = rest.starts_with("α");
+            if (omega || alpha) {
+                append(text, one_piece(plain_part));
+                plain_part.clear();
+                append(text, typeset(Symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha, "", ""}, context_.language));
+                i += 2;
+            } else {
+                plain_part += words[i++];
+            }
+        }
+        append(text, one_piece(plain_part));
+        return text;
+    }
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    double measure_;
+    bool equations_apart_;
+    const std::map<std::size_t, int>& steps_;
+};
+
+/// What is between two polygons of relative motion of one point as one observer sees it.
+bool of_one_motion(const Polygon& a, const Polygon& b) {
+    return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
+}
+
+}  // namespace
+
+Bands::Bands(const DrawingContext& context, const WantedFigures& wanted)
+    : context_(context), solution_(context.solution), wanted_(wanted) {
+    const bool motion = has_motion(solution_) || !has_forces(solution_);
+    if (motion) collect_motion();
+    if (has_forces(solution_)) collect_forces();
+    Band& given = list.front();
+    given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
+    number_steps();
+    deal_out_results();
+    if (!solution_.unsolved.empty() || !solution_.remarks.empty()) add_remarks();
+}
+
+void Bands::add_remarks() {
+    Band& last = add("remarks", {});
+    if (!solution_.unsolved.empty()) last.parts.push_back({Kind::unsolved});
+    last.parts.push_back({Kind::remarks});
+}
+
+bool Bands::remark(const std::string& figure, const RichText& text) {
+    if (!remarks_.emplace(figure, text).second) return false;
+    if (list.back().question != "remarks") add_remarks();
+    return true;
+}
+
+Band& Bands::add(const std::string& question, const std::vector<std::string>& figures) {
+    Band& band = list.emplace_back();
+    band.question = question;
+    for (const std::string& name : figures)
+        if (const auto index = wanted_.named(name)) band.figures.push_back(*index);
+    return band;
+}
+
+void Bands::add_step(Band& band, std::size_t statement) {
+    if (told_by_list(solution_.protocol.statements[statement].message.sentence)) return;
+    if (band.parts.empty() || band.parts.back().kind != Kind::steps) band.parts.push_back({Kind::steps});
+    band.parts.back().which.push_back(statement);
+}
+
+void Bands::collect_motion() {
+    const Protocol& protocol = solution_.protocol;
+    Band& given = add("given", {wanted_.list.front().name, "circle-diagram"});
+    given.draws_mechanism = true;
+    if (!solution_.centres.empty()) given.parts.push_back({Kind::centres});
+    // A polygon has a band of its own; of a relative motion both polygons share one.
+    std::map<int, std::size_t> band_of;  // by polygon
+    std::map<Topic, std::size_t> last_of{{Topic::centres, 0}};
+    for (const auto kind : {Polygon::Kind::motion, Polygon::Kind::relative_motion})
+        for (std::size_t p = 0; p < protocol.polygons.size(); ++p) {
+            const Polygon& polygon = protocol.polygons[p];
+            if (polygon.plane == Plane::force || polygon.kind != kind) continue;
+            const bool relative = kind == Polygon::Kind::relative_motion;
+            const bool again = relative && p > 0 && of_one_motion(protocol.polygons[p - 1], polygon) &&
+                               band_of.contains(static_cast<int>(p) - 1);
+            // An act of motion shows what both polygons find in its own figure.
+            if (again || solution_.act_of_motion)
+                list.back().figures.push_back(*wanted_.named(polygon.id));
+            else
+                add(polygon.id, {polygon.id});
+            band_of[static_cast<int>(p)] = list.size() - 1;
+            const Topic topic = relative                               ? Topic::relative_motion
+                                : polygon.plane == Plane::acceleration ? Topic::acceleration
+                                                                       : Topic::velocity;
+            last_of.emplace(topic, list.size() - 1);
+        }
+    std::map<StatementIndex, int> polygon_of;
+    for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
+    for (const DrawnLine& drawn : protocol.lines)
+        if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
+    for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
+        const Topic topic = protocol.statements[i].section;
+        if (topic == Topic::forces) continue;
+        const auto polygon = polygon_of.find(StatementIndex(i));
+        const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
+        // What draws nothing stands with what was drawn before it.
+        if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
+        add_step(list[last_of[topic]], i);
+    }
+}
+
+void Bands::collect_forces() {
+    Band& lines = add("lines-of-action", {"lines-of-action"});
+    lines.draws_mechanism = true;
+    const std::size_t at_lines = list.size() - 1;
+    collect_bodies();
+    for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
+        if (solution_.protocol.statements[i].section != Topic::forces) continue;
+        // A sentence that closes a body's polygon stands beside it.
+        std::size_t home = at_lines;
+        const std::vector<const FreeBody*> closed = closed_by(solution_, StatementIndex(i));
+        if (!closed.empty())
+            for (std::size_t b = at_lines; b < list.size(); ++b)
+                for (const std::size_t figure : list[b].figures)
+                    if (wanted_.list[figure].name == render::name_of(solution_, *closed.front())) home = b;
+        add_step(list[home], i);
+    }
+    list[at_lines].parts.push_back({Kind::reactions});
+    for (const int p : closed_polygons(solution_)) {
+        const std::string& id = solution_.protocol.polygons[static_cast<std::size_t>(p)].id;
+        add(id, {id});
+    }
+    if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
+}
+
+/// In the order of solving: free body and polygon; those that carry two forces share a row.
+void Bands::collect_bodies() {
+    constexpr std::size_t most_in_a_row = 4;
+    std::vector<const FreeBody*> order;
+    for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
+    std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
+        const auto rank = [](const FreeBody& body) {
+            return body.statement == none || body.in_parts ? 1 << 30 : body.statement.number();
+        };
+        return rank(*a) < rank(*b);
+    });
+    bool of_two_forces = false;
+    for (const FreeBody* body : order) {
+        const std::string name = render::name_of(solution_, *body);
+        const bool has_polygon = has_force_polygon(solution_, *body);
+        if (!has_polygon && of_two_forces && list.back().figures.size() < most_in_a_row)
+            list.back().figures.push_back(*wanted_.named(name));
+        else
+            add(name, {name, "forces-" + name.substr(name.find('-') + 1)});
+        of_two_forces = !has_polygon;
+    }
+}
+
+void Bands::number_steps() {
+    for (const Band& band : list)
+        for (const Band::Part& part : band.parts)
+            if (part.kind == Kind::steps)
+                for (const std::size_t statement : part.which) step_.emplace(statement, static_cast<int>(step_.size()) + 1);
+}
+
+std::vector<ResultRow> Bands::result_rows_on(const std::vector<Figure>& drawn) const {
+    std::vector<ResultRow> rows = result_rows(context_, drawn);
+    for (ResultRow& row : force_rows(context_, drawn)) rows.push_back(std::move(row));
+    return rows;
+}
+
+/// Every row stands under the figure that it is measured on; what no figure shows, under the last of its kind.
+void Bands::deal_out_results() {
+    const std::vector<ResultRow> rows = result_rows_on({});
+    const auto draws = [&](const Band& band, const std::string& name) {
+        return std::any_of(band.figures.begin(), band.figures.end(), [&](std::size_t f) { return wanted_.list[f].name == name; });
+    };
+    const auto home_of = [&](const ResultRow& row) {
+        std::size_t home = list.size() - 1;
+        for (std::size_t b = list.size(); b-- > 0;) {
+            const Band& band = list[b];
+            for (const Polygon& polygon : solution_.protocol.polygons) {
+                if (polygon.plane == Plane::force || !draws(band, polygon.id)) continue;
+                const bool acceleration = polygon.plane == Plane::acceleration;
+                const auto index = static_cast<int>(&polygon - solution_.protocol.polygons.data());
+                if (row.group.polygon >= 0 ? row.group.polygon == index
+                                           : polygon.kind == Polygon::Kind::motion &&
+                                                 row.group.section == (acceleration ? Topic::acceleration : Topic::velocity))
+                    return b;
+            }
+            if (row.group.section != Topic::forces) continue;
+            for (const FreeBody& body : solution_.free_bodies)
+                if (draws(band, render::name_of(solution_, body)) && has_force_polygon(solution_, body))
+                    for (const AppliedForce& applied : body.forces) {
+                        Quantity own = quantity_of(body, applied), turned = row.quantity;
+                        std::swap(turned.body, turned.other);
+                        own.kind = row.quantity.kind;
+                        if (own == row.quantity || own == turned) home = b;
+                    }
+        }
+        return home;
+    };
+    std::map<std::size_t, std::vector<std::size_t>> rows_of;  // by band
+    for (std::size_t i = 0; i < rows.size(); ++i) rows_of[home_of(rows[i])].push_back(i);
+    for (auto& [band, which] : rows_of) list[band].parts.push_back({Kind::results, std::move(which)});
+}
+
+Block Bands::equations(const Band& band, double most) const {
+    constexpr std::size_t most_equations = 2;
+    constexpr double between = 4;
+    Block all;
+    std::size_t count = 0;
+    for (const Band::Part& part : band.parts)
+        for (const std::size_t i : part.kind == Kind::steps ? part.which : std::vector<std::size_t>{}) {
+            const Statement& statement = solution_.protocol.statements[i];
+            if (!statement.equation) continue;
+            if (++count > most_equations) return {};
+            Block block = equation_block(context_, *statement.equation, most);
+            belong(block.marks, 0, StatementIndex(i));
+            if (all.height > 0) all.height += between;
+            set(all.marks, block, {0, all.height});
+            all.width = std::max(all.width, block.width);
+            all.height += block.height;
+        }
+    return all;
+}
+
+std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart, const std::vector<Figure>& drawn) const {
+    std::vector<ResultRow> results;
+    const BandText writer(context_, measure, equations_apart, step_);
+    std::vector<Passage> all;
+    for (const Band::Part& part : band.parts) {
+        if (part.kind == Kind::results) results = result_rows_on(drawn);
+        all.push_back(writer.passage_of(part, results, remarks_));
+    }
+    // What goes on from a page before begins in the middle.
+    std::size_t row = 0;
+    std::vector<Passage> passages;
+    for (Passage& passage : all) {
+        Passage kept{std::move(passage.heading), std::move(passage.heading_again), std::move(passage.head)};
+        for (std::size_t i = 0; i < passage.rows.size(); ++i, ++row) {
+            if (row < band.first_row || row >= band.end_row) continue;
+            if (kept.rows.empty() && i > 0) kept.heading = kept.heading_again;
+            kept.rows.push_back(std::move(passage.rows[i]));
+        }
+        if (!kept.rows.empty()) passages.push_back(std::move(kept));
+    }
+    return passages;
+}
+
+}  // namespace kinegraph::render

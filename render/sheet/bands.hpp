@@ -1,0 +1,72 @@
+// Bands: a solution as a sequence of questions, each with its figures and the text that belongs to them. Owns what belongs
+// together and in which order it is read; chooses no place and no size.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/page/block.hpp"
+#include "render/sheet/wanted_figures.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+
+/// Rows under a heading. Where they go on in a further column a table sets its head again; on a further page the heading too.
+struct Passage {
+    Block heading, heading_again;  ///< no height: none
+    Block head;
+    std::vector<Block> rows{};
+};
+
+/// One question of the solution.
+struct Band {
+    /// What its text is made of, in order.
+    struct Part {
+        enum class Kind { bodies, mobility, centres, steps, results, reactions, lever, unsolved, remarks } kind;
+        std::vector<std::size_t> which{};  ///< steps: statements; results: rows of the table
+    };
+    std::string question;
+    std::vector<std::size_t> figures{};  ///< of WantedFigures::list, left to right
+    std::vector<Part> parts{};
+    std::size_t first_row = 0;  ///< of its text, which goes on over pages only where no page holds it
+    std::size_t end_row = std::numeric_limits<std::size_t>::max();
+    bool draws_mechanism = false;  ///< one such band to a page: what stands in its figure has the names of the mechanism's parts
+};
+
+/// The bands of a solution, and their text once a width is chosen.
+class Bands {
+public:
+    Bands(const DrawingContext& context, const WantedFigures& wanted);
+
+    std::vector<Band> list;
+
+    /// A remark on a figure, once it is drawn; false where it is made already.
+    bool remark(const std::string& figure, const RichText& text);
+
+    /// Set to a width of `measure` mm. Lengths are measured on `drawn`; `equations_apart`: its equations stand in the figure.
+    std::vector<Passage> text(const Band& band, double measure, bool equations_apart, const std::vector<Figure>& drawn) const;
+    /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it has none, or
+    /// so many that no figure has room for them.
+    Block equations(const Band& band, double most) const;
+
+private:
+    void collect_motion();
+    void collect_forces();
+    void collect_bodies();
+    Band& add(const std::string& question, const std::vector<std::string>& figures);
+    void add_step(Band& band, std::size_t statement);
+    void number_steps();
+    void deal_out_results();
+    void add_remarks();
+    std::vector<ResultRow> result_rows_on(const std::vector<Figure>& drawn) const;
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    const WantedFigures& wanted_;
+    std::map<std::size_t, int> step_;          // number of a statement
+    std::map<std::string, RichText> remarks_;  // on figures as drawn
+};
+
+}  // namespace kinegraph::render

@@ -1,0 +1,31 @@
+// Page plan: which bands share a page, in which rows, how wide and how high. Sets bands in their order onto the fewest pages, and
+// on these so that their figures are worth most. Draws nothing.
+#pragma once
+
+#include <vector>
+
+#include "render/sheet/band_layout.hpp"
+
+namespace kinegraph::render {
+
+/// A band in its place on a page.
+struct PlacedBand {
+    std::size_t band = 0;
+    Width width;
+    Box room;
+    Notch notch{};
+};
+using PlannedCell = std::vector<PlacedBand>;  ///< one under the other
+using PlannedRow = std::vector<PlannedCell>;  ///< side by side
+using PlannedPage = std::vector<PlannedRow>;
+
+constexpr double row_gap = 8;  ///< between rows of bands, mm
+
+/// What the bands of a page after the first may take: above the strip.
+Box content_of(const SheetFormat& format, bool first_page);
+
+/// Empty where a band finds no page that holds it; `lost` is that band then.
+std::vector<PlannedPage> plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
+                                    const SheetFormat& format, std::size_t& lost);
+
+}  // namespace kinegraph::render
