@@ -124,9 +124,9 @@ const std::vector<Inversion>& all_inversions() {
         std::vector<Inversion> all;
         for (int chain = 0; at(chain) < all_chains().size(); ++chain) {
             const int links = all_chains()[at(chain)].links;
-            for (int frame = 0; frame < links; ++frame)
+            for (int fixed = 0; fixed < links; ++fixed)
                 for (int driven = 0; driven < links; ++driven)
-                    if (driven != frame) all.push_back({chain, frame, driven});
+                    if (driven != fixed) all.push_back({chain, fixed, driven});
         }
         return all;
     }();

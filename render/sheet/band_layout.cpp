@@ -9,6 +9,7 @@ namespace {
 
 constexpr double caption = 7, text_gap = 5;
 constexpr double hardly_readable = 10;  // mm
+constexpr double room_of_a_name = 150;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
 /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
 double use_of(double size) { return std::log(size) - 40 / size; }
@@ -37,8 +38,13 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
                                     format.content.height() - wanted.rim_y - caption, std::nullopt);
         if (wanted.to_force_scale) scale = std::max(scale, force_scale.value_or(0));
         const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;
-        for (; !wanted.spare && (sizes.empty() || extent / scale >= std::max(least, hardly_readable)); scale = next_scale(scale))
-            sizes.push_back(at(scale));
+        const auto has_room = [&](const FigureSize& size) {
+            return extent / size.scale >= std::max(least, hardly_readable) &&
+                   (crowded || size.x * size.y >= room_of_a_name * static_cast<double>(wanted.letters));
+        };
+        for (FigureSize size = at(scale); !wanted.spare && (sizes.empty() || has_room(size));
+             size = at(scale = next_scale(scale)))
+            sizes.push_back(size);
     }
     if (wanted.spare) sizes.push_back({});
     return sizes;

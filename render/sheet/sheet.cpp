@@ -145,15 +145,28 @@ private:
             corner_missing_ = true;
         }
     }
-    Drawn draw_into(std::size_t wanted, Spot room, int number) const {
+    /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits.
+    const Figure& figure_in(std::size_t index, Spot room) {
+        constexpr double rounding = 1e-6;
+        const Wanted& wanted = wanted_.list[index];
+        std::vector<Known>& known = known_[index];
+        for (const Known& each : known) {
+            const Spot least = wanted.fills ? each.room : Spot{each.figure.box.width(), each.figure.box.height()};
+            if (each.force_scale == wanted_.force_scale && least.x <= room.x + rounding && room.x <= each.room.x + rounding &&
+                least.y <= room.y + rounding && room.y <= each.room.y + rounding)
+                return each.figure;
+        }
+        return known.emplace_back(Known{room, wanted_.force_scale, wanted.draw(room.x, room.y)}).figure;
+    }
+    Drawn draw_into(std::size_t wanted, Spot room, int number) {
         constexpr double one_line = 7;
         Drawn drawn;
         drawn.wanted = wanted;
         drawn.number = number;
-        drawn.figure = wanted_.list[wanted].draw(room.x, room.y - one_line);
+        drawn.figure = figure_in(wanted, {room.x, room.y - one_line});
         std::vector<Mark> words;
         drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
-        if (drawn.height() > room.y) drawn.figure = wanted_.list[wanted].draw(room.x, room.y - drawn.caption);
+        if (drawn.height() > room.y) drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption});
         return drawn;
     }
 
@@ -308,6 +321,13 @@ private:
     Signature signature_;
     WantedFigures wanted_;
     Bands bands_;
+    /// A drawing that was tried, and for which room.
+    struct Known {
+        Spot room;
+        std::optional<double> force_scale;
+        Figure figure;
+    };
+    std::map<std::size_t, std::vector<Known>> known_;  // by figure
     std::set<std::string> crowded_;     // bands whose figures may be smaller than is well readable
     std::set<std::string> cornerless_;  // … whose figure leaves their equations no corner
     std::set<std::string> roomier_;     // figures that got more room for the scale asked for

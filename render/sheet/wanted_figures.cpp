@@ -260,6 +260,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
     wanted.least = 45;
+    wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();
     wanted.asked = asked(scene.id, si);

@@ -25,6 +25,7 @@ struct Wanted {
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
     double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
     double least = 22;                  ///< mm of its longer extent below which nothing can be read off it
+    std::size_t letters = 0;            ///< how many names it carries
     double enough = 200;                ///< mm beyond which it gains nothing
     double weight = 1;                  ///< against the other figures
     std::optional<double> asked;
