@@ -41,6 +41,7 @@ struct Mobility {
 
 /// Rank by exact arithmetic (residues modulo two large primes; never too high) on an exact pose; on a pose with a leftover by
 /// elimination in 512-bit floating point, where a suspiciously small pivot is judged on a pose twice as fine.
-Mobility mobility_of(const Mechanism& mechanism, const Pose& pose);
+/// The finer pose is drawn from the file, or `finer` where that gives one.
+Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer = {});
 
 }  // namespace kinegraph
