@@ -25,8 +25,8 @@ namespace {
 constexpr const char* version = "kinegraph " KINEGRAPH_VERSION;
 constexpr const char* statuses =
     "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
-    "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or the\n"
-    "module for PNG and PDF is missing; 70 a fault of ours.";
+    "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
+    "module of the program is missing; 70 a fault of ours.";
 
 /// What was typed, waiting to be carried out.
 using Action = std::function<Status()>;

@@ -1,8 +1,7 @@
-// dlopen, and faults of the module as faults of the program.
+// Faults of the module as faults of the program.
 #include "app/painter.hpp"
 
-#include <dlfcn.h>
-
+#include "app/module.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph::app {
@@ -16,14 +15,9 @@ std::string bytes_of(CairoFunctions::Bytes bytes) {
 }  // namespace
 
 tl::expected<Painter, std::string> Painter::open() {
-    // A bare name: the loader looks where the program's RPATH says.
-    void* const module = ::dlopen("kinegraph_cairo.so", RTLD_LAZY | RTLD_LOCAL);
-    if (module == nullptr)
-        return tl::unexpected(std::string("PNG and PDF are drawn by a module of the program, which cannot be loaded: ") +
-                              ::dlerror());
-    const void* const functions = ::dlsym(module, "kinegraph_cairo");
-    KG_ASSERT(functions != nullptr, "the module exports what it draws with");
-    return Painter(*static_cast<const CairoFunctions*>(functions));
+    return open_module_as<CairoFunctions>("kinegraph_cairo", "PNG and PDF are drawn").map([](const CairoFunctions* functions) {
+        return Painter(*functions);
+    });
 }
 
 std::string Painter::to_png(const render::Page& page, const render::Glyphs& glyphs, double dpi) const {

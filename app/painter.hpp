@@ -13,8 +13,7 @@ namespace kinegraph::app {
 /// The module, loaded. It stays so to the end of the run.
 class Painter {
 public:
-    /// Looks for kinegraph_cairo.so where the program is told to at its making: beside it in the build tree, in
-    /// lib/kinegraph where it is installed. Error: a line that says what is missing.
+    /// Error: a line that says what is missing.
     static tl::expected<Painter, std::string> open();
 
     std::string to_png(const render::Page& page, const render::Glyphs& glyphs, double dpi) const;

@@ -5,6 +5,8 @@
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "app/module.hpp"
+#include "app/modules/type.hpp"
 #include "app/painter.hpp"
 #include "constructions/solve.hpp"
 #include "render/backends/backends.hpp"
@@ -226,12 +228,14 @@ tl::expected<std::vector<Output>, Status> made(const Solution& solution, const s
     if (targets.empty()) return std::vector<Output>{{"-", render::results_table(solution, request.language)}};
     if (std::all_of(targets.begin(), targets.end(), [](const Target& target) { return target.format == Format::json; }))
         return outputs_of(solution, targets, request, {}, {}, {}, remarks);
-    auto fonts = render::Fonts::open();
-    if (!fonts) {
-        say("kinegraph", fonts.error());
+    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", "Type is set").and_then([](const TypeFunctions* functions) {
+        return functions->open_typefaces();
+    });
+    if (!typefaces) {
+        say("kinegraph", typefaces.error());
         return tl::unexpected(Status::output);
     }
-    const std::optional<render::Fonts> opened(*std::move(fonts));
+    const std::optional<render::Fonts> opened(std::in_place, *std::move(typefaces));
     std::optional<Painter> painter;
     if (std::any_of(targets.begin(), targets.end(), is_painted)) {
         auto loaded = Painter::open();

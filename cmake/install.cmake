@@ -1,10 +1,10 @@
-# cmake --install: program with its module, library with its headers and find_package(kinegraph), schema, man page.
+# cmake --install: program with its modules, library with its headers and find_package(kinegraph), schema, man page.
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/kinegraph)
 if(TARGET kinegraph_app)
     install(TARGETS kinegraph_app)
-    install(TARGETS kinegraph_cairo LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kinegraph)
+    install(TARGETS kinegraph_cairo kinegraph_type LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kinegraph)
 endif()
 install(TARGETS kinegraph EXPORT kinegraph)
 install(EXPORT kinegraph NAMESPACE kinegraph:: FILE kinegraphTargets.cmake DESTINATION ${package_directory})

@@ -126,18 +126,25 @@ void ForceModel::add_effort(int index) {
     bonds_.push_back(bond);
 }
 
-bool ForceModel::turn_gears(const Run& run) {
+bool ForceModel::pulls(std::size_t b, const Run& run) {
+    if (bonds_[b].joint < 0 || !run.reactions[b].force) return false;
+    const JointIndex index = bonds_[b].joint;
+    const Joint& joint = mechanism_.joints[at(index)];
+    const Force& force = *run.reactions[b].force;
+    if (!joint.pair().meshes()) return joint.pushes && board_.along_sign(board_.push(index), force) < 0;
+    // How large the force is across the tangent, seen along the normal.
+    const int radial = board_.sign(board_.moment(board_.tangent(index), force));
+    return material_side(index) * radial < 0;
+}
+
+bool ForceModel::turn_teeth(const Run& run) {
     bool changed = false;
     for (std::size_t b = 0; b < joint_bonds_; ++b) {
-        Bond& bond = bonds_[b];
-        if (bond.joint < 0 || !mechanism_.joints[at(bond.joint)].pair().meshes() || !run.reactions[b].force) continue;
-        const JointIndex joint = bond.joint;
-        // How large the force is across the tangent, seen along the normal.
-        const int radial = board_.sign(board_.moment(board_.tangent(joint), *run.reactions[b].force));
-        if (material_side(joint) * radial >= 0) continue;
+        const JointIndex joint = bonds_[b].joint;
+        if (joint < 0 || !mechanism_.joints[at(joint)].pair().meshes() || !pulls(b, run)) continue;
         const bool mirror = mirrored_gears_.insert(joint).second;
         if (!mirror) mirrored_gears_.erase(joint);
-        bond.direction = mirror ? board_.other_normal(joint) : board_.normal(joint);
+        bonds_[b].direction = mirror ? board_.other_normal(joint) : board_.normal(joint);
         changed = true;
     }
     return changed;

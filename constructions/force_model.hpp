@@ -113,9 +113,12 @@ public:
     bool is_pin(int member) const;
     /// F_32: of 3 on 2.
     Symbol force_symbol(int of, int on) const;
-    /// Teeth only push: the force on a gear points into its own material. Where the line of action tried makes them pull, the
-    /// other one, mirrored at the common tangent, is taken. True where a line was changed.
-    bool turn_gears(const Run& run);
+    /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file gives.
+    /// Whether the reaction found at a bond says that it would have to pull.
+    bool pulls(std::size_t bond, const Run& run);
+    /// Teeth that would pull push on their other flank: along the line of action mirrored at the common tangent. True where a
+    /// line was changed, and all is to be found anew. (Contacts have no other flank: they lift off.)
+    bool turn_teeth(const Run& run);
     Action action(PlaceOnDrawing place, DirectionHandle direction);
     LineOn<drawing> line_of(const Wrench& wrench);
     /// Moment of a wrench about a place.

@@ -21,7 +21,7 @@ public:
 
     Run run() {
         Run result = solve(model_.loads());
-        for (std::size_t round = 0; round < mechanism_.joints.size() && model_.turn_gears(result); ++round)
+        for (std::size_t round = 0; round < mechanism_.joints.size() && model_.turn_teeth(result); ++round)
             result = solve(model_.loads());
         gather_components(result);
         return result;

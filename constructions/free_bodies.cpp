@@ -68,14 +68,12 @@ private:
         return open;
     }
 
-    /// A one-sided contact can push only.
+    /// A contact that would have to pull.
     void remark_lift_off(const Run& run) {
-        for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
-            const Bond& bond = model_.bonds()[b];
-            if (bond.joint < 0 || !run.reactions[b].force) continue;
-            const Joint& joint = mechanism_.joints[at(bond.joint)];
-            if (!joint.pushes || board_.along_sign(board_.push(bond.joint), *run.reactions[b].force) >= 0) continue;
-            results_.remarks.push_back({Sentence::lift_off, {PointName{joint.name}}});
+        for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
+            const JointIndex joint = model_.bonds()[b].joint;
+            if (joint >= 0 && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
+                results_.remarks.push_back({Sentence::lift_off, {PointName{mechanism_.joints[at(joint)].name}}});
         }
     }
 

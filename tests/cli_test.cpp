@@ -278,20 +278,25 @@ TEST_F(CommandLine, OutputsAreWrittenAllOrNone) {
     EXPECT_EQ(changed_since(before), "");
 }
 
-TEST_F(CommandLine, CairoIsLoadedForPngAndPdfAlone) {
+TEST_F(CommandLine, ModulesAreLoadedByTheRunsAloneThatNeedThem) {
+    const fs::path built = KINEGRAPH_PROGRAM;
     fs::create_directory(folder_ / "alone");
-    fs::copy(KINEGRAPH_PROGRAM, folder_ / "alone/kinegraph");
+    fs::copy(built, folder_ / "alone/kinegraph");
     program_ = "alone/kinegraph";
-    EXPECT_EQ(run("solve four_bar.json -o a.svg -o a.json").status, 0);
-    const auto before = snapshot();
-    for (const char* painted : {"solve four_bar.json -o b.svg -o b.png", "solve four_bar.json -o b.pdf"}) {
-        const Outcome outcome = run(painted);
-        EXPECT_EQ(outcome.status, 4) << painted;
-        EXPECT_TRUE(lines_are(
-            outcome.err,
-            "kinegraph: PNG and PDF are drawn by a module of the program, which cannot be loaded: kinegraph_cairo.so: .*"));
-        EXPECT_EQ(changed_since(before), "") << painted;
-    }
+    EXPECT_EQ(run("solve four_bar.json -o a.json").status, 0);
+    const auto refused = [&](const std::string& arguments, const std::string& said) {
+        const auto before = snapshot();
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 4) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, "kinegraph: " + said + " by a module of the program, which cannot be loaded: .*"))
+            << arguments;
+        EXPECT_EQ(changed_since(before), "") << arguments;
+    };
+    refused("solve four_bar.json -o b.svg", "Type is set");
+    fs::copy(built.parent_path() / "kinegraph_type.so", folder_ / "alone");
+    EXPECT_EQ(run("solve four_bar.json -o a.svg").status, 0);
+    refused("solve four_bar.json -o b.svg -o b.png", "PNG and PDF are drawn");
+    refused("solve four_bar.json -o b.pdf", "PNG and PDF are drawn");
 }
 
 TEST_F(CommandLine, AnOutputKeepsItsModeAndItsLink) {

@@ -13,9 +13,9 @@ for file in bin/kinegraph share/kinegraph/mechanism.schema.json share/man/man1/k
 done
 "$work/prefix/bin/kinegraph" --version
 
-# The installed program finds its module, and without it has nothing of cairo's.
+# The installed program finds its modules, and without them has nothing of cairo's or HarfBuzz's.
 "$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/a.svg" -o "$work/a.png" -o "$work/a.pdf"
-if ldd "$work/prefix/bin/kinegraph" | grep -E 'libcairo|libX11'; then echo "the program loads cairo at every start"; exit 1; fi
+if ldd "$work/prefix/bin/kinegraph" | grep -E 'libcairo|libX11|libharfbuzz'; then echo "the program loads what it draws with at every start"; exit 1; fi
 
 cmake -S "$here/install_test" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$work/build"

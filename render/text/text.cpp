@@ -1,18 +1,10 @@
 // How a line is set: words are shaped one by one in em units, kept, and then only scaled and moved. Owns the fonts'
-// handles and every measure of our setting (scripts, dots, code boxes). Refuses to know what the words mean.
+// faces and every measure of our setting (scripts, dots, code boxes). Refuses to know what the words mean.
 #include "render/text/text.hpp"
-
-#include <ft2build.h>
-#include FT_FREETYPE_H
-#include FT_BBOX_H
-#include FT_OUTLINE_H
-#include <hb-ot.h>
-#include <hb.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <numbers>
 #include <span>
@@ -20,6 +12,7 @@
 #include <unordered_map>
 
 #include "engine/assert.hpp"
+#include "render/text/typeface.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -41,36 +34,10 @@ constexpr double code_padding = 0.06;
 constexpr double code_line = 0.03;
 constexpr double code_side = 0.05;
 
-constexpr int face_count = 4;
-constexpr std::array<const char*, face_count> file_names = {"STIXGeneral-Regular.otf", "STIXGeneral-Italic.otf",
-                                                            "STIXGeneral-Bold.otf", "STIXGeneral-BoldItalic.otf"};
-constexpr const char* debian_directory = "/usr/share/fonts/opentype/stix";
-
 constexpr std::uint8_t regular = static_cast<std::uint8_t>(Face::regular);
 constexpr std::uint8_t bold = static_cast<std::uint8_t>(Face::bold);
 
 bool italic(Face face) { return face == Face::italic || face == Face::bold_italic; }
-
-struct Release {
-    void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
-    void operator()(hb_font_t* font) const { hb_font_destroy(font); }
-    void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
-    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
-    void operator()(FT_Face face) const { FT_Done_Face(face); }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Release>;
-
-/// A box around ink; nothing inked when right < left. y upwards.
-struct Ink {
-    double left = 1, bottom = 0, right = 0, top = 0;
-    bool blank() const { return right < left; }
-};
-
-struct Drawn {
-    Outline outline;
-    Ink ink;
-};
 
 /// A word set in one face at 1 em, origin at 0.
 struct Word {
@@ -140,40 +107,6 @@ std::string code_name(char32_t c) {
     return name;
 }
 
-/// Collects a FreeType outline as segments in em.
-struct Collector {
-    Outline& outline;
-    double unit;
-    Spot at{};
-    Spot spot(const FT_Vector* v) const { return {static_cast<double>(v->x) * unit, static_cast<double>(v->y) * unit}; }
-
-    static int move(const FT_Vector* to, void* self) {
-        auto& c = *static_cast<Collector*>(self);
-        if (!c.outline.segments.empty()) c.outline.segments.emplace_back(Close{});
-        c.outline.segments.emplace_back(MoveTo{c.at = c.spot(to)});
-        return 0;
-    }
-    static int line(const FT_Vector* to, void* self) {
-        auto& c = *static_cast<Collector*>(self);
-        c.outline.segments.emplace_back(LineTo{c.at = c.spot(to)});
-        return 0;
-    }
-    static int conic(const FT_Vector* control, const FT_Vector* to, void* self) {
-        auto& c = *static_cast<Collector*>(self);
-        const Spot q = c.spot(control), end = c.spot(to);
-        const auto towards = [&q](Spot p) { return Spot{(p.x + 2 * q.x) / 3, (p.y + 2 * q.y) / 3}; };
-        c.outline.segments.emplace_back(CurveTo{towards(c.at), towards(end), end});
-        c.at = end;
-        return 0;
-    }
-    static int cubic(const FT_Vector* control_1, const FT_Vector* control_2, const FT_Vector* to, void* self) {
-        auto& c = *static_cast<Collector*>(self);
-        c.outline.segments.emplace_back(CurveTo{c.spot(control_1), c.spot(control_2), c.spot(to)});
-        c.at = c.spot(to);
-        return 0;
-    }
-};
-
 struct Hash : std::hash<std::string_view> {
     using is_transparent = void;
 };
@@ -182,27 +115,19 @@ struct Hash : std::hash<std::string_view> {
 
 struct Fonts::State {
     struct FaceOfFont {
-        Owned<hb_blob_t> blob;
-        Owned<hb_font_t> font;
-        Owned<FT_FaceRec_> outlines;  // opened when the first glyph is drawn: shaping does without
-        double unit = 0;              // em for each font unit
-        double space = 0;
+        std::unique_ptr<Typeface> typeface;
+        double space = 0;                           // em
         std::vector<std::unique_ptr<Drawn>> drawn;  // by glyph; the addresses stay
         std::unordered_map<std::string, Word, Hash, std::equal_to<>> words;
     };
-    Owned<FT_LibraryRec_> library;  // outlives the faces
-    std::array<FaceOfFont, face_count> faces;
-    Owned<hb_buffer_t> buffer{hb_buffer_create()};
-    hb_language_t language = hb_language_from_string("en", -1);  // never the machine's
+    std::array<FaceOfFont, std::tuple_size_v<Typefaces>> faces;
     std::vector<std::string> missing;
     std::vector<char32_t> characters;
     std::vector<std::uint8_t> faces_of;
+    std::vector<Typeface::Placed> placed;
 
     const Drawn& drawing(std::uint8_t face, std::uint32_t index);
-    bool has(std::uint8_t face, char32_t c) {
-        hb_codepoint_t glyph = 0;
-        return hb_font_get_nominal_glyph(faces[face].font.get(), c, &glyph) != 0;
-    }
+    bool has(std::uint8_t face, char32_t c) const { return faces[face].typeface->has(c); }
     const Word& word(std::string_view text, Face face);
     Word set_word(std::string_view text, std::uint8_t face);
     void shape_run(std::span<const char32_t> run, std::uint8_t face, double scale, double y, Word& into);
@@ -210,65 +135,31 @@ struct Fonts::State {
 };
 
 const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
-    KG_ASSERT(face < face_count, "a glyph belongs to one of the four faces");
+    KG_ASSERT(face < faces.size(), "a glyph belongs to one of the four faces");
     FaceOfFont& f = faces[face];
     KG_ASSERT(index < f.drawn.size(), "a glyph's index lies within its face");
     std::unique_ptr<Drawn>& drawn = f.drawn[index];
     if (drawn) return *drawn;
-    if (!library) {
-        FT_Library opened = nullptr;
-        KG_ASSERT(FT_Init_FreeType(&opened) == 0, "FreeType starts");
-        library.reset(opened);
-    }
-    if (!f.outlines) {
-        unsigned length = 0;
-        const char* bytes = hb_blob_get_data(f.blob.get(), &length);
-        FT_Face opened = nullptr;
-        KG_ASSERT(FT_New_Memory_Face(library.get(), reinterpret_cast<const FT_Byte*>(bytes), static_cast<FT_Long>(length), 0,
-                                     &opened) == 0,
-                  "a face that HarfBuzz reads is read by FreeType");
-        f.outlines.reset(opened);
-    }
-    drawn = std::make_unique<Drawn>();
-    if (FT_Load_Glyph(f.outlines.get(), index, FT_LOAD_NO_HINTING | FT_LOAD_NO_SCALE) != 0) return *drawn;
-    FT_Outline& outline = f.outlines->glyph->outline;
-    if (outline.n_points == 0) return *drawn;
-    static constexpr FT_Outline_Funcs collect = {Collector::move, Collector::line, Collector::conic, Collector::cubic, 0, 0};
-    Collector collector{drawn->outline, f.unit};
-    FT_Outline_Decompose(&outline, &collect, &collector);
-    drawn->outline.segments.emplace_back(Close{});
-    FT_BBox box{};
-    FT_Outline_Get_BBox(&outline, &box);
-    const auto em = [&f](FT_Pos units) { return static_cast<double>(units) * f.unit; };
-    drawn->ink = {em(box.xMin), em(box.yMin), em(box.xMax), em(box.yMax)};
+    auto made = f.typeface->draw(index);
+    KG_ASSERT(made.has_value(), "a face that can be shaped can be drawn");
+    drawn = std::make_unique<Drawn>(*std::move(made));
     return *drawn;
 }
 
-/// Shapes characters that one face has and appends them to the word. Left to right always.
+/// Shapes characters that one face has and appends them to the word.
 void Fonts::State::shape_run(std::span<const char32_t> run, std::uint8_t face, double scale, double y, Word& into) {
-    const FaceOfFont& f = faces[face];
-    hb_buffer_t* b = buffer.get();
-    hb_buffer_clear_contents(b);
-    static_assert(sizeof(char32_t) == sizeof(hb_codepoint_t));
-    hb_buffer_add_codepoints(b, reinterpret_cast<const hb_codepoint_t*>(run.data()), static_cast<int>(run.size()), 0,
-                             static_cast<int>(run.size()));
-    hb_buffer_set_direction(b, HB_DIRECTION_LTR);
-    hb_buffer_set_script(b, HB_SCRIPT_LATIN);
-    hb_buffer_set_language(b, language);
-    hb_shape(f.font.get(), b, nullptr, 0);
-    unsigned count = 0;
-    const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(b, &count);
-    const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(b, &count);
-    const double unit = f.unit * scale;
+    const Typeface& typeface = *faces[face].typeface;
+    typeface.shape(run, placed);
+    const double unit = typeface.unit() * scale;
     int pen = 0;
     const double start = into.advance;
-    for (unsigned i = 0; i < count; ++i) {
-        const double x = start + (pen + places[i].x_offset) * unit;
-        const double lift = y + places[i].y_offset * unit;
-        const Ink ink = drawing(face, infos[i].codepoint).ink;
-        pen += places[i].x_advance;
+    for (const Typeface::Placed& glyph : placed) {
+        const double x = start + (pen + glyph.x) * unit;
+        const double lift = y + glyph.y * unit;
+        const Ink ink = drawing(face, glyph.glyph).ink;
+        pen += glyph.advance;
         if (ink.blank()) continue;
-        into.glyphs.push_back({face, infos[i].codepoint, scale, x, lift});
+        into.glyphs.push_back({face, glyph.glyph, scale, x, lift});
         into.last = {x + ink.left * scale, lift + ink.bottom * scale, x + ink.right * scale, lift + ink.top * scale};
         into.top = std::max(into.top, into.last.top);
         into.bottom = std::min(into.bottom, into.last.bottom);
@@ -302,8 +193,7 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
         char32_t c = next_code_point(text, at);
         // An accent written apart joins its letter where Unicode has the whole (file names from some systems come so).
         if (c >= 0x300 && c < 0x370 && !characters.empty()) {
-            hb_codepoint_t whole = 0;
-            if (hb_unicode_compose(hb_unicode_funcs_get_default(), characters.back(), c, &whole)) {
+            if (const char32_t whole = faces[face].typeface->composed(characters.back(), c)) {
                 characters.back() = whole;
                 continue;
             }
@@ -534,37 +424,21 @@ std::string plain(const RichText& text) {
     return words;
 }
 
-Fonts::Fonts(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Fonts::Fonts(Typefaces faces) : state_(std::make_unique<State>()) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        State::FaceOfFont& f = state_->faces[i];
+        f.typeface = std::move(faces[i]);
+        f.drawn.resize(f.typeface->glyphs());
+        constexpr char32_t blank = U' ';
+        f.space = 0.25;
+        if (!f.typeface->has(blank)) continue;
+        f.typeface->shape({&blank, 1}, state_->placed);
+        f.space = state_->placed.front().advance * f.typeface->unit();
+    }
+}
 Fonts::Fonts(Fonts&&) noexcept = default;
 Fonts& Fonts::operator=(Fonts&&) noexcept = default;
 Fonts::~Fonts() = default;
-
-tl::expected<Fonts, std::string> Fonts::open() {
-    const char* chosen = std::getenv("KINEGRAPH_FONT_DIR");
-    const std::string directory = chosen != nullptr && *chosen != '\0' ? chosen : debian_directory;
-    auto state = std::make_unique<State>();
-    for (std::size_t i = 0; i < face_count; ++i) {
-        const std::string path = directory + "/" + file_names[i];
-        State::FaceOfFont& f = state->faces[i];
-        f.blob.reset(hb_blob_create_from_file_or_fail(path.c_str()));
-        hb_face_t* face = f.blob ? hb_face_create(f.blob.get(), 0) : nullptr;
-        const unsigned glyphs = face != nullptr ? hb_face_get_glyph_count(face) : 0;
-        if (glyphs == 0) {
-            hb_face_destroy(face);
-            return tl::unexpected(
-                path + (f.blob ? " is no font" : " cannot be read") +
-                ": install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR");
-        }
-        f.font.reset(hb_font_create(face));  // its scale is the face's units for each em, so nothing is rounded
-        f.unit = 1.0 / hb_face_get_upem(face);
-        f.drawn.resize(glyphs);
-        hb_face_destroy(face);  // the font keeps it
-        hb_codepoint_t space = 0;
-        const bool spaced = hb_font_get_nominal_glyph(f.font.get(), ' ', &space) != 0;
-        f.space = spaced ? hb_font_get_glyph_h_advance(f.font.get(), space) * f.unit : 0.25;
-    }
-    return Fonts(std::move(state));
-}
 
 ShapedLine Fonts::shape(const RichText& text, double size_points) const {
     KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
@@ -661,10 +535,8 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, d
 const Outline& Fonts::outline(std::uint8_t face, std::uint32_t index) const { return state_->drawing(face, index).outline; }
 
 std::string_view Fonts::file(std::uint8_t face) const {
-    KG_ASSERT(face < face_count, "the font has four faces");
-    unsigned length = 0;
-    const char* bytes = hb_blob_get_data(state_->faces[face].blob.get(), &length);
-    return {bytes, length};
+    KG_ASSERT(face < state_->faces.size(), "the font has four faces");
+    return state_->faces[face].typeface->file();
 }
 
 std::vector<std::string> Fonts::missing() const { return state_->missing; }

@@ -1,5 +1,4 @@
-// Text: from words and symbols to glyph outlines. Shapes with HarfBuzz on the four faces of one font (STIX General), whose
-// outlines FreeType gives unhinted; no fontconfig, so that every machine sets the same line. Knows no mechanics and no page.
+// Text: from words and symbols to glyph outlines, in the four faces of one font. Knows no mechanics and no page.
 #pragma once
 
 #include <memory>
@@ -12,6 +11,7 @@
 #include "render/ink/path.hpp"
 #include "render/text/glyphs.hpp"
 #include "render/text/rich_text.hpp"
+#include "render/text/typeface.hpp"
 
 namespace kinegraph::render {
 
@@ -43,7 +43,8 @@ struct ShapedLine {
 /// The font's four faces, opened once; shaping is const and deterministic.
 class Fonts final : public Glyphs {
 public:
-    /// Opens the faces. Error: names the missing file and the Debian package (`fonts-stix`).
+    explicit Fonts(Typefaces faces);
+    /// With the faces that open_typefaces() opens.
     static tl::expected<Fonts, std::string> open();
     Fonts(Fonts&&) noexcept;
     Fonts& operator=(Fonts&&) noexcept;
@@ -61,7 +62,6 @@ public:
 
 private:
     struct State;
-    explicit Fonts(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
 

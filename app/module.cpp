@@ -1,0 +1,24 @@
+// dlopen.
+#include "app/module.hpp"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+#include "engine/assert.hpp"
+
+namespace kinegraph::app {
+
+tl::expected<const void*, std::string> open_module(const std::string& name, const std::string& purpose) {
+    std::error_code none;
+    const std::string file = name + ".so";
+    const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+    const std::filesystem::path path = exists(here / file, none) ? here / file : here / KINEGRAPH_MODULES / file;
+    void* const module = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (module == nullptr) return tl::unexpected(purpose + " by a module of the program, which cannot be loaded: " + ::dlerror());
+    const void* const functions = ::dlsym(module, name.c_str());
+    KG_ASSERT(functions != nullptr, "a module exports its functions under its own name");
+    return functions;
+}
+
+}  // namespace kinegraph::app
