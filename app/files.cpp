@@ -12,6 +12,7 @@
 #include <cstring>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace kinegraph::app {
 namespace {
@@ -46,6 +47,20 @@ std::string followed(std::string path) {
     return path;
 }
 
+std::string temporary_beside(const std::string& target, int number) {
+    return folder_of(target) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
+}
+/// A new file beside the target; < 0: it cannot be made.
+int create_beside(const std::string& target, std::string& name) {
+    for (int number = 0; number < 10000; ++number) {
+        const std::string candidate = temporary_beside(target, number);
+        const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0) name = candidate;
+        if (file >= 0 || errno != EEXIST) return file;
+    }
+    return -1;
+}
+
 /// One output under way: what lies on disk for it besides its target is removed with it.
 class Pending {
 public:
@@ -60,7 +75,7 @@ public:
 
     /// Safe on disk beside the target; nothing that is seen has changed.
     bool prepare() {
-        if (output_.path == "-") {
+        if (output_.path == "-" || output_.written == "-") {
             to_stream_ = true;
             return true;
         }
@@ -74,7 +89,11 @@ public:
         if (existed_ && ::access(output_.path.c_str(), W_OK) != 0) return false;
         ours_ = existed_ && (::geteuid() == 0 || ::geteuid() == status.st_uid);
         target_ = followed(output_.path);
-        const int file = create(temporary_);
+        if (!output_.written.empty()) {
+            temporary_ = output_.written;
+            return !existed_ || ::chmod(temporary_.c_str(), status.st_mode & 07777) == 0;
+        }
+        const int file = create_beside(target_, temporary_);
         if (file < 0) return false;
         const bool written = write_to(file, output_.bytes) && (!existed_ || ::fchmod(file, status.st_mode & 07777) == 0);
         const int why = errno;
@@ -83,7 +102,7 @@ public:
     }
     /// Straight to where it goes, if that is no plain file.
     bool stream() const {
-        if (!to_stream_) return true;
+        if (!to_stream_ || output_.written == "-") return true;
         if (output_.path == "-") return write_to(STDOUT_FILENO, output_.bytes);
         const int file = ::open(output_.path.c_str(), O_WRONLY | O_CLOEXEC);
         if (file < 0) return false;
@@ -110,18 +129,7 @@ private:
         errno = why;
         return false;
     }
-    std::string beside(int number) const {
-        return folder_of(target_) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
-    }
-    int create(std::string& name) const {
-        for (int number = 0; number < 10000; ++number) {
-            const std::string candidate = beside(number);
-            const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (file >= 0) name = candidate;
-            if (file >= 0 || errno != EEXIST) return file;
-        }
-        return -1;
-    }
+    std::string beside(int number) const { return temporary_beside(target_, number); }
     void back_up() {
         for (int number = 0; number < 10000; ++number) {
             const std::string candidate = beside(number);
@@ -194,6 +202,37 @@ std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
         if (!pending->rename(pending == all.back())) return NotWritten{pending->path(), reason()};
     for (const auto& pending : all) pending->keep();
     return std::nullopt;
+}
+
+tl::expected<Growing, NotWritten> Growing::open(const std::string& path) {
+    Growing made;
+    made.path_ = path;
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (path == "-") {
+        made.file_ = ::dup(STDOUT_FILENO);
+    } else if (exists && S_ISDIR(status.st_mode)) {
+        errno = EISDIR;
+    } else if (exists && !S_ISREG(status.st_mode)) {
+        made.file_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        made.file_ = create_beside(followed(path), made.temporary_);
+    }
+    if (made.file_ < 0) return tl::unexpected(NotWritten{path, reason()});
+    return made;
+}
+Growing::Growing(Growing&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})), file_(std::exchange(other.file_, -1)) {}
+Growing::~Growing() {
+    if (file_ >= 0) ::close(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+bool Growing::add(std::string_view bytes) { return write_to(file_, bytes); }
+Output Growing::finish() && {
+    ::close(std::exchange(file_, -1));
+    Output output{path_, {}, temporary_.empty() ? "-" : temporary_};
+    temporary_.clear();
+    return output;
 }
 
 Status print(const std::string& text) {

@@ -14,6 +14,8 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
@@ -143,13 +145,52 @@ void add_look(CLI::App& command, SolveRequest& request) {
     command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
 }
 
+void add_driver(CLI::App& command, std::string& driver) {
+    command
+        .add_option("--driver", driver,
+                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. Others rest")
+        ->type_name("NAME");
+}
+
 void add_solve(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
     auto words = std::make_shared<SolveWords>();
     add_outputs(*command, words->request);
     add_sheet(*command, *words);
     add_look(*command, words->request);
+    command
+        ->add_option("--at", words->request.at,
+                     "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
+                     "may be given again, a sheet each; every 30° for a whole turn")
+        ->allow_extra_args(false)
+        ->type_name("TURN");
+    add_driver(*command, words->request.driver);
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
+}
+
+void add_sweep(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "sweep", "The results in one position after another, as rows of numbers");
+    auto request = std::make_shared<SweepRequest>();
+    command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
+    command
+        ->add_option("-o,--output", request->outputs,
+                     "OUT.csv or .json, SI units; may be given again. Without it, or with -, CSV goes to standard output")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    command->add_option("--format", request->format, "What to write where the name of the output does not say it")
+        ->check(CLI::IsMember({"csv", "json"}, CLI::ignore_case))
+        ->type_name("FORMAT");
+    add_driver(*command, request->driver);
+    command
+        ->add_option("--from", request->from,
+                     "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full turn, or "
+                     "from limit to limit")
+        ->type_name("TURN");
+    command->add_option("--to", request->to, "Where it ends")->type_name("TURN");
+    command->add_option("--steps", request->steps, "Steps from the first position to the last")
+        ->type_name("N")
+        ->capture_default_str();
+    command->callback([&action, request] { action = [request] { return sweep_command(*request); }; });
 }
 
 void add_check(CLI::App& program, Action& action) {
@@ -225,6 +266,7 @@ Status run(int count, char** arguments) {
     program.require_subcommand(1);
     Action action;
     add_solve(program, action);
+    add_sweep(program, action);
     add_check(program, action);
     add_diff(program, action);
     add_pairs(program, action);
@@ -243,8 +285,16 @@ Status run(int count, char** arguments) {
             return Status::bad_input;
         }
     }
+    // "--at every 30°" in two words; CLI11 takes its words from the last to the first.
+    std::vector<std::string> words;
+    for (int i = count; i-- > 1;) {
+        if (!words.empty() && arguments[i] == std::string("every") && i > 1 && arguments[i - 1] == std::string("--at"))
+            words.back() = "every " + words.back();
+        else
+            words.emplace_back(arguments[i]);
+    }
     try {
-        program.parse(count, arguments);
+        program.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {
         return print(program.help());
     } catch (const CLI::CallForVersion&) {

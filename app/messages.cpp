@@ -36,6 +36,7 @@ Status say(std::string_view file, const Errors& errors) {
     for (const Error& error : errors) {
         say(file, error.where.empty() ? error.message : error.where + ": " + error.message);
         if (error.code == ErrorCode::output) status = Status::output;
+        if (error.code == ErrorCode::no_unique_answer) status = Status::unsolved;
     }
     return status;
 }

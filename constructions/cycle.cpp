@@ -42,11 +42,19 @@ bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
 struct Entry {
     Quantity quantity;
     int element = -1;
+    Spot vector;
+    double scalar = 0;
 };
 std::vector<Entry> entries_of(const Solution& solution) {
     std::vector<Entry> entries;
     const auto add = [&](const Quantity& quantity, const auto& found) {
-        if (found) entries.push_back({quantity, found.element()});
+        if (!found) return;
+        entries.push_back({quantity, found.element(), {}, 0});
+        if constexpr (requires { found->x; }) {
+            entries.back().vector = rough(*found);
+        } else {
+            entries.back().scalar = found->to_double();
+        }
     };
     const auto add_both = [&](const Quantity& quantity, const auto& found) {
         add(quantity.along(Quantity::Component::x), found);
@@ -211,7 +219,8 @@ public:
         find_directions();
     }
 
-    std::vector<Unsolved> begin(const Travel& travel) {
+    std::vector<Unsolved> begin(const Travel& travel, bool checked) {
+        is_checked_ = checked;
         // Anywhere but where something is likely to be special.
         for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
             if (!positions_.move_to(travel.from + share * (travel.to - travel.from)) || positions_.is_singular()) continue;
@@ -235,11 +244,15 @@ public:
         positions_.read(places_);
         PlannedPosition* plan = replayed();
         if (plan == nullptr) {
-            plan = &keep(planned_here());
-            if (replays(*plan)) plan = nullptr;
+            // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its values are
+            // exact.
+            const Solution solution = planned_here();
+            keep(solution);
+            if (!fill_from(solution)) return std::nullopt;
+        } else if (!fill(*plan)) {
+            return std::nullopt;
         }
-        if (plan == nullptr || !fill(*plan)) return std::nullopt;
-        hold_against_check();
+        if (is_checked_) hold_against_check();
         return values_;
     }
 
@@ -247,7 +260,7 @@ public:
         Difference worst;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const auto& off = off_.size() > i ? off_[i] : Off{};
-            const double unit = largest_[static_cast<std::size_t>(columns_[i].quantity.kind)];
+            const double unit = measure(columns_[i].quantity.kind);
             if (!off.held || unit == 0) continue;
             const double share = off.most / unit;
             if (worst.column < 0 || share > worst.share) worst = {share, static_cast<int>(i), off.coordinate};
@@ -255,6 +268,32 @@ public:
         return worst;
     }
 
+    /// The largest of a kind. Kinds that one motion ties together share their measure across the drawing's size.
+    double measure(Kind kind) const {
+        const double l = pose_.size.to_double();
+        const auto of = [&](Kind each) { return largest_[static_cast<std::size_t>(each)]; };
+        const double v = std::max({of(Kind::velocity), of(Kind::sliding_velocity), of(Kind::omega) * l});
+        const double a = std::max({of(Kind::acceleration), of(Kind::sliding_acceleration), of(Kind::alpha) * l, v * v / l});
+        const double f = std::max({of(Kind::force), of(Kind::couple) / l});
+        switch (kind) {
+            case Kind::omega:
+                return v / l;
+            case Kind::alpha:
+                return a / l;
+            case Kind::velocity:
+            case Kind::sliding_velocity:
+                return v;
+            case Kind::acceleration:
+            case Kind::sliding_acceleration:
+                return a;
+            case Kind::force:
+                return f;
+            case Kind::couple:
+                return f * l;
+            default:
+                return of(kind);
+        }
+    }
     Positions& positions() { return positions_; }
     const std::vector<Column>& columns() const { return columns_; }
     int plans() const { return planned_; }
@@ -376,14 +415,35 @@ private:
     }
 
     bool fill(const PlannedPosition& plan) {
-        bool whole = true;
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            values_[i] = value(columns_[i], plan.sources[i], plan.replay);
-            whole = whole && std::isfinite(values_[i]);
-        }
-        return whole;
+        return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
+            const auto& [known, element] = plan.sources[i];
+            if (!known) return std::nullopt;
+            if (element < 0) return std::pair{Spot{}, 0.0};
+            return std::pair{plan.replay.vector(element), plan.replay.scalar(element)};
+        });
     }
-    double value(const Column& column, const PlannedPosition::Source& source, const Replay& replay) const {
+    bool fill_from(const Solution& solution) {
+        const std::vector<Entry> entries = entries_of(solution);
+        return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
+            for (const Entry& entry : entries)
+                if (entry.quantity == columns_[i].quantity) return std::pair{entry.vector, entry.scalar};
+            return std::nullopt;
+        });
+    }
+    /// `found(i)` gives the vector or scalar that column i is a part of. False: not all of them are found and finite.
+    template <class Found>
+    bool fill_each(Found found) {
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const auto place = place_value(columns_[i]);
+            const auto result = place ? std::nullopt : found(i);
+            if (!place && !result) return false;
+            values_[i] = place ? *place : part_of(columns_[i], result->first, result->second);
+            if (!std::isfinite(values_[i])) return false;
+        }
+        return true;
+    }
+    /// What the position itself gives.
+    std::optional<double> place_value(const Column& column) const {
         const Quantity& q = column.quantity;
         switch (column.kind) {
             case Column::Kind::turn:
@@ -399,14 +459,13 @@ private:
             case Column::Kind::slid:
                 return positions_.slid(q.joint);
             default:
-                break;
+                return std::nullopt;
         }
-        if (!source.known) return std::nan("");
-        if (source.element < 0) return 0;
-        const Spot vector = replay.vector(source.element);
-        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(q.joint), vector);
-        if (q.component == Quantity::Component::none) return replay.scalar(source.element);
-        return q.component == Quantity::Component::x ? vector.x : vector.y;
+    }
+    double part_of(const Column& column, const Spot& vector, double scalar) const {
+        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(column.quantity.joint), vector);
+        if (column.quantity.component == Quantity::Component::none) return scalar;
+        return column.quantity.component == Quantity::Component::x ? vector.x : vector.y;
     }
 
     // --- by check -------------------------------------------------------------------------------------------------------------
@@ -505,7 +564,7 @@ private:
     Places places_;
     std::vector<Column> columns_;
     std::vector<double> values_;
-    bool has_forces_ = false;
+    bool has_forces_ = false, is_checked_ = true;
     std::list<PlannedPosition> kept_;
     int planned_ = 0;
     Mechanism check_mechanism_;
@@ -525,7 +584,7 @@ Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, int driver
 }
 
 const Positions& Cycle::positions() const { return rows_->positions(); }
-std::vector<Unsolved> Cycle::begin(const Travel& travel) { return rows_->begin(travel); }
+std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
 const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
 std::optional<std::span<const double>> Cycle::row(double coordinate) { return rows_->row(coordinate); }
 Cycle::Difference Cycle::difference() const { return rows_->difference(); }
@@ -537,16 +596,9 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-std::string coordinate_text(double coordinate, bool turns) {
-    std::array<char, 32> text{};
-    const double shown = turns ? coordinate * 180 / std::numbers::pi : coordinate * 1000;
-    std::snprintf(text.data(), text.size(), "%.9g", shown);
-    return text.data() + std::string(turns ? "°" : " mm");
-}
-
 }  // namespace
 
-tl::expected<Travel, std::string> travel_of(const Positions& positions, bool turns, std::optional<double> from,
+tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
                                             std::optional<double> to) {
     Positions tried = positions;
     Travel travel;
@@ -556,8 +608,7 @@ tl::expected<Travel, std::string> travel_of(const Positions& positions, bool tur
                 travel.change_points.push_back(each);
     };
     const auto out_of_reach = [&](double wanted) {
-        return tl::unexpected(coordinate_text(wanted, turns) + " is out of reach: the driver stops at " +
-                              coordinate_text(tried.limit().value_or(tried.coordinate()), turns));
+        return tl::unexpected(TravelFault{wanted, tried.limit().value_or(tried.coordinate())});
     };
     // What is not given: as far as it goes, a full turn at most where both ends are free.
     const double far = turns ? 64 * full_turn : 100 * positions.size();
@@ -571,15 +622,14 @@ tl::expected<Travel, std::string> travel_of(const Positions& positions, bool tur
     } else {
         const double wanted = turns ? (from ? *from : 0) + full_turn : far;
         travel.ends_at_limit = !tried.move_to(wanted);
-        if (!travel.ends_at_limit && !turns) return tl::unexpected(std::string("the slide has no limit; give --from and --to"));
+        if (!travel.ends_at_limit && !turns) return tl::unexpected(TravelFault{});
         travel.to = travel.ends_at_limit ? *tried.limit() : wanted;
     }
     note_change_points();
     if (!from && !to && travel.ends_at_limit) {
         tried = positions;
         travel.starts_at_limit = !tried.move_to(-far);
-        if (!travel.starts_at_limit)
-            return tl::unexpected(std::string("the driver has no limit backwards; give --from and --to"));
+        if (!travel.starts_at_limit) return tl::unexpected(TravelFault{});
         travel.from = *tried.limit();
         note_change_points();
     }

@@ -39,10 +39,14 @@ struct Travel {
     bool starts_at_limit = false, ends_at_limit = false;  ///< the driver stops there: a dead point
     std::vector<double> change_points;
 };
+/// Why it cannot: `wanted` lies beyond the limit; without a limit, it goes on for ever.
+struct TravelFault {
+    double wanted = 0;
+    std::optional<double> limit;
+};
 /// From `from` to `to`; what is not given is a full turn from the drawn position, or, where the driver does not make one, from
-/// limit to limit. `turns`: the coordinate is an angle. The positions are left as they are. Errors, one line: a position out of
-/// reach, with the limit; a slide without limits.
-tl::expected<Travel, std::string> travel_of(const Positions& positions, bool turns, std::optional<double> from,
+/// limit to limit. `turns`: the coordinate is an angle.
+tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
                                             std::optional<double> to);
 
 class Cycle {
@@ -54,8 +58,8 @@ public:
 
     const Positions& positions() const;
     /// Chooses the columns by what is found somewhere between; to be called once, before the first row. Not empty: why some
-    /// results are in no row.
-    std::vector<Unsolved> begin(const Travel& travel);
+    /// results are in no row. Without `checked` no row is held against the check.
+    std::vector<Unsolved> begin(const Travel& travel, bool checked = true);
     const std::vector<Column>& columns() const;
     /// The row of a position within the travel, one number a column; none where the mechanism gives no unique answer.
     std::optional<std::span<const double>> row(double coordinate);

@@ -31,9 +31,9 @@ private:
         const Vector place = closure_.unit * (at.at + faced(at.facing, local));
         return body == 0 ? place : on_grid(place);
     }
-    /// Short numbers: what lies beyond the bits of the pose means nothing.
+    /// Coarser than what closing leaves, so that what is upright or level is so exactly, and numbers stay short.
     Vector on_grid(const Vector& place) const {
-        const int grid = closure_.bits + 8 - std::ilogb(closure_.unit.to_double());
+        const int grid = closure_.bits - 4 - std::ilogb(closure_.unit.to_double());
         return {rounded(place.x, grid), rounded(place.y, grid)};
     }
     Vector faced_by(BodyIndex body, const Vector& drawn) const { return faced(places_[at_index(body)].facing, drawn); }
@@ -84,7 +84,8 @@ private:
         if (!joint.pushes) return;
         // Along the normal, in the sense in which it pushes as drawn.
         const Exact sense = dot(*joint.pushes, pose_.normals[index]).sign() < 0 ? -1 : 1;
-        const auto sides = sides_of(drawn_, pose_, joint);
+        const auto sides = sides_of(drawn_, pose_, drawn_.joints[index]);
+        if (!sides) return;
         for (std::size_t side = 0; side < 2; ++side) {
             if (!(*sides)[side].straight) continue;
             joint.pushes = sense * faced_by(joint.bodies[side], pose_.normals[index]);
@@ -128,7 +129,7 @@ Pose Mover::pose_of(const Mechanism& moved, int bits) const {
     KG_ASSERT(pose.has_value(), "a closed position can be drawn");
     pose->exact = false;
     for (std::size_t i = 0; i < pose->leftover.size(); ++i)
-        if (carriers_[i].body != 0) pose->leftover[i] = pose->size * Exact::power_of_two(-bits);
+        if (carriers_[i].body != 0) pose->leftover[i] = pose->size * Exact::power_of_two(4 - bits);
     return *std::move(pose);
 }
 
