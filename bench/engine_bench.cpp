@@ -104,9 +104,9 @@ void solve_text(benchmark::State& state, const std::string& text) {
 /// The record of a mechanism cut to some of its results and replayed in doubles, givens and guards and all.
 void replay(benchmark::State& state, const std::string& text, bool with_forces) {
     Solution solution = *solve(read(text));
-    std::vector<int> wanted;
+    std::vector<ElementIndex> wanted;
     const auto want = [&](const auto& found) {
-        if (found.element() >= 0) wanted.push_back(found.element());
+        if (found.element() != none) wanted.push_back(found.element());
     };
     for (const PointMotion& point : solution.points) {
         want(point.velocity);

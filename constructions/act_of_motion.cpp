@@ -12,21 +12,20 @@
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// What the file says of one point.
 template <Plane plane>
 struct Given {
-    NodeIndex node = -1;
+    NodeIndex node = none;
     bool whole = true;       ///< else `vector` is its direction only
     VectorOn<plane> vector;  ///< not zero where it is a direction
 };
 
-/// A place of the body whose vector is known: a point of the file, or Assur's auxiliary one (node −1).
+/// A place of the body whose vector is known: a point of the file, or Assur's auxiliary one (node none).
 template <Plane plane>
 struct Base {
-    NodeIndex node = -1;
+    NodeIndex node = none;
     std::string label;
     PointOn<Plane::drawing> place;
     PointOn<plane> tip;
@@ -39,7 +38,7 @@ struct State {
     std::vector<Given<plane>> given;
     std::vector<bool> used;  ///< by `given`: a construction went on with it
     std::optional<Base<plane>> base;
-    NodeIndex second = -1;  ///< the point that gave the spin together with the base
+    NodeIndex second = none;  ///< the point that gave the spin together with the base
     bool contradicted = false;
 
     explicit State(Track<plane>& of) : track(of) {}
@@ -82,7 +81,7 @@ private:
     CarriedPlace carried(NodeIndex index) { return {place(index).element, body_, node(index).point}; }
     template <Plane plane>
     CarriedPlace carried(const Base<plane>& base) {
-        return base.node >= 0 ? carried(base.node) : CarriedPlace{base.place.element, body_};
+        return base.node != none ? carried(base.node) : CarriedPlace{base.place.element, body_};
     }
     PointName name(NodeIndex index) const { return {node(index).label}; }
     Message sought_centre() const { return {Sentence::centre_of_bodies, {BodyName{structure_.body_name(frame)}, body()}}; }
@@ -128,20 +127,20 @@ private:
 
     // --- drawing -----------------------------------------------------------------------------------------------------------
     template <Plane plane>
-    int begin(Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
+    StatementIndex begin(Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
         return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
 
     /// A sentence by which the centre, or that it lies at infinity, is known.
-    int begin_centre(Sentence sentence, std::vector<Argument> arguments, std::string source) {
-        const int statement = begin<Plane::velocity>(sentence, std::move(arguments), std::move(source));
-        if (result_.figure.centre_statement < 0) result_.figure.centre_statement = statement;
+    StatementIndex begin_centre(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        const StatementIndex statement = begin<Plane::velocity>(sentence, std::move(arguments), std::move(source));
+        if (result_.figure.centre_statement == none) result_.figure.centre_statement = statement;
         return statement;
     }
     /// A sentence that ends with the body's ω or α.
     template <Plane plane>
     void begin_spin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
-        const int statement = begin<plane>(sentence, std::move(arguments), std::move(source));
+        const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
         board_.statement(statement).finds = {spin_quantity<plane>(body_)};
     }
 
@@ -155,7 +154,7 @@ private:
         pen(state).vector(std::move(symbol), seen, tail, tip, body_, role);
     }
     template <Plane plane>
-    void draw_line(const State<plane>& state, LineOn<plane> line, LineReason reason, std::vector<int> points) {
+    void draw_line(const State<plane>& state, LineOn<plane> line, LineReason reason, std::vector<ElementIndex> points) {
         pen(state).line(line, std::move(reason), std::move(points));
     }
     template <Plane plane>
@@ -166,7 +165,7 @@ private:
     void set_tip(State<plane>& state, NodeIndex index, PointOn<plane> tip) {
         state.track.tips[at(index)] = tip;
         label_image(state, node(index).label, tip);
-        draw_vector(state, absolute<plane>(index), {carried(index), {}, -1}, board_.pole<plane>(), tip,
+        draw_vector(state, absolute<plane>(index), {carried(index), {}, none}, board_.pole<plane>(), tip,
                     DrawnVector::Role::absolute);
     }
     template <Plane plane>
@@ -185,7 +184,7 @@ private:
         Polygon polygon;
         polygon.id = is_velocity<plane> ? "velocity" : "acceleration";
         state.track.polygon = PolygonPen<plane>::begin(board_, std::move(polygon));
-        state.track.spins[frame] = board_.number(0);
+        state.track.spins[at(frame)] = board_.number(0);
         for (const NodeIndex index : structure_.nodes_of(frame)) {
             state.track.tips[at(index)] = board_.pole<plane>();
             label_image(state, node(index).label, board_.pole<plane>());
@@ -193,7 +192,7 @@ private:
         for (const GivenMotion& each : list) {
             Given<plane> given;
             given.node = structure_.find(each.point, body_);
-            KG_ASSERT(given.node >= 0, "the body carries the points of its act of motion");
+            KG_ASSERT(given.node != none, "the body carries the points of its act of motion");
             given.whole = std::holds_alternative<Vector>(each.value);
             const auto index = static_cast<int>(state.given.size());
             if constexpr (is_velocity<plane>) {
@@ -307,15 +306,15 @@ private:
         const Base<plane>& base = *state.base;
         const PointOn<plane> middle = without_tangential(base, place(index));
         const auto tangential = board_.vector(middle, tip);
-        const bool none = board_.is_zero(tangential);
-        if (!none || !is_velocity<plane>) {
+        const bool vanishes = board_.is_zero(tangential);
+        if (!vanishes || !is_velocity<plane>) {
             const Seen seen{carried(index), carried(base), base.place.element};
             if (middle.element != base.tip.element)
                 draw_vector(state, relative(index, base, "n"), seen, base.tip, middle, DrawnVector::Role::normal);
             draw_vector(state, relative(index, base, is_velocity<plane> ? "" : "t"), seen, middle, tip,
                         is_velocity<plane> ? DrawnVector::Role::relative : DrawnVector::Role::tangential);
         }
-        if (none && is_velocity<plane>) {
+        if (vanishes && is_velocity<plane>) {
             state.track.spins[at(body_)] = board_.number(0);  // said with the centre: a translation, or rest
         } else {
             begin_spin<plane>(either<plane>(Sentence::omega_from_pair, Sentence::alpha_from_pair),
@@ -353,11 +352,12 @@ private:
             return;
         }
         state.used[index] = true;
-        if (is_velocity<plane> && base.node < 0) return rest_by_lines(state, given.node);
-        const int statement = begin<plane>(either<plane>(Sentence::act_direction, Sentence::act_direction_acceleration),
-                                           {image_symbol<plane>(node(given.node).label), absolute<plane>(given.node),
-                                            Segment{base.label, node(given.node).label}, absolute<plane>(base.label)},
-                                           "Rivals");
+        if (is_velocity<plane> && base.node == none) return rest_by_lines(state, given.node);
+        const StatementIndex statement =
+            begin<plane>(either<plane>(Sentence::act_direction, Sentence::act_direction_acceleration),
+                         {image_symbol<plane>(node(given.node).label), absolute<plane>(given.node),
+                          Segment{base.label, node(given.node).label}, absolute<plane>(base.label)},
+                         "Rivals");
         const auto first = board_.through(start, across_join);
         const auto second = board_.through(board_.pole<plane>(), along);
         const auto met = board_.meet(first, second);
@@ -413,7 +413,7 @@ private:
             if (wishes_.centre)
                 begin_centre(Sentence::act_perpendiculars, {centre_symbol(), name(first.node), name(second.node)},
                              "Euler–Chasles");
-            state.base = {-1, {}, met_at, board_.pole<plane>()};
+            state.base = {none, {}, met_at, board_.pole<plane>()};
         } else {
             const std::string label = free_name("S");
             const Symbol symbol{Symbol::Letter::point, label, {}};
@@ -422,16 +422,16 @@ private:
             PointOn<plane> ends[2];
             const Given<plane>* sources[2] = {&first, &second};
             for (int i = 0; i < 2; ++i) {
-                ends[i] = without_tangential(Base<plane>{-1, {}, place(sources[i]->node), board_.pole<plane>()}, met_at);
+                ends[i] = without_tangential(Base<plane>{none, {}, place(sources[i]->node), board_.pole<plane>()}, met_at);
                 lines[i] = board_.through(ends[i], board_.direction(sources[i]->vector));
             }
             const auto met = board_.meet(lines[0], lines[1]);
             KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that meet have directions that do");
             for (int i = 0; i < 2; ++i) draw_line(state, lines[i], reason_of(*sources[i]), {ends[i].element, met->element});
             label_image(state, label, *met);
-            draw_vector(state, absolute<plane>(label), {CarriedPlace{met_at.element, body_}, {}, -1}, board_.pole<plane>(), *met,
-                        DrawnVector::Role::absolute);
-            state.base = {-1, label, met_at, *met};
+            draw_vector(state, absolute<plane>(label), {CarriedPlace{met_at.element, body_}, {}, none}, board_.pole<plane>(),
+                        *met, DrawnVector::Role::absolute);
+            state.base = {none, label, met_at, *met};
         }
     }
 
@@ -450,7 +450,7 @@ private:
             const auto pole = board_.pole<plane>();
             const auto along = board_.direction(first.vector);
             const auto locus = board_.through(pole, along);
-            const PointOn<plane> from = without_tangential(Base<plane>{-1, {}, place(first.node), pole}, place(second.node));
+            const PointOn<plane> from = without_tangential(Base<plane>{none, {}, place(first.node), pole}, place(second.node));
             const auto turned = board_.turn(board_.vector(place(first.node), place(second.node)));
             const auto met = board_.meet(board_.through(from, board_.direction(turned)), locus);
             KG_ASSERT(met && !board_.is_at_infinity(*met), "perpendiculars that coincide are no two loci");
@@ -541,13 +541,13 @@ private:
     /// Two points whose vectors no rigid body has: their projections on the join differ (of accelerations by other than ω²·XY).
     template <Plane plane>
     void differ(State<plane>& state, NodeIndex first, NodeIndex second) {
-        if (first < 0) return miss(state, second, first);  // an auxiliary place is none of the file's
+        if (first == none) return miss(state, second, first);  // an auxiliary place is none of the file's
         state.contradicted = true;
         const Segment segment{node(first).label, node(second).label};
         if constexpr (is_velocity<plane>) {
             result_.figure.found = Found::contradiction;
             result_.figure.points = {node(first).point, node(second).point};
-            const int statement = begin<plane>(Sentence::act_unequal_projections, {}, "Rivals");
+            const StatementIndex statement = begin<plane>(Sentence::act_unequal_projections, {}, "Rivals");
             const auto from = place(first), to = place(second);
             const auto line = board_.join(from, to);
             const auto join = board_.vector(from, to);
@@ -590,7 +590,7 @@ private:
             result_.figure.found = Found::contradiction;
             result_.figure.points = {node(index).point};
         }
-        const bool same_place = against >= 0 && board_.coincide(place(index), place(against));
+        const bool same_place = against != none && board_.coincide(place(index), place(against));
         if (same_place) {
             unsolved(sought<plane>(),
                      {is_velocity<plane> ? Sentence::two_velocities_at_one_place : Sentence::two_accelerations_at_one_place,
@@ -644,7 +644,7 @@ private:
         const auto other = place(second);
         if (board_.parallel(board_.direction(v_base), board_.direction(v_second))) {
             // Rigid and turning, they are ⟂ to the join: speeds go with the distance from the centre.
-            const int statement = begin_centre(Sentence::act_tips, {}, "Euler–Chasles");
+            const StatementIndex statement = begin_centre(Sentence::act_tips, {}, "Euler–Chasles");
             const auto tip = [&](PointOn<Plane::drawing> from, VectorOn<Plane::velocity> velocity) {
                 return board_.carry(from, board_.scale<Plane::drawing>(board_.number(1), velocity));
             };
@@ -657,7 +657,7 @@ private:
                                                              Segment{base.label, node(second).label}};
             return;
         }
-        const int statement = begin_centre(Sentence::act_perpendiculars, {}, "Euler–Chasles");
+        const StatementIndex statement = begin_centre(Sentence::act_perpendiculars, {}, "Euler–Chasles");
         const auto perpendicular = [&](PointOn<Plane::drawing> at_place, VectorOn<Plane::velocity> velocity) {
             return board_.through(at_place, board_.perpendicular(board_.direction(velocity)));
         };
@@ -781,7 +781,7 @@ private:
     ActWishes wishes_;
     ActOfMotionResult result_;
     std::optional<PointOn<Plane::drawing>> centre_;
-    NodeIndex parallel_base_ = -1;  ///< the first of two parallel directions
+    NodeIndex parallel_base_ = none;  ///< the first of two parallel directions
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 }  // namespace
 
@@ -167,7 +167,7 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
             result.known.push_back(*link);
         };
         if (locus.kind != Locus::Kind::mesh) add(coriolis_of(locus.guide, slider, guide), normal);
-        if (joint.arc >= 0) add(centripetal_of(locus.joint, slider, guide, locus.guide), normal);
+        if (joint.arc != none) add(centripetal_of(locus.joint, slider, guide, locus.guide), normal);
     }
     result.absolute = result.from_rest && result.known.empty();
     if (result.absolute) result.role = DrawnVector::Role::absolute;
@@ -251,7 +251,7 @@ void Chains::shift(const Track<plane>& track, const Carry& carry, Chain<plane>& 
         link.shift = true;
         link.term = {relative<plane>(carry.to, carry.from, term), true, true, std::move(reason), carry.body};
         link.seen =
-            carry.kind == Carry::Kind::roll ? Seen{carried(carry.to), carried(carry.from), -1} : turning(carry.to, carry.from);
+            carry.kind == Carry::Kind::roll ? Seen{carried(carry.to), carried(carry.from), none} : turning(carry.to, carry.from);
         if (!board_.is_zero(vector)) result.known.push_back(link);
     };
     result.absolute = false;
@@ -319,7 +319,7 @@ std::optional<Link<Plane::acceleration>> Chains::coriolis_of(BodyIndex guide_bod
     if (board_.is_zero(link.vector)) return std::nullopt;
     link.term.symbol = relative<Plane::acceleration>(slider, guide, "cor");
     link.role = DrawnVector::Role::coriolis;
-    link.seen = {carried(slider), carried(guide, guide_body), -1};
+    link.seen = {carried(slider), carried(guide, guide_body), none};
     return link;
 }
 
@@ -345,7 +345,7 @@ Equation Chains::equation(NodeIndex sought, const Chain<plane>& first, const Cha
     if (second.from_rest && !first.from_rest) return equation(sought, second, first);
     std::vector<Term> left, right;
     const auto write = [&](const Chain<plane>& drawn, std::vector<Term>& own, std::vector<Term>& other) {
-        if (drawn.base >= 0 && !at_rest(drawn.base)) {
+        if (drawn.base != none && !at_rest(drawn.base)) {
             own.push_back({absolute<plane>(drawn.base), true, true, {LineReason::Kind::known, {}, {}}, colour_of(drawn.base)});
         }
         for (const Link<plane>& link : drawn.known) (is_backwards(drawn.inverse, link.shift) ? other : own).push_back(link.term);

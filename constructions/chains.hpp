@@ -31,7 +31,7 @@ struct Link {
 /// A locus as drawn: from the base's tip along known vectors, then a line on which the tip sought lies.
 template <Plane plane>
 struct Chain {
-    NodeIndex base = -1;
+    NodeIndex base = none;
     PointOn<plane> start, end;
     std::vector<Link<plane>> known;  ///< set off one after the other from `start`, those of an inverse chain backwards
     LineOn<plane> line;
@@ -47,8 +47,6 @@ struct Chain {
 /// What the recipes of motion are built on.
 class Chains {
 protected:
-    static constexpr BodyIndex frame = 0;
-
     Chains(Structure& structure, Board& board)
         : structure_(structure), board_(board), diagram_(structure, board), mechanism_(structure.mechanism()) {}
 
@@ -74,15 +72,15 @@ protected:
     }
     CarriedPlace carried(NodeIndex index) { return carried(index, node(index).bodies.front()); }
     CarriedPlace carried(NodeIndex index, BodyIndex body) { return {place(index).element, body, node(index).point}; }
-    Seen seen(NodeIndex of) { return {carried(of), {}, -1}; }
+    Seen seen(NodeIndex of) { return {carried(of), {}, none}; }
     /// From a place about which it turns.
     Seen turning(NodeIndex of, NodeIndex to) { return {carried(of), carried(to), place(to).element}; }
     /// From a place of the guide in which it slides; in a curved one it turns, which only accelerations show. At a hinge the
     /// place is of several bodies, of which `guide_body` has the guide.
     template <Plane plane>
     Seen sliding(JointIndex joint, NodeIndex slider, NodeIndex guide, BodyIndex guide_body) {
-        const PointIndex arc = is_velocity<plane> ? -1 : mechanism_.joints[static_cast<std::size_t>(joint)].arc;
-        return {carried(slider), carried(guide, guide_body), arc >= 0 ? board_.place(arc).element : -1};
+        const PointIndex arc = is_velocity<plane> ? none : mechanism_.joint(joint).arc;
+        return {carried(slider), carried(guide, guide_body), arc != none ? board_.place(arc).element : none};
     }
     Segment segment(NodeIndex from, NodeIndex to) const { return {node(from).label, node(to).label}; }
     /// What a driver asks of this plane; nothing where only the effect of an assumption is wanted.

@@ -16,8 +16,7 @@ namespace {
 
 using Pair = std::array<double, 2>;
 
-constexpr BodyIndex frame = 0;
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 Pair minus(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
 double length(const Pair& a) { return std::hypot(a[0], a[1]); }
 
@@ -27,7 +26,7 @@ public:
         : solution_(solution), mechanism_(solution.mechanism), numeric_(check_motion(solution.mechanism, solution.pose)) {}
 
     Comparison compare() && {
-        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) compare_turning(body);
+        for (const BodyIndex body : mechanism_.moving_bodies()) compare_turning(body);
         for (const PointMotion& point : solution_.points) compare_point(point);
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
@@ -134,7 +133,7 @@ private:
                 if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from))
                     return {length(action->force), action->couple};
                 // What a body gives to the pin of a multiple hinge is told as what the pin gives to the body.
-                const auto* action = body.body < 0 ? action_of(numeric, applied.joint, applied.from, -1) : nullptr;
+                const auto* action = body.body == none ? action_of(numeric, applied.joint, applied.from, none) : nullptr;
                 if (action == nullptr) return {};
                 return {length(action->force), -action->couple};
             }
@@ -209,7 +208,7 @@ private:
         const double turning = 2 * numeric_.bodies[at(to.body)].omega;
         const Pair coriolis{-turning * v[1], turning * v[0]};
         Pair radius{};
-        if (about >= 0) {
+        if (about != none) {
             const Vector join = place_of(of.place) - place_of(about);
             radius = {join.x.to_double(), join.y.to_double()};
         }
@@ -229,11 +228,11 @@ private:
         }
     }
     bool is_known(const CarriedPlace& carried, bool velocity) const {
-        if (carried.body < 0) return false;
+        if (carried.body == none) return false;
         const auto& state = numeric_.bodies[at(carried.body)];
         return velocity ? state.velocity_known : state.acceleration_known;
     }
-    Vector place_of(int element) const { return solution_.protocol.point(element).place(); }
+    Vector place_of(ElementIndex element) const { return solution_.protocol.point(element).place(); }
 
     const Solution& solution_;
     const Mechanism& mechanism_;
@@ -350,7 +349,7 @@ std::vector<Message> disagreements(const Solution& solution, const std::vector<C
     if (!solution.mobility.idle_drivers.empty() || solution.mechanism.motion) return messages;
     const std::vector<bool>& determined = solution.mobility.determined;
     for (std::size_t b = 1; b < std::min(bodies.size(), determined.size()); ++b) {
-        const auto body = static_cast<BodyIndex>(b);
+        const BodyIndex body(b);
         const BodyName name{solution.mechanism.bodies[b].name};
         // Of a body that is not determined a construction may still find how it turns.
         if (determined[b] && moves(solution, body) && !bodies[b].determined)

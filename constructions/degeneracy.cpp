@@ -5,13 +5,13 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// ω_b/ω_reference of all other moving bodies.
 Ratios ratios_of(const Branch& branch, const Mechanism& mechanism) {
     const auto omega = [&](BodyIndex body) { return Symbol{Symbol::Letter::omega, mechanism.bodies[at(body)].name, ""}; };
     Ratios ratios;
-    for (BodyIndex body = 1; at(body) < branch.ratios.size(); ++body)
+    for (const BodyIndex body : indices<BodyIndex>(branch.ratios.size(), BodyIndex(1)))
         if (body != branch.reference) ratios.push_back({omega(body), omega(branch.reference), branch.ratios[at(body)]});
     return ratios;
 }
@@ -63,7 +63,7 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
             remarks.push_back({Sentence::change_point, {freedoms, Count{mobility.gruebler}, Count{count}}});
             for (int i = 0; i < count; ++i) {
                 const Branch& branch = motion->branches[at(i)];
-                if (branch.reference < 0)
+                if (branch.reference == none)
                     remarks.push_back({Sentence::branch_without_turning, {Count{i + 1}}});
                 else
                     remarks.push_back({Sentence::branch, {Count{i + 1}, ratios_of(branch, mechanism)}});

@@ -6,7 +6,7 @@
 
 namespace kinegraph::statics {
 
-bool in(const std::vector<int>& group, int member) { return std::find(group.begin(), group.end(), member) != group.end(); }
+bool in(const Group& group, MemberIndex member) { return std::find(group.begin(), group.end(), member) != group.end(); }
 
 ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
     : structure_(structure),
@@ -14,7 +14,7 @@ ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
       mechanism_(structure.mechanism()),
       motion_(motion),
       members_(static_cast<int>(structure.mechanism().bodies.size())) {
-    for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) add_joint(static_cast<JointIndex>(j));
+    for (const JointIndex joint : indices_of(mechanism_.joints)) add_joint(joint);
     for (std::size_t e = 0; e < mechanism_.efforts.size(); ++e) add_effort(static_cast<int>(e));
     bonds_of_.resize(at(members_));
     for (std::size_t b = 0; b < bonds_.size(); ++b) {
@@ -43,14 +43,11 @@ void ForceModel::drop_components() {
     bonds_.resize(joint_bonds_);
 }
 
-std::string ForceModel::member_name(int member) const {
-    if (member < static_cast<int>(mechanism_.bodies.size())) return mechanism_.bodies[at(member)].name;
-    return mechanism_.points[at(pins_[at(member - static_cast<int>(mechanism_.bodies.size()))])].name;
+std::string ForceModel::member_name(MemberIndex member) const {
+    return is_pin(member) ? mechanism_.point(pin_point(member)).name : mechanism_.body(body_of(member)).name;
 }
 
-bool ForceModel::is_pin(int member) const { return member >= static_cast<int>(mechanism_.bodies.size()); }
-
-Symbol ForceModel::force_symbol(int of, int on) const {
+Symbol ForceModel::force_symbol(MemberIndex of, MemberIndex on) const {
     return {Symbol::Letter::F, relative_name_of_bodies(member_name(of), member_name(on)), {}};
 }
 
@@ -70,7 +67,7 @@ void ForceModel::add_joint(JointIndex index) {
         bond.kind = couple ? Bond::Kind::guide : Bond::Kind::line;
         bond.direction = couple ? board_.perpendicular(board_.guide(index)) : board_.normal(index);
     }
-    const auto add = [&](int first, int second) {
+    const auto add = [&](MemberIndex first, MemberIndex second) {
         Bond one = bond;
         one.first = first;
         one.second = second;
@@ -84,13 +81,13 @@ void ForceModel::add_joint(JointIndex index) {
         if (common > 1) one.symbol.term = one.reverse.term = joint.name;
         bonds_.push_back(one);
     };
-    if (joint.bodies.size() == 2) return add(joint.bodies[0], joint.bodies[1]);
+    if (joint.bodies.size() == 2) return add(member_of(joint.bodies[0]), member_of(joint.bodies[1]));
     if (joint.pair().is_hinge()) {  // a multiple hinge: a pin of its own, without weight
         pins_.push_back(joint.point);
-        const int pin = members_++;
-        for (const BodyIndex body : joint.bodies) add(body, pin);
+        const MemberIndex pin(members_++);
+        for (const BodyIndex body : joint.bodies) add(member_of(body), pin);
     } else {
-        for (std::size_t b = 1; b < joint.bodies.size(); ++b) add(joint.bodies[b], joint.bodies[0]);
+        for (std::size_t b = 1; b < joint.bodies.size(); ++b) add(member_of(joint.bodies[b]), member_of(joint.bodies[0]));
     }
 }
 
@@ -100,15 +97,15 @@ void ForceModel::add_effort(int index) {
     const Effort& effort = mechanism_.efforts[at(index)];
     if (const auto* couple = std::get_if<CoupleEffort>(&effort)) {
         bond.kind = Bond::Kind::couple;
-        bond.first = couple->body;
-        bond.second = couple->from;
+        bond.first = member_of(couple->body);
+        bond.second = member_of(couple->from);
         bond.symbol = {Symbol::Letter::M, couple->name, {}};
         const auto& points = mechanism_.bodies[at(couple->body)].points;
-        bond.place = board_.place(points.empty() ? 0 : points.front());
+        bond.place = board_.place(points.empty() ? PointIndex(0) : points.front());
     } else if (const auto* force = std::get_if<ForceEffort>(&effort)) {
         bond.kind = Bond::Kind::line;
-        bond.first = force->body;
-        bond.second = frame;
+        bond.first = member_of(force->body);
+        bond.second = member_of(frame);
         bond.symbol = {Symbol::Letter::F, force->name, {}};
         bond.place = board_.place(force->at);
         bond.direction = board_.effort_unit(index);
@@ -116,8 +113,8 @@ void ForceModel::add_effort(int index) {
         const auto& actuator = std::get<ActuatorEffort>(effort);
         const Joint& joint = mechanism_.joints[at(actuator.joint)];
         bond.kind = Bond::Kind::line;
-        bond.first = joint.bodies[0];
-        bond.second = joint.bodies[1];
+        bond.first = member_of(joint.bodies[0]);
+        bond.second = member_of(joint.bodies[1]);
         bond.symbol = {Symbol::Letter::F, actuator.name, {}};
         bond.place = board_.place(joint.point);
         bond.direction = board_.guide_unit(actuator.joint);
@@ -127,7 +124,7 @@ void ForceModel::add_effort(int index) {
 }
 
 bool ForceModel::pulls(std::size_t b, const Run& run) {
-    if (bonds_[b].joint < 0 || !run.reactions[b].force) return false;
+    if (bonds_[b].joint == none || !run.reactions[b].force) return false;
     const JointIndex index = bonds_[b].joint;
     const Joint& joint = mechanism_.joints[at(index)];
     const Force& force = *run.reactions[b].force;
@@ -141,7 +138,7 @@ bool ForceModel::turn_teeth(const Run& run) {
     bool changed = false;
     for (std::size_t b = 0; b < joint_bonds_; ++b) {
         const JointIndex joint = bonds_[b].joint;
-        if (joint < 0 || !mechanism_.joints[at(joint)].pair().meshes() || !pulls(b, run)) continue;
+        if (joint == none || !mechanism_.joints[at(joint)].pair().meshes() || !pulls(b, run)) continue;
         const bool mirror = mirrored_gears_.insert(joint).second;
         if (!mirror) mirrored_gears_.erase(joint);
         bonds_[b].direction = mirror ? board_.other_normal(joint) : board_.normal(joint);
@@ -163,7 +160,7 @@ int ForceModel::material_side(JointIndex index) {
 }
 
 void ForceModel::add_load(Load load) {
-    if (load.member == frame) return;
+    if (load.member == member_of(frame)) return;
     if (load.force && board_.is_zero(*load.force)) load.force.reset();
     if (load.couple && board_.is_zero(*load.couple)) load.couple.reset();
     if (load.force || load.couple) loads_.push_back(std::move(load));
@@ -177,14 +174,14 @@ void ForceModel::read_loads() {
             const Force acting = force->value ? board_.load_force(index)
                                               : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
             const Symbol symbol{Symbol::Letter::F, force->name, {}};
-            add_load({force->body, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
+            add_load({member_of(force->body), symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
         } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
             const auto& points = mechanism_.bodies[at(couple->body)].points;
-            add_load({couple->body,
+            add_load({member_of(couple->body),
                       {Symbol::Letter::M, couple->name, {}},
                       AppliedForce::Kind::load,
                       {},
-                      board_.place(points.empty() ? 0 : points.front()),
+                      board_.place(points.empty() ? PointIndex(0) : points.front()),
                       board_.load_magnitude(index),
                       index});
         } else {
@@ -205,7 +202,7 @@ void ForceModel::add_spring(int index, const SpringLoad& spring) {
     }
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const DirectionHandle pull = end == 0 ? board_.load_unit(index) : board_.load_unit_back(index);
-        add_load({spring.bodies[end],
+        add_load({member_of(spring.bodies[end]),
                   {Symbol::Letter::F, spring.name, {}},
                   AppliedForce::Kind::spring,
                   board_.scale<Plane::force>(board_.load_magnitude(index), pull),
@@ -222,7 +219,7 @@ std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
 void ForceModel::add_weight(int index) {
     if (!mechanism_.gravity) return;
     const Mass& mass = mechanism_.masses[at(index)];
-    add_load({mass.body,
+    add_load({member_of(mass.body),
               {Symbol::Letter::F, mass_name(mass, "g"), {}},
               AppliedForce::Kind::weight,
               board_.scale<Plane::force>(board_.mass(index), board_.gravity()),
@@ -235,13 +232,13 @@ void ForceModel::add_inertia(int index) {
     const Mass& mass = mechanism_.masses[at(index)];
     const auto& track = motion_.acceleration;
     const NodeIndex centre = structure_.find(mass.centre, mass.body);
-    if (track.polygon < 0 || centre < 0 || !track.has(centre) || !track.turns(mass.body)) {
+    if (track.polygon < 0 || centre == none || !track.has(centre) || !track.turns(mass.body)) {
         missing_.push_back(
             {{Sentence::all_forces, {}}, {Sentence::inertia_without_motion, {BodyName{mechanism_.bodies[at(mass.body)].name}}}});
         return;
     }
     const auto acceleration = board_.vector(board_.pole<Plane::acceleration>(), track.tip(centre));
-    Load load{mass.body,
+    Load load{member_of(mass.body),
               {Symbol::Letter::F, mass_name(mass, "i"), {}},
               AppliedForce::Kind::inertia,
               board_.negate(board_.scale<Plane::force>(board_.mass(index), acceleration)),
@@ -306,7 +303,7 @@ Wrench ForceModel::wrench_of(const Load& load) {
     return wrench;
 }
 
-Wrench ForceModel::wrench_of(const Bond& bond, const Reaction& reaction, int member) {
+Wrench ForceModel::wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member) {
     Wrench wrench;
     wrench.place = bond.place;
     const bool reversed = bond.second == member;
@@ -318,7 +315,7 @@ Wrench ForceModel::wrench_of(const Bond& bond, const Reaction& reaction, int mem
     return wrench;
 }
 
-Wrench ForceModel::known_on(const std::vector<int>& group, const std::vector<Load>& loads, const Run& run) {
+Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
     Wrench total;
     for (const Load& load : loads) {
         if (in(group, load.member)) total = sum(total, wrench_of(load));
@@ -332,9 +329,9 @@ Wrench ForceModel::known_on(const std::vector<int>& group, const std::vector<Loa
     return total;
 }
 
-std::vector<int> ForceModel::outer_bonds(const std::vector<int>& group) const {
+std::vector<int> ForceModel::outer_bonds(const Group& group) const {
     std::vector<int> outer;
-    for (const int member : group) {
+    for (const MemberIndex member : group) {
         for (const int b : bonds_of_[at(member)]) {
             if (in(group, bonds_[at(b)].first) != in(group, bonds_[at(b)].second)) outer.push_back(b);
         }

@@ -14,9 +14,13 @@
 
 namespace kinegraph::statics {
 
-constexpr BodyIndex frame = 0;
 constexpr Plane drawing = Plane::drawing;
-inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+inline std::size_t at(auto index) { return at_index(index); }
+
+/// A body of the mechanism, or one of those that come after them: the pins of multiple hinges.
+using MemberIndex = ListIndex<struct Member>;
+using Group = std::vector<MemberIndex>;
+constexpr MemberIndex member_of(BodyIndex body) { return MemberIndex(body.number()); }
 
 using PlaceOnDrawing = PointOn<Plane::drawing>;
 using Force = VectorOn<Plane::force>;
@@ -28,11 +32,11 @@ struct Action {
     LineOn<drawing> line;
 };
 
-/// What two bodies may exert on each other. Members: bodies of the mechanism, then the pins of multiple hinges.
+/// What two bodies may exert on each other.
 struct Bond {
     enum class Kind { pin, guide, line, couple, clamp } kind = Kind::pin;
-    int first = -1, second = -1;  ///< members; the force counts on `first`
-    JointIndex joint = -1;
+    MemberIndex first, second;  ///< the force counts on `first`
+    JointIndex joint = none;
     int effort = -1;
     PlaceOnDrawing place;
     DirectionHandle direction;  ///< line: along it; guide: normal to it
@@ -44,13 +48,13 @@ struct Bond {
 /// What is known of a bond in one run.
 struct Reaction {
     bool known = false;
-    std::optional<Force> force;          ///< on the bond's first member; nothing: vanishes
-    std::optional<ScalarHandle> couple;  ///< about the bond's place; nothing: vanishes
-    std::optional<Action> action;        ///< its line, before or after the magnitude is known
-    bool only_couple = false;            ///< a guide whose force was shown to vanish
-    bool deduced = false;                ///< the line was found, not given
-    int line_statement = -1;             ///< the first that says or needs its line
-    int force_statement = -1;            ///< by which it is known
+    std::optional<Force> force;             ///< on the bond's first member; nothing: vanishes
+    std::optional<ScalarHandle> couple;     ///< about the bond's place; nothing: vanishes
+    std::optional<Action> action;           ///< its line, before or after the magnitude is known
+    bool only_couple = false;               ///< a guide whose force was shown to vanish
+    bool deduced = false;                   ///< the line was found, not given
+    StatementIndex line_statement = none;   ///< the first that says or needs its line
+    StatementIndex force_statement = none;  ///< by which it is known
 };
 
 /// All that acts on a body, reduced: nothing, a couple, or a force along a line.
@@ -64,7 +68,7 @@ struct Wrench {
 
 /// A load on one member.
 struct Load {
-    int member = -1;
+    MemberIndex member;
     Symbol symbol;
     AppliedForce::Kind kind = AppliedForce::Kind::load;
     std::optional<Force> force;
@@ -75,7 +79,7 @@ struct Load {
 
 /// What was done at one member, for its free-body diagram.
 struct Resolved {
-    int member = -1;
+    MemberIndex member;
 };
 
 struct Run {
@@ -86,7 +90,7 @@ struct Run {
 };
 
 /// True where a member belongs to a group of them.
-bool in(const std::vector<int>& group, int member);
+bool in(const Group& group, MemberIndex member);
 
 class ForceModel {
 public:
@@ -94,25 +98,27 @@ public:
 
     /// Why the loads could not be read (an inertia force without an acceleration, a spring without length).
     const std::vector<Unsolved>& missing() const { return missing_; }
-    /// Bodies of the mechanism, then the pins of multiple hinges.
-    int members() const { return members_; }
+    /// All but the frame.
+    Indices<MemberIndex> moving_members() const { return indices(at(members_), member_of(frame).next()); }
     const std::vector<Bond>& bonds() const { return bonds_; }
     /// Indices of a member's bonds.
-    const std::vector<int>& bonds_of(int member) const { return bonds_of_[at(member)]; }
+    const std::vector<int>& bonds_of(MemberIndex member) const { return bonds_of_[at(member)]; }
     /// How many bonds joints and efforts make; the components of hinges come after them.
     std::size_t joint_bonds() const { return joint_bonds_; }
     const std::vector<Load>& loads() const { return loads_; }
     /// The point of a pin member.
-    PointIndex pin_point(int member) const { return pins_[at(member - static_cast<int>(mechanism_.bodies.size()))]; }
+    PointIndex pin_point(MemberIndex member) const { return pins_[at(member) - mechanism_.bodies.size()]; }
 
     /// Adds the components, along x and y, of a hinge's force, for a trial.
     void add_components(int hinge);
     void drop_components();
 
-    std::string member_name(int member) const;
-    bool is_pin(int member) const;
+    std::string member_name(MemberIndex member) const;
+    bool is_pin(MemberIndex member) const { return at(member) >= mechanism_.bodies.size(); }
+    /// None: it is a pin.
+    BodyIndex body_of(MemberIndex member) const { return is_pin(member) ? none : BodyIndex(member.number()); }
     /// F_32: of 3 on 2.
-    Symbol force_symbol(int of, int on) const;
+    Symbol force_symbol(MemberIndex of, MemberIndex on) const;
     /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file gives.
     /// Whether the reaction found at a bond says that it would have to pull.
     bool pulls(std::size_t bond, const Run& run);
@@ -127,11 +133,11 @@ public:
     /// The sum of two: through the meet of their lines; of parallel ones by moments; a couple where equal and opposite.
     Wrench sum(const Wrench& a, const Wrench& b);
     Wrench wrench_of(const Load& load);
-    Wrench wrench_of(const Bond& bond, const Reaction& reaction, int member);
+    Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
-    Wrench known_on(const std::vector<int>& group, const std::vector<Load>& loads, const Run& run);
+    Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
     /// Bonds between a group and the rest.
-    std::vector<int> outer_bonds(const std::vector<int>& group) const;
+    std::vector<int> outer_bonds(const Group& group) const;
 
 private:
     static std::string relative_name_of_bodies(const std::string& of, const std::string& on);

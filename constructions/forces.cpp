@@ -17,7 +17,7 @@ namespace {
 class Rules {
 public:
     Rules(ForceModel& model, Board& board, const Mechanism& mechanism)
-        : model_(model), board_(board), mechanism_(mechanism), origin_(board.place(0)) {}
+        : model_(model), board_(board), mechanism_(mechanism), origin_(board.place(PointIndex(0))) {}
 
     Run run() {
         Run result = solve(model_.loads());
@@ -67,13 +67,13 @@ private:
         }
     }
 
-    std::vector<std::vector<int>> groups() const {
-        std::vector<std::vector<int>> result;
-        for (int member = 1; member < model_.members(); ++member) result.push_back({member});
+    std::vector<Group> groups() const {
+        std::vector<Group> result;
+        for (const MemberIndex member : model_.moving_members()) result.push_back({member});
         // Bodies that slide in one another, taken together; then any two that touch.
         for (const bool only_guides : {true, false}) {
             for (const Bond& bond : model_.bonds()) {
-                if (bond.first == frame || bond.second == frame || bond.effort >= 0) continue;
+                if (bond.first == member_of(frame) || bond.second == member_of(frame) || bond.effort >= 0) continue;
                 if (only_guides != (bond.kind == Bond::Kind::guide)) continue;
                 result.push_back({std::min(bond.first, bond.second), std::max(bond.first, bond.second)});
             }
@@ -107,7 +107,7 @@ private:
         run.complete = all_known(run);
     }
 
-    std::vector<int> unknown_of(const std::vector<int>& group, const Run& run) const {
+    std::vector<int> unknown_of(const Group& group, const Run& run) const {
         std::vector<int> unknown;
         for (const int b : model_.outer_bonds(group)) {
             if (!run.reactions[at(b)].known) unknown.push_back(b);
@@ -143,31 +143,31 @@ private:
         return result;
     }
 
-    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const std::vector<int>& group = {}) {
+    void say(Sentence sentence, std::vector<Argument> arguments, const char* source = "", const Group& group = {}) {
         if (trials_ == 0) {  // the strokes of a trial belong to the sentence that opens it
             Statement statement;
             statement.message = {sentence, std::move(arguments)};
             statement.section = Topic::forces;
             statement.source = source;
-            for (const int member : group)
-                if (!model_.is_pin(member)) statement.bodies.push_back(member);
+            for (const MemberIndex member : group)
+                if (!model_.is_pin(member)) statement.bodies.push_back(model_.body_of(member));
             statement_ = board_.state(std::move(statement));
         }
         remember_meets();
     }
     /// A sentence of a body, or of several taken together: they are its first argument.
-    void say_of(const std::vector<int>& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
+    void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
         std::string names;
-        for (const int member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
+        for (const MemberIndex member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
         arguments.insert(arguments.begin(), BodyName{names});
         say(sentence, std::move(arguments), source, group);
     }
     /// What the sentence said last finds of a bond, or says of it.
     void found_line(int b, Run& run) const {
         Reaction& reaction = run.reactions[at(b)];
-        if (reaction.line_statement < 0) reaction.line_statement = statement_;
+        if (reaction.line_statement == none) reaction.line_statement = statement_;
     }
-    void found(int b, const std::vector<int>& group, Run& run) {
+    void found(int b, const Group& group, Run& run) {
         found_line(b, run);
         Reaction& reaction = run.reactions[at(b)];
         reaction.known = true;
@@ -175,30 +175,29 @@ private:
         if (trials_ == 0) board_.statement(statement_).finds.push_back(quantity_on(b, group));
     }
     /// The action of a bond on a group.
-    Quantity quantity_on(int b, const std::vector<int>& group) const {
+    Quantity quantity_on(int b, const Group& group) const {
         const Bond& bond = model_.bonds()[at(b)];
         if (bond.effort >= 0) return {.kind = Quantity::Kind::effort, .given = bond.effort};
-        const auto body = [&](int member) { return model_.is_pin(member) ? -1 : member; };
         const bool on_first = in(group, bond.first);
         return {.kind = Quantity::Kind::force,
-                .body = body(on_first ? bond.first : bond.second),
-                .other = body(on_first ? bond.second : bond.first),
+                .body = model_.body_of(on_first ? bond.first : bond.second),
+                .other = model_.body_of(on_first ? bond.second : bond.first),
                 .joint = bond.joint};
     }
     PointName place_name(int b) const {
         const Bond& bond = model_.bonds()[at(b)];
-        if (bond.joint >= 0) return {mechanism_.points[at(mechanism_.joints[at(bond.joint)].point)].name};
+        if (bond.joint != none) return {mechanism_.points[at(mechanism_.joints[at(bond.joint)].point)].name};
         return {bond.symbol.about};
     }
     /// The force of a bond as it acts on a group.
-    Symbol symbol_on(int b, const std::vector<int>& group) const {
+    Symbol symbol_on(int b, const Group& group) const {
         const Bond& bond = model_.bonds()[at(b)];
         return in(group, bond.first) ? bond.symbol : bond.reverse;
     }
 
     // --- lines of action ------------------------------------------------------------------------------------------------------
     /// `beside_couples`: bodies that carry a couple too; tried when nothing else is left.
-    bool lines(const std::vector<int>& group, const std::vector<Load>& loads, Run& run, bool beside_couples) {
+    bool lines(const Group& group, const std::vector<Load>& loads, Run& run, bool beside_couples) {
         const std::vector<int> unknown = unknown_of(group, run);
         const auto [pins, guides, fixed, couples, clamps] = sorted(unknown, run);
         if (!clamps.empty()) return false;
@@ -220,7 +219,7 @@ private:
         reaction.deduced = true;
     }
 
-    void vanish(int b, const std::vector<int>& group, Run& run) {
+    void vanish(int b, const Group& group, Run& run) {
         if (model_.bonds()[at(b)].kind == Bond::Kind::guide) {
             found_line(b, run);
             run.reactions[at(b)].only_couple = true;
@@ -230,7 +229,7 @@ private:
     }
 
     /// Two forces only: equal, opposite, on one line.
-    bool two_forces(const std::vector<int>& group, const std::vector<int>& pins, const std::vector<int>& guides,
+    bool two_forces(const Group& group, const std::vector<int>& pins, const std::vector<int>& guides,
                     const std::vector<int>& fixed, Run& run) {
         const auto join_direction = [&](PlaceOnDrawing p, PlaceOnDrawing q) { return board_.direction(board_.vector(p, q)); };
         if (pins.size() == 2) {
@@ -285,7 +284,7 @@ private:
     }
 
     /// Two forces and a couple: the forces are equal and opposite, so parallel.
-    bool parallel_to_other(const std::vector<int>& group, const std::vector<int>& pins, const std::vector<int>& guides,
+    bool parallel_to_other(const Group& group, const std::vector<int>& pins, const std::vector<int>& guides,
                            const std::vector<int>& fixed, Run& run) {
         if (pins.size() != 1) return false;
         const DirectionHandle direction =
@@ -296,7 +295,7 @@ private:
     }
 
     /// Three forces, two lines known: the third passes through their meet.
-    bool concurrent(const std::vector<int>& group, const std::vector<int>& fixed, const std::vector<int>& pins,
+    bool concurrent(const Group& group, const std::vector<int>& fixed, const std::vector<int>& pins,
                     const std::vector<int>& guides, Run& run) {
         const Action one = *run.reactions[at(fixed[0])].action, two = *run.reactions[at(fixed[1])].action;
         const auto met = board_.meet(one.line, two.line);
@@ -328,7 +327,7 @@ private:
 
     // --- magnitudes
     // -------------------------------------------------------------------------------------------------------------
-    void settle(int b, Force force_on_group, PlaceOnDrawing place, const std::vector<int>& group, Run& run) {
+    void settle(int b, Force force_on_group, PlaceOnDrawing place, const Group& group, Run& run) {
         const Bond& bond = model_.bonds()[at(b)];
         found(b, group, run);
         if (board_.is_zero(force_on_group)) return;
@@ -342,7 +341,7 @@ private:
     }
 
     /// A guide or a clamp takes force and couple: its real line is moved aside by their arm.
-    void settle_with_couple(int b, Force force_on_group, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
+    void settle_with_couple(int b, Force force_on_group, ScalarHandle couple_on_group, const Group& group, Run& run) {
         const Bond& bond = model_.bonds()[at(b)];
         settle_couple(b, couple_on_group, group, run);
         if (board_.is_zero(force_on_group)) return;
@@ -353,14 +352,14 @@ private:
         if (!reaction.action) reaction.action = model_.action(place, board_.direction(*reaction.force));
     }
 
-    void settle_couple(int b, ScalarHandle couple_on_group, const std::vector<int>& group, Run& run) {
+    void settle_couple(int b, ScalarHandle couple_on_group, const Group& group, Run& run) {
         found(b, group, run);
         if (board_.is_zero(couple_on_group)) return;
         run.reactions[at(b)].couple = in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
     }
 
-    void note(const std::vector<int>& group, Run& run) {
-        for (const int member : group) {
+    void note(const Group& group, Run& run) {
+        for (const MemberIndex member : group) {
             const bool there =
                 std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });
             if (!there) run.order.push_back({member});
@@ -368,7 +367,7 @@ private:
     }
 
     /// The letter of a point of concurrency; the sentence said next finds it.
-    std::string meet_name(const std::vector<int>& group, PlaceOnDrawing place) {
+    std::string meet_name(const Group& group, PlaceOnDrawing place) {
         auto known = std::find_if(named_meets_.begin(), named_meets_.end(),
                                   [&](const NamedMeet& meet) { return board_.coincide(meet.place, place); });
         if (known == named_meets_.end()) known = named_meets_.insert(known, {free_letter(), place});
@@ -390,13 +389,13 @@ private:
     void remember_meets() {
         for (const auto& [group, index] : unsaid_meets_) {
             NamedMeet& meet = named_meets_[static_cast<std::size_t>(index)];
-            if (meet.statement < 0) meet.statement = statement_;
-            for (const int member : group) meets_[member].push_back(meet);
+            if (meet.statement == none) meet.statement = statement_;
+            for (const MemberIndex member : group) meets_[member].push_back(meet);
         }
         unsaid_meets_.clear();
     }
 
-    bool magnitudes(const std::vector<int>& group, const std::vector<Load>& loads, Run& run) {
+    bool magnitudes(const Group& group, const std::vector<Load>& loads, Run& run) {
         const std::vector<int> unknown = unknown_of(group, run);
         if (unknown.empty()) return false;
         const auto [pins, guides, fixed, couples, clamps] = sorted(unknown, run);
@@ -433,7 +432,7 @@ private:
     }
 
     /// What is left balances the rest.
-    bool single(const std::vector<int>& group, int b, const Wrench& known, Run& run) {
+    bool single(const Group& group, int b, const Wrench& known, Run& run) {
         const Shape of = shape(b, run);
         say_of(group, Sentence::single_reaction, {symbol_on(b, group)});
         if (of == Shape::couple) {
@@ -472,7 +471,7 @@ private:
     }
 
     /// A force through a point and a couple: the force is the rest turned round, the couple their arm times it.
-    bool force_and_couple(const std::vector<int>& group, int force, int couple, const Wrench& known, Run& run) {
+    bool force_and_couple(const Group& group, int force, int couple, const Wrench& known, Run& run) {
         const PlaceOnDrawing place = place_of(force, run);
         say_of(group, Sentence::force_and_couple, {symbol_on(force, group), symbol_on(couple, group)});
         const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
@@ -503,7 +502,7 @@ private:
         return {board_.vector(end, *corner), board_.vector(*corner, start)};
     }
 
-    bool line_and_pin(const std::vector<int>& group, int line, int pin, const Wrench& known, Run& run) {
+    bool line_and_pin(const Group& group, int line, int pin, const Wrench& known, Run& run) {
         const Action given = *run.reactions[at(line)].action;
         const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
         if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
@@ -534,7 +533,7 @@ private:
     }
 
     /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
-    bool line_and_guide(const std::vector<int>& group, int line, int guide, const Wrench& known, Run& run) {
+    bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, Run& run) {
         const Action given = *run.reactions[at(line)].action;
         const DirectionHandle normal = model_.bonds()[at(guide)].direction;
         if (board_.parallel(given.direction, normal)) return false;
@@ -555,11 +554,11 @@ private:
     }
 
     /// A guide's reaction balances what is left, force and couple.
-    void settle_guide(int guide, Force across, const Wrench& rest, const std::vector<int>& group, Run& run) {
+    void settle_guide(int guide, Force across, const Wrench& rest, const Group& group, Run& run) {
         settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
     }
 
-    bool two_lines(const std::vector<int>& group, int one, int two, int couple, const Wrench& known, Run& run) {
+    bool two_lines(const Group& group, int one, int two, int couple, const Wrench& known, Run& run) {
         const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
         if (!board_.parallel(first.direction, second.direction)) {
             say_of(group, Sentence::triangle, {symbol_on(one, group), symbol_on(two, group)});
@@ -587,7 +586,7 @@ private:
 
     /// Culmann: three lines that neither meet in one point nor are all parallel. The line through the meet of two pairs carries
     /// the sum of each pair.
-    bool three_lines(const std::vector<int>& group, const std::vector<int>& fixed, const Wrench& known, Run& run) {
+    bool three_lines(const Group& group, const std::vector<int>& fixed, const Wrench& known, Run& run) {
         for (std::size_t i = 0; i < 3; ++i) {
             const int one = fixed[i], two = fixed[(i + 1) % 3], three = fixed[(i + 2) % 3];
             const Action a = *run.reactions[at(one)].action, b = *run.reactions[at(two)].action,
@@ -607,7 +606,7 @@ private:
 
     /// The force of the first of three lines, and what it makes with the known one: along Culmann's line where the two meet, by
     /// moments about the pivot of the other two where they are parallel, or a couple.
-    std::pair<Force, Wrench> known_and_one(const std::vector<int>& group, const Wrench& known, int one, int two, int three,
+    std::pair<Force, Wrench> known_and_one(const Group& group, const Wrench& known, int one, int two, int three,
                                            PlaceOnDrawing pivot, const Run& run) {
         const Action a = *run.reactions[at(one)].action;
         Wrench rest;
@@ -640,7 +639,7 @@ private:
         advance(loads, direct);
         if (direct.complete) return direct;
         // Several loaded bodies: one after the other.
-        std::vector<int> loaded;
+        Group loaded;
         for (const Load& load : loads) {
             if (!in(loaded, load.member)) loaded.push_back(load.member);
         }
@@ -650,7 +649,7 @@ private:
             return run.complete ? run : direct;
         }
         std::vector<Run> parts;
-        for (const int member : loaded) {
+        for (const MemberIndex member : loaded) {
             std::vector<Load> own;
             std::copy_if(loads.begin(), loads.end(), std::back_inserter(own),
                          [&](const Load& load) { return load.member == member; });
@@ -769,7 +768,7 @@ private:
         ScalarHandle gap;
         std::optional<ScalarHandle> largest;
         for (const auto& components : {std::vector<std::size_t>{0, 1}, std::vector<std::size_t>{2}}) {
-            for (int member = 1; member < model_.members(); ++member) {
+            for (const MemberIndex member : model_.moving_members()) {
                 const auto gap_1 = gaps(member, loads, first), gap_2 = gaps(member, loads, second);
                 for (const std::size_t c : components) {
                     const ScalarHandle change = board_.difference(gap_1[c], gap_2[c]);
@@ -818,7 +817,7 @@ private:
     }
 
     /// What does not close at a member: components along x and y, and the moment about one fixed place.
-    std::array<ScalarHandle, 3> gaps(int member, const std::vector<Load>& loads, const Run& run) {
+    std::array<ScalarHandle, 3> gaps(MemberIndex member, const std::vector<Load>& loads, const Run& run) {
         const Wrench gap = model_.known_on({member}, loads, run);
         const auto component = [&](const Vector& across) {
             if (!gap.force) return board_.number(0);
@@ -845,12 +844,12 @@ private:
     ForceModel& model_;
     Board& board_;
     const Mechanism& mechanism_;
-    PlaceOnDrawing origin_;                                                  ///< about which gaps are measured
-    int trials_ = 0;                                                         ///< trials under way, one in the other
-    int statement_ = -1;                                                     ///< said last
-    NamedMeets meets_;                                                       ///< by member
-    std::vector<NamedMeet> named_meets_;                                     ///< all, each with its letter
-    std::vector<std::pair<std::vector<int>, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
+    PlaceOnDrawing origin_;                                       ///< about which gaps are measured
+    int trials_ = 0;                                              ///< trials under way, one in the other
+    StatementIndex statement_ = none;                             ///< said last
+    NamedMeets meets_;                                            ///< by member
+    std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
+    std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ public:
 
 private:
     void collect(const Run& run) {
-        const std::set<int> open = out_of_equilibrium(run);
+        const std::set<MemberIndex> open = out_of_equilibrium(run);
         const bool balanced = open.empty();
         if (!run.complete || !balanced) explain(run, balanced);
         for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
@@ -38,31 +38,31 @@ private:
             collect(bond, run.reactions[b], open.count(bond.first) == 0 && open.count(bond.second) == 0);
         }
         if (!run.complete || !balanced) return;
-        std::vector<int> order;
+        Group order;
         for (const Resolved& resolved : run.order) order.push_back(resolved.member);
-        for (int member = 1; member < model_.members(); ++member) {
+        for (const MemberIndex member : model_.moving_members()) {
             if (!in(order, member)) order.push_back(member);
         }
-        for (const int member : order) free_body(member, run);
+        for (const MemberIndex member : order) free_body(member, run);
         join_polygons();
         remark_lift_off(run);
     }
 
     /// Members that do not balance though all their bonds are known, and what hangs on them by known bonds (not through the
     /// frame): of these nothing is known.
-    std::set<int> out_of_equilibrium(const Run& run) {
-        std::vector<int> found;
-        for (int member = 1; member < model_.members(); ++member) {
+    std::set<MemberIndex> out_of_equilibrium(const Run& run) {
+        Group found;
+        for (const MemberIndex member : model_.moving_members()) {
             const auto& bonds = model_.bonds_of(member);
             const bool all_known = std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
             if (all_known && !model_.known_on({member}, model_.loads(), run).vanishes()) found.push_back(member);
         }
-        std::set<int> open(found.begin(), found.end());
+        std::set<MemberIndex> open(found.begin(), found.end());
         for (std::size_t next = 0; next < found.size(); ++next) {
             for (const int b : model_.bonds_of(found[next])) {
                 const Bond& bond = model_.bonds()[at(b)];
-                const int other = bond.first == found[next] ? bond.second : bond.first;
-                if (other != frame && run.reactions[at(b)].known && open.insert(other).second) found.push_back(other);
+                const MemberIndex other = bond.first == found[next] ? bond.second : bond.first;
+                if (other != member_of(frame) && run.reactions[at(b)].known && open.insert(other).second) found.push_back(other);
             }
         }
         return open;
@@ -72,7 +72,7 @@ private:
     void remark_lift_off(const Run& run) {
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
             const JointIndex joint = model_.bonds()[b].joint;
-            if (joint >= 0 && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
+            if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
                 results_.remarks.push_back({Sentence::lift_off, {PointName{mechanism_.joints[at(joint)].name}}});
         }
     }
@@ -128,8 +128,8 @@ private:
         }
         JointForce on_first;
         on_first.joint = bond.joint;
-        on_first.on = bond.first;
-        on_first.from = model_.is_pin(bond.second) ? -1 : bond.second;
+        on_first.on = model_.body_of(bond.first);
+        on_first.from = model_.body_of(bond.second);
         if (valid && reaction.known) {
             on_first.force = found(reaction.force);
             on_first.couple = found(reaction.couple);
@@ -143,23 +143,23 @@ private:
         results_.joints.push_back(on_second);
     }
 
-    void free_body(int member, const Run& run) {
+    void free_body(MemberIndex member, const Run& run) {
         FreeBody body;
         if (model_.is_pin(member)) {
             body.pin = model_.pin_point(member);
         } else {
-            body.body = member;
+            body.body = model_.body_of(member);
         }
         std::vector<Side> sides;
         body.in_parts = run.in_parts;
         const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
             if (force) {
                 applied.elements.force = force->element;
-                const bool external =
-                    bond < 0 || model_.bonds()[at(bond)].first == frame || model_.bonds()[at(bond)].second == frame;
+                const bool external = bond < 0 || model_.bonds()[at(bond)].first == member_of(frame) ||
+                                      model_.bonds()[at(bond)].second == member_of(frame);
                 sides.push_back({applied.symbol, *force, bond, external, quantity_of(body, applied)});
             }
-            if (applied.elements.force >= 0 || applied.elements.couple >= 0) body.forces.push_back(std::move(applied));
+            if (applied.elements.force != none || applied.elements.couple != none) body.forces.push_back(std::move(applied));
         };
         for (const Load& load : model_.loads()) {
             if (load.member != member) continue;
@@ -183,8 +183,7 @@ private:
             if (bond.effort < 0) applied.line_statement = reaction.line_statement;
             applied.force_statement = reaction.force_statement;
             body.statement = std::max(body.statement, reaction.force_statement);
-            applied.from = reversed ? bond.first : bond.second;
-            if (model_.is_pin(applied.from)) applied.from = -1;
+            applied.from = model_.body_of(reversed ? bond.first : bond.second);
             applied.elements.at = bond.place.element;
             applied.line_by_construction = reaction.deduced;
             std::optional<Force> force;
@@ -210,7 +209,7 @@ private:
     }
 
     /// The points of concurrency used at a member.
-    void list_meets(int member, FreeBody& body) const {
+    void list_meets(MemberIndex member, FreeBody& body) const {
         const auto meets = meets_.find(member);
         if (meets == meets_.end()) return;
         for (const NamedMeet& meet : meets->second) {
@@ -244,20 +243,20 @@ private:
 
     using Corner = PointOn<Plane::force>;
 
-    void draw_side(int polygon, const Side& side, int member, Corner tail, Corner tip) {
+    void draw_side(int polygon, const Side& side, MemberIndex member, Corner tail, Corner tip) {
         DrawnVector drawn;
         drawn.symbol = side.symbol;
         drawn.polygon = polygon;
         drawn.tail = tail.element;
         drawn.tip = tip.element;
-        drawn.body = model_.is_pin(member) ? -1 : member;
+        drawn.body = model_.body_of(member);
         drawn.quantity = side.quantity;
         drawn.role = side.external ? DrawnVector::Role::external : DrawnVector::Role::internal;
         board_.draw(std::move(drawn));
     }
 
     /// Tip to tail: the forces of a body in equilibrium close.
-    int draw_polygon(int member, const std::vector<Side>& sides) {
+    int draw_polygon(MemberIndex member, const std::vector<Side>& sides) {
         const int polygon = add_force_polygon(Polygon::Kind::body_forces, "forces-" + model_.member_name(member));
         place_sides(polygon, member, sides, 0, board_.pole<Plane::force>(), -1);
         return polygon;
@@ -265,11 +264,11 @@ private:
 
     /// Sets the sides off from `start`, beginning with the one at `from`; the side of the bond `shared` is there already.
     /// Returns the tails of the sides, in their order.
-    std::vector<Corner> place_sides(int polygon, int member, const std::vector<Side>& sides, std::size_t from, Corner start,
-                                    int shared) {
+    std::vector<Corner> place_sides(int polygon, MemberIndex member, const std::vector<Side>& sides, std::size_t from,
+                                    Corner start, int shared) {
         std::vector<Corner> tails(sides.size());
         Face face;
-        face.body = model_.is_pin(member) ? -1 : member;
+        face.body = model_.body_of(member);
         Corner here = start;
         for (std::size_t n = 0; n < sides.size(); ++n) {
             const std::size_t i = (from + n) % sides.size();
@@ -289,7 +288,7 @@ private:
 
     /// The triangles laid side by side on their common forces, so that the external forces close.
     void join_polygons() {
-        std::set<int> placed;
+        std::set<MemberIndex> placed;
         int count = 0;
         for (std::size_t first = 0; first < sides_.size(); ++first) {
             if (placed.count(sides_[first].first) != 0 || sides_.size() < 2) continue;
@@ -310,7 +309,7 @@ private:
                 for (std::size_t i = 0; i < sides.size(); ++i) {
                     if (sides[i].external) continue;
                     const Bond& bond = model_.bonds()[at(sides[i].bond)];
-                    const int other = bond.first == member ? bond.second : bond.first;
+                    const MemberIndex other = bond.first == member ? bond.second : bond.first;
                     if (placed.count(other) != 0) continue;
                     for (std::size_t k = 0; k < sides_.size(); ++k) {
                         if (sides_[k].first != other) continue;
@@ -331,7 +330,7 @@ private:
     const Mechanism& mechanism_;
     const Mobility& mobility_;
     const NamedMeets& meets_;
-    std::vector<std::pair<int, std::vector<Side>>> sides_;  ///< by member, in the order resolved
+    std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order resolved
     ForceResults results_;
 };
 
@@ -343,7 +342,7 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies) {
             if (applied.kind == AppliedForce::Kind::reaction) continue;
             for (const FreeBody::Meet& meet : body.meets) {
                 if (!cross(applied.force, meet.place - applied.at).is_zero()) continue;
-                if (applied.line_statement < 0 || meet.statement < applied.line_statement)
+                if (applied.line_statement == none || meet.statement < applied.line_statement)
                     applied.line_statement = meet.statement;
             }
         }

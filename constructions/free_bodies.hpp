@@ -16,9 +16,9 @@ namespace kinegraph::statics {
 struct NamedMeet {
     std::string name;
     PlaceOnDrawing place;
-    int statement = -1;  ///< that names it first
+    StatementIndex statement = none;  ///< that names it first
 };
-using NamedMeets = std::map<int, std::vector<NamedMeet>>;
+using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
                       const NamedMeets& meets);

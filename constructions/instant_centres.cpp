@@ -8,8 +8,7 @@
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 using Drawing = PointOn<Plane::drawing>;
 
 }  // namespace
@@ -19,8 +18,8 @@ InstantCentres::InstantCentres(Structure& structure, Board& board)
       board_(board),
       diagram_(structure, board),
       count_(static_cast<int>(structure.mechanism().bodies.size())) {
-    for (BodyIndex i = 0; i < count_; ++i) {
-        for (BodyIndex j = i + 1; j < count_; ++j) {
+    for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
+        for (const BodyIndex j : structure_.mechanism().bodies_after(i)) {
             Pair entry;
             entry.centre.first = i;
             entry.centre.second = j;
@@ -32,7 +31,7 @@ InstantCentres::InstantCentres(Structure& structure, Board& board)
 std::size_t InstantCentres::index(BodyIndex i, BodyIndex j) const {
     if (i > j) std::swap(i, j);
     // Row i of the upper triangle starts after the rows before it.
-    return at(i * (2 * count_ - i - 1) / 2 + (j - i - 1));
+    return at(i.number() * (2 * count_ - i.number() - 1) / 2 + (j.number() - i.number() - 1));
 }
 
 Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
@@ -47,7 +46,7 @@ Symbol InstantCentres::symbol(BodyIndex i, BodyIndex j) {
     return result;
 }
 
-int InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
+StatementIndex InstantCentres::say(Sentence sentence, std::vector<Argument> arguments) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = Topic::centres;
@@ -106,7 +105,7 @@ void InstantCentres::primary(JointIndex index_of_joint, BodyIndex i, BodyIndex j
 /// Bodies over which the pair has a line: both centres known as points; finite ones first, for a line that can be drawn.
 std::vector<BodyIndex> InstantCentres::intermediates(BodyIndex i, BodyIndex j) {
     std::vector<BodyIndex> finite, infinite;
-    for (BodyIndex k = 0; k < count_; ++k) {
+    for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
         if (k == i || k == j) continue;
         const Pair& first = pair(i, k);
         const Pair& second = pair(k, j);
@@ -123,7 +122,7 @@ LineOn<Plane::drawing> InstantCentres::line_over(BodyIndex i, BodyIndex k, BodyI
 }
 
 LineOn<Plane::drawing> InstantCentres::line_of(BodyIndex i, BodyIndex j, const Line& line) {
-    return line.by < 0 ? pair(i, j).normals[at(line.normal)].first : line_over(i, line.by, j);
+    return line.by == none ? pair(i, j).normals[at(line.normal)].first : line_over(i, line.by, j);
 }
 
 /// The first two lines that meet in one point: normals first, then Kennedy's lines.
@@ -140,7 +139,7 @@ std::optional<std::pair<InstantCentres::Line, InstantCentres::Line>> InstantCent
         return false;
     };
     for (std::size_t n = 0; n < pair(i, j).normals.size(); ++n)
-        if (meets_one({-1, static_cast<int>(n)})) return found;
+        if (meets_one({none, static_cast<int>(n)})) return found;
     for (const BodyIndex k : intermediates(i, j)) {
         if (board_.coincide(*pair(i, k).point, *pair(k, j).point)) continue;
         if (meets_one({k, -1})) return found;
@@ -159,7 +158,7 @@ bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
     settle(entry, *board_.meet(line_of(i, j, first), line_of(i, j, second)), InstantCentre::How::kennedy);
     std::vector<Argument> names{symbol(i, j)}, normals;
     for (const Line& used : {first, second}) {
-        if (used.by < 0) {
+        if (used.by == none) {
             const PointIndex point = entry.normals[at(used.normal)].second;
             entry.centre.normals.push_back(point);
             normals.emplace_back(PointName{structure_.mechanism().points[at(point)].name});
@@ -178,7 +177,7 @@ bool InstantCentres::kennedy(BodyIndex i, BodyIndex j) {
 
 bool InstantCentres::by_rigidity(BodyIndex i, BodyIndex j) {
     Pair& entry = pair(i, j);
-    for (BodyIndex k = 0; k < count_; ++k) {
+    for (const BodyIndex k : indices_of(structure_.mechanism().bodies)) {
         if (k == i || k == j) continue;
         for (const auto& [rigid, other] : {std::pair(index(i, k), index(k, j)), std::pair(index(k, j), index(i, k))}) {
             if (!pairs_[rigid].centre.everywhere || !solved(pairs_[other])) continue;
@@ -212,12 +211,11 @@ bool InstantCentres::by_coincidence(BodyIndex i, BodyIndex j) {
 }
 
 void InstantCentres::draw() {
-    const auto joints = static_cast<JointIndex>(structure_.mechanism().joints.size());
-    for (JointIndex joint = 0; joint < joints; ++joint) primary(joint);
+    for (const JointIndex joint : indices_of(structure_.mechanism().joints)) primary(joint);
     const auto sweep = [&](auto rule) {
         bool found = false;
-        for (BodyIndex i = 0; i < count_; ++i) {
-            for (BodyIndex j = i + 1; j < count_; ++j) found = (!solved(pair(i, j)) && rule(i, j)) || found;
+        for (const BodyIndex i : indices_of(structure_.mechanism().bodies)) {
+            for (const BodyIndex j : structure_.mechanism().bodies_after(i)) found = (!solved(pair(i, j)) && rule(i, j)) || found;
         }
         return found;
     };
@@ -273,12 +271,12 @@ std::vector<InstantCentres::Place> InstantCentres::places_of(BodyIndex first, Bo
         for (const NodeIndex node : structure_.nodes_of(body))
             places.push_back({diagram_.place(node), structure_.node(node).label, structure_.node(node).point});
     }
-    for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+    for (const NodeIndex node : indices_of(structure_.nodes())) {
         const Drawing there = diagram_.place(node);
         if (places.empty() || board_.coincide(places.front().at, there)) continue;
         places.push_back({there, structure_.node(node).label, structure_.node(node).point});
         const auto aside = board_.turn(board_.vector(places.front().at, there));
-        places.push_back({board_.carry(places.front().at, aside), places.front().name, -1});
+        places.push_back({board_.carry(places.front().at, aside), places.front().name, none});
         break;
     }
     return places;
@@ -288,7 +286,7 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
     const BodyIndex i = entry.centre.first, j = entry.centre.second;
     const auto& track = motion.velocity;
     std::vector<std::pair<LineOn<Plane::drawing>, Place>> lines;
-    const int statement = say(Sentence::centre_from_velocities, {});
+    const StatementIndex statement = say(Sentence::centre_from_velocities, {});
     const auto settle_here = [&](Drawing point, const Place& first, const Place& second) {
         settle(entry, point, InstantCentre::How::velocities);
         entry.centre.statement = statement;
@@ -296,7 +294,7 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
         board_.statement(statement).message = {
             Sentence::centre_from_velocities,
             {symbol(i, j), PointName{two ? first.name : std::string()}, PointName{two ? second.name : std::string()}}};
-        if (first.point < 0 || second.point < 0) return;
+        if (first.point == none || second.point == none) return;
         entry.centre.normals = {first.point};
         if (two) entry.centre.normals.push_back(second.point);
     };
@@ -330,7 +328,7 @@ void InstantCentres::from_velocities(Pair& entry, const Motion& motion) {
 void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vector<SecondWay>& results) {
     const auto& track = motion.velocity;
     if (!track.turns(driver) || !pair(frame, driver).point || board_.is_at_infinity(*pair(frame, driver).point)) return;
-    for (BodyIndex body = 1; body < count_; ++body) {
+    for (const BodyIndex body : structure_.mechanism().moving_bodies()) {
         if (body == driver || !track.turns(body)) continue;
         const Pair& absolute = pair(frame, body);
         const Pair& relative = pair(driver, body);
@@ -339,7 +337,7 @@ void InstantCentres::second_way(const Motion& motion, BodyIndex driver, std::vec
         if (board_.coincide(*absolute.point, *relative.point)) continue;
         Symbol omega{Symbol::Letter::omega, structure_.body_name(body), {}};
         Symbol omega_driver{Symbol::Letter::omega, structure_.body_name(driver), {}};
-        const int statement =
+        const StatementIndex statement =
             say(Sentence::second_way, {omega, symbol(frame, driver), symbol(frame, body), symbol(driver, body), omega_driver});
         board_.statement(statement).section = Topic::velocity;
         const auto from_driver = board_.vector(*pair(frame, driver).point, *relative.point);

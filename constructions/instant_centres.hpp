@@ -24,7 +24,7 @@ public:
     /// `freedoms`: of the mechanism; with more than one a centre found so holds for this ratio of the drivers.
     void complete(const Motion& motion, int freedoms);
     /// Angular velocities once more, by instant centres: ω_b = ω_d · P_1d P_db / P_1b P_db for a body d driven against the frame.
-    void second_way(const Motion& motion, int driven_body, std::vector<SecondWay>& results);
+    void second_way(const Motion& motion, BodyIndex driven_body, std::vector<SecondWay>& results);
 
     std::vector<InstantCentre> results() const;
 
@@ -36,14 +36,14 @@ private:
     };
     /// A line on which the centre of a pair lies.
     struct Line {
-        BodyIndex by = -1;  ///< over which body (Kennedy), or −1: …
-        int normal = -1;    ///< … which of the pair's normals
+        BodyIndex by = none;  ///< over which body (Kennedy), or none: …
+        int normal = -1;      ///< … which of the pair's normals
     };
     std::size_t index(BodyIndex i, BodyIndex j) const;
     Pair& pair(BodyIndex i, BodyIndex j) { return pairs_[index(i, j)]; }
     bool solved(const Pair& pair) const { return pair.point.has_value() || pair.centre.everywhere; }
     Symbol symbol(BodyIndex i, BodyIndex j);
-    int say(Sentence sentence, std::vector<Argument> arguments);
+    StatementIndex say(Sentence sentence, std::vector<Argument> arguments);
     void settle(Pair& pair, PointOn<Plane::drawing> point, InstantCentre::How how);
     void primary(JointIndex joint);
     void primary(JointIndex joint, BodyIndex i, BodyIndex j);
@@ -54,11 +54,11 @@ private:
     bool by_coincidence(BodyIndex i, BodyIndex j);
     std::vector<BodyIndex> intermediates(BodyIndex i, BodyIndex j);
     LineOn<Plane::drawing> line_over(BodyIndex i, BodyIndex k, BodyIndex j);
-    /// Where a relative velocity may be drawn; `point` −1: at no point of the file's.
+    /// Where a relative velocity may be drawn; `point` none: at no point of the file's.
     struct Place {
         PointOn<Plane::drawing> at;
         std::string name;
-        PointIndex point = -1;
+        PointIndex point = none;
     };
     std::vector<Place> places_of(BodyIndex first, BodyIndex second);
     void from_velocities(Pair& pair, const Motion& motion);

@@ -8,7 +8,8 @@
 
 namespace kinegraph {
 
-using NodeIndex = int;
+struct Node;
+using NodeIndex = ListIndex<Node>;
 
 /// A known vector between the tips of two nodes, over which a locus of the one becomes a locus of the other.
 struct Carry {
@@ -17,9 +18,9 @@ struct Carry {
         roll    ///< the points in contact of two bodies that roll on each other, `to` the one on `body`
     };
     Kind kind = Kind::image;
-    BodyIndex body = -1;
-    JointIndex joint = -1;
-    NodeIndex from = -1, to = -1;
+    BodyIndex body = none;
+    JointIndex joint = none;
+    NodeIndex from = none, to = none;
 };
 
 /// A line on which the tip of a node must lie: from a known base along one direction.
@@ -37,12 +38,12 @@ struct Locus {
         roll           ///< closings alone: in contact with a point of a body on which it rolls: any line through that point's tip
     };
     Kind kind = Kind::rotation;
-    BodyIndex body = -1;  ///< the body that carries the node
-    NodeIndex node = -1;  ///< whose tip it holds
-    NodeIndex base = -1;
-    JointIndex joint = -1;
-    BodyIndex guide = -1;  ///< slides: the body with the guide
-    bool inverse = false;  ///< the node is the guide's point, the base the slider's
+    BodyIndex body = none;  ///< the body that carries the node
+    NodeIndex node = none;  ///< whose tip it holds
+    NodeIndex base = none;
+    JointIndex joint = none;
+    BodyIndex guide = none;  ///< slides: the body with the guide
+    bool inverse = false;    ///< the node is the guide's point, the base the slider's
     int driver = -1;
     bool across = false;         ///< roll: along the common normal, else along the tangent
     std::vector<Carry> carries;  ///< one after the other, from `node` to the node sought

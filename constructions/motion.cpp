@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// A name that is one letter with digits reads well beside another such: BA, O2A.
 bool is_short(const std::string& name) {
@@ -68,18 +68,18 @@ private:
     }
 
     template <Plane plane>
-    int begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
-        if (hand_ != Hand::solution) return -1;
+    StatementIndex begin(Sentence sentence, std::vector<Argument> arguments, std::string source) {
+        if (hand_ != Hand::solution) return none;
         return state<plane>(board_, sentence, std::move(arguments), std::move(source));
     }
     /// A sentence that ends with the ω or α of a body.
     template <Plane plane>
     void begin_spin(BodyIndex found, Sentence sentence, std::vector<Argument> arguments, std::string source) {
-        const int statement = begin<plane>(sentence, std::move(arguments), std::move(source));
-        if (found >= 0) said(statement).finds = {spin_quantity<plane>(found)};
+        const StatementIndex statement = begin<plane>(sentence, std::move(arguments), std::move(source));
+        if (found != none) said(statement).finds = {spin_quantity<plane>(found)};
     }
     /// The sentence begun, to complete it; in a trial nothing is said, and what is written here is forgotten.
-    Statement& said(int statement) { return statement < 0 ? unsaid_ : board_.statement(statement); }
+    Statement& said(StatementIndex statement) { return statement == none ? unsaid_ : board_.statement(statement); }
     int trial() const { return hand_ == Hand::first_trial ? 1 : hand_ == Hand::second_trial ? 2 : 0; }
 
     // --- drawing -----------------------------------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ private:
     }
 
     template <Plane plane>
-    void draw_line(const Track<plane>& track, LineOn<plane> line, LineReason reason, std::vector<int> points) {
+    void draw_line(const Track<plane>& track, LineOn<plane> line, LineReason reason, std::vector<ElementIndex> points) {
         if (hand_ != Hand::silent) pen(track).line(line, std::move(reason), std::move(points));
     }
 
@@ -127,7 +127,7 @@ private:
     void start(Track<plane>& track) {
         track.tips.resize(structure_.nodes().size());
         track.spins.resize(mechanism_.bodies.size());
-        track.spins[frame] = board_.number(0);
+        track.spins[at(frame)] = board_.number(0);
         for (const NodeIndex index : structure_.nodes_of(frame)) set_tip(track, index, board_.pole<plane>(), false);
     }
 
@@ -163,7 +163,7 @@ private:
 
     /// Where a joint is, for readers: its point stands in the drawing, its own name does not.
     PointName place_of(const Joint& joint) const {
-        return {joint.point >= 0 ? mechanism_.points[at(joint.point)].name : joint.name};
+        return {joint.point != none ? mechanism_.points[at(joint.point)].name : joint.name};
     }
 
     /// A sleeve or a weld lets no relative rotation: ω_i = ω_j, always, so α_i = α_j too.
@@ -237,16 +237,17 @@ private:
     void draw_image(Track<plane>& track, const Step& step) {
         if (!track.has(step.base) || !track.turns(step.body)) return;
         const bool rest = at_rest(step.base);
-        const int statement = rest ? begin<plane>(either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration),
-                                                  {body(step.body), PointName{node(step.base).label},
-                                                   PointName{node(step.node).label}, absolute<plane>(step.node),
-                                                   is_velocity<plane> ? Argument(spin_of<plane>(step.body))
-                                                                      : Argument(absolute<plane>(step.node, "t"))},
-                                                  "Rivals")
-                                   : begin<plane>(either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
-                                                  {PointName{node(step.node).label}, body(step.body), absolute<plane>(step.node),
-                                                   PointName{node(step.base).label}},
-                                                  "Rivals");
+        const StatementIndex statement =
+            rest ? begin<plane>(
+                       either<plane>(Sentence::crank_velocity, Sentence::crank_acceleration),
+                       {body(step.body), PointName{node(step.base).label}, PointName{node(step.node).label},
+                        absolute<plane>(step.node),
+                        is_velocity<plane> ? Argument(spin_of<plane>(step.body)) : Argument(absolute<plane>(step.node, "t"))},
+                       "Rivals")
+                 : begin<plane>(either<plane>(Sentence::image_velocity, Sentence::image_acceleration),
+                                {PointName{node(step.node).label}, body(step.body), absolute<plane>(step.node),
+                                 PointName{node(step.base).label}},
+                                "Rivals");
         const auto join = diagram_.join(step.base, step.node);
         PointOn<plane> tip = track.tip(step.base);
         if constexpr (is_velocity<plane>) {
@@ -333,7 +334,7 @@ private:
             const PointOn<plane> from = track.tip(step.base);
             const PointOn<plane> tip = board_.carry(from, rolling_offset(step.joint, step.body));
             if (!rest)
-                draw_vector(track, normal, {carried(step.node), carried(step.base), -1}, from, tip, colour_of(step.node),
+                draw_vector(track, normal, {carried(step.node), carried(step.base), none}, from, tip, colour_of(step.node),
                             DrawnVector::Role::normal);
             set_tip(track, step.node, tip, true);
         }
@@ -353,7 +354,8 @@ private:
     template <Plane plane>
     void draw_meet(Track<plane>& track, const Step& step) {
         if (!ready(track, step.first) || !ready(track, step.second)) return;
-        const int statement = begin<plane>(either<plane>(Sentence::two_lines_velocity, Sentence::two_lines_acceleration), {}, "");
+        const StatementIndex statement =
+            begin<plane>(either<plane>(Sentence::two_lines_velocity, Sentence::two_lines_acceleration), {}, "");
         const Chain<plane> first = chain(track, step.first);
         const Chain<plane> second = chain(track, step.second);
         const auto met = board_.meet(first.line, second.line);
@@ -412,7 +414,7 @@ private:
     void draw_auxiliary(Track<plane>& track, const Step& step) {
         if (!ready(track, step.first) || !ready(track, step.second)) return;
         if (!is_velocity<plane> && !motion_.velocity.turns(step.body)) return;
-        const int statement = begin<plane>(Sentence::auxiliary_point, {}, "Assur");
+        const StatementIndex statement = begin<plane>(Sentence::auxiliary_point, {}, "Assur");
         LineOn<plane> lines[2];
         LineReason reasons[2];
         PointOn<plane> ends[2];
@@ -486,9 +488,10 @@ private:
     /// since all is linear the true value follows from how far the two drawings miss.
     template <Plane plane>
     void assume(Track<plane>& track, const Step& step) {
-        if (step.node >= 0 && !ready(track, step.first)) return;
+        if (step.node != none && !ready(track, step.first)) return;
         if (!step.closing.found()) return set_assumed(track, step, assumed_of(track, step), &step == moved_ ? 1 : 0);
-        begin<plane>(step.node >= 0 ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments<plane>(step), "");
+        begin<plane>(step.node != none ? Sentence::trial_on_line : Sentence::trial_of_spin, assumption_arguments<plane>(step),
+                     "");
         const Assumed<plane> assumed = assumed_of(track, step);
         VectorOn<plane> missed[2];
         ScalarHandle mismatch[2];
@@ -511,7 +514,7 @@ private:
             }
         }
         hand_ = hand;
-        begin_spin<plane>(step.node >= 0 ? -1 : step.body,
+        begin_spin<plane>(step.node != none ? none : step.body,
                           step.closing.locus ? Sentence::trial_closes_on_line : Sentence::trial_closes_by_spin,
                           closing_arguments<plane>(step), "");
         const ScalarHandle share = step.closing.locus ? share_by_line(missed, diagram_.direction(*step.closing.locus))
@@ -541,7 +544,7 @@ private:
     template <Plane plane>
     Assumed<plane> assumed_of(Track<plane>& track, const Step& step) {
         Assumed<plane> assumed;
-        if (step.node < 0) {
+        if (step.node == none) {
             assumed.spins[0] = board_.number(0);
             assumed.spins[1] = board_.number(1);
             return assumed;
@@ -554,7 +557,7 @@ private:
 
     template <Plane plane>
     void set_assumed(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, int which) {
-        if (step.node < 0) {
+        if (step.node == none) {
             track.spins[at(step.body)] = assumed.spins[which];
             return;
         }
@@ -572,7 +575,7 @@ private:
     /// The true value: so many parts of the way from the first trial to the second.
     template <Plane plane>
     void settle(Track<plane>& track, const Step& step, const Assumed<plane>& assumed, ScalarHandle share) {
-        if (step.node < 0) {
+        if (step.node == none) {
             track.spins[at(step.body)] = board_.product(share, assumed.spins[1]);
             return;
         }
@@ -610,13 +613,13 @@ private:
 
     template <Plane plane>
     std::vector<Argument> assumption_arguments(const Step& step) {
-        if (step.node < 0) return {spin_of<plane>(step.body)};
+        if (step.node == none) return {spin_of<plane>(step.body)};
         return {image<plane>(step.node), reason_of(step.first)};
     }
 
     template <Plane plane>
     std::vector<Argument> closing_arguments(const Step& step) {
-        const Symbol assumed = step.node >= 0 ? image<plane>(step.node) : spin_of<plane>(step.body);
+        const Symbol assumed = step.node != none ? image<plane>(step.node) : spin_of<plane>(step.body);
         if (!step.closing.locus) return {spin_of<plane>(step.closing.body), spin_of<plane>(step.closing.other), assumed};
         return {image<plane>(step.closing.locus->node), reason_of(*step.closing.locus), assumed};
     }
@@ -636,10 +639,10 @@ private:
             const PointOn<plane> next = set_off(drawn, link, here);
             const bool backwards = is_backwards(drawn.inverse, link.shift);
             draw_vector(track, link.term.symbol, link.seen, backwards ? next : here, backwards ? here : next,
-                        link.term.body < 0 ? colour : link.term.body, link.role);
+                        link.term.body == none ? colour : link.term.body, link.role);
             here = next;
         }
-        const BodyIndex sought_colour = drawn.sought.body < 0 ? colour : drawn.sought.body;
+        const BodyIndex sought_colour = drawn.sought.body == none ? colour : drawn.sought.body;
         if (drawn.inverse) {
             draw_vector(track, drawn.sought.symbol, drawn.seen, met, drawn.end, sought_colour, drawn.role);
         } else {

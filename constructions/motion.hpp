@@ -29,18 +29,16 @@ struct Track {
     std::vector<std::optional<ScalarHandle>> spins;                         ///< by BodyIndex
     std::map<std::pair<NodeIndex, NodeIndex>, VectorOn<plane>> tangential;  ///< (base, node): v_BA or a_BA^t as drawn
 
-    bool has(NodeIndex node) const {
-        return static_cast<std::size_t>(node) < tips.size() && tips[static_cast<std::size_t>(node)].has_value();
-    }
-    PointOn<plane> tip(NodeIndex node) const { return tips[static_cast<std::size_t>(node)].value(); }
-    bool turns(BodyIndex body) const { return spins[static_cast<std::size_t>(body)].has_value(); }
-    ScalarHandle spin(BodyIndex body) const { return spins[static_cast<std::size_t>(body)].value(); }
+    bool has(NodeIndex node) const { return at_index(node) < tips.size() && tips[at_index(node)].has_value(); }
+    PointOn<plane> tip(NodeIndex node) const { return tips[at_index(node)].value(); }
+    bool turns(BodyIndex body) const { return spins[at_index(body)].has_value(); }
+    ScalarHandle spin(BodyIndex body) const { return spins[at_index(body)].value(); }
 };
 
 /// Two known points of one body whose velocities have different projections on their join: no rigid motion has them.
 struct Contradiction {
-    BodyIndex body = -1;
-    NodeIndex first = -1, second = -1;
+    BodyIndex body = none;
+    NodeIndex first = none, second = none;
 };
 
 struct Motion {

@@ -11,8 +11,7 @@
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// Trials within trials: three unknowns at once are 27 drawings, and no mechanism met so far needs more.
 constexpr int deepest_nesting = 3;
@@ -24,7 +23,7 @@ struct Quantities {
 };
 
 void add_inputs(const Locus& locus, Quantities& inputs) {
-    if (locus.base >= 0) inputs.tips.insert(locus.base);
+    if (locus.base != none) inputs.tips.insert(locus.base);
     if (locus.kind == Locus::Kind::image) inputs.spins.insert(locus.body);
     for (const Carry& carry : locus.carries) {
         if (carry.kind == Carry::Kind::image) inputs.spins.insert(carry.body);
@@ -67,7 +66,7 @@ void add_inputs(const Step& step, Quantities& inputs) {
             add_inputs(step.second, inputs);
             return;
         case Step::Kind::assume:
-            if (step.node >= 0) add_inputs(step.first, inputs);
+            if (step.node != none) add_inputs(step.first, inputs);
             for (const Step& inner : step.trial) add_inputs(inner, inputs);
             add_inputs(step.closing, inputs);
             return;
@@ -77,7 +76,7 @@ void add_inputs(const Step& step, Quantities& inputs) {
 bool gives_spin(const Step& step) {
     return step.kind == Step::Kind::spin_by_joint || step.kind == Step::Kind::spin_by_driver ||
            step.kind == Step::Kind::spin_from_pair || step.kind == Step::Kind::spin_from_parallels ||
-           (step.kind == Step::Kind::assume && step.node < 0);
+           (step.kind == Step::Kind::assume && step.node == none);
 }
 
 bool gives_any(const Step& step, const Quantities& wanted) {
@@ -95,7 +94,7 @@ public:
           determined_(determined) {
         plan_.bodies.assign(mechanism_.bodies.size(), false);
         plan_.spins.assign(mechanism_.bodies.size(), false);
-        plan_.bodies[frame] = plan_.spins[frame] = true;
+        plan_.bodies[at(frame)] = plan_.spins[at(frame)] = true;
     }
 
     Plan run() {
@@ -135,7 +134,7 @@ private:
     std::size_t gains() const {
         std::size_t count = 0;
         for (std::size_t node = 0; node < plan_.nodes.size(); ++node) {
-            const bool of_mechanism = structure_.node(static_cast<NodeIndex>(node)).carried;
+            const bool of_mechanism = structure_.node(NodeIndex(node)).carried;
             count += of_mechanism && plan_.nodes[node] ? 1 : 0;
         }
         for (const bool spin : plan_.spins) count += spin ? 1 : 0;
@@ -145,10 +144,10 @@ private:
     /// Leaves out what leads to nothing: auxiliary points and places seen on a body that no later step uses.
     void prune() {
         Quantities wanted;
-        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+        for (const NodeIndex node : indices_of(structure_.nodes())) {
             if (structure_.node(node).carried || structure_.node(node).of_interest) wanted.tips.insert(node);
         }
-        for (BodyIndex body = 0; at(body) < plan_.spins.size(); ++body) wanted.spins.insert(body);
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) wanted.spins.insert(body);
         std::vector<Step> kept;
         for (std::size_t i = plan_.steps.size(); i-- > 0;) {
             Step& step = plan_.steps[i];
@@ -173,7 +172,7 @@ private:
 
     /// Makes room for nodes added since.
     void sync() {
-        for (auto index = static_cast<NodeIndex>(plan_.nodes.size()); at(index) < structure_.nodes().size(); ++index) {
+        while (plan_.nodes.size() < structure_.nodes().size()) {
             plan_.nodes.push_back(false);
             parallel_at_.push_back(0);
         }
@@ -181,10 +180,10 @@ private:
 
     /// The node of a point on a body, known if it can be: on a body wholly known by an image step of its own.
     NodeIndex known_on(PointIndex point, BodyIndex body) {
-        if (point < 0) return -1;
+        if (point == none) return none;
         if (!body_known(body)) {
             const NodeIndex node = structure_.find(point, body);
-            return node >= 0 && known(node) ? node : -1;
+            return node != none && known(node) ? node : none;
         }
         const NodeIndex node = structure_.on(point, body);
         sync();
@@ -202,11 +201,11 @@ private:
 
     /// The best node to turn the image about: one at rest, else the first known.
     NodeIndex base_of(BodyIndex body, NodeIndex except) const {
-        NodeIndex best = -1;
+        NodeIndex best = none;
         for (const NodeIndex node : structure_.nodes_of(body)) {
             if (node == except || !known(node)) continue;
             if (structure_.node(node).bodies.front() == frame) return node;
-            if (best < 0) best = node;
+            if (best == none) best = node;
         }
         return best;
     }
@@ -217,7 +216,7 @@ private:
         step.body = body;
         step.node = node;
         step.base = base_of(body, node);
-        KG_ASSERT(step.base >= 0, "a body wholly known has a known node");
+        KG_ASSERT(step.base != none, "a body wholly known has a known node");
         add_step(step);
         plan_.nodes[at(node)] = true;
     }
@@ -237,8 +236,7 @@ private:
 
     bool learn_spins() {
         bool learnt = false;
-        for (std::size_t b = 0; b < plan_.spins.size(); ++b) {
-            const auto body = static_cast<BodyIndex>(b);
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) {
             if (!spin_known(body)) continue;
             for (const auto& [other, joint] : structure_.same_spin(body)) {
                 if (spin_known(other)) continue;
@@ -268,27 +266,26 @@ private:
 
     bool learn_bodies() {
         bool learnt = false;
-        for (std::size_t b = 0; b < plan_.bodies.size(); ++b) {
-            const auto body = static_cast<BodyIndex>(b);
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) {
             if (body_known(body)) continue;
-            const NodeIndex base = base_of(body, -1);
-            if (base < 0) continue;
+            const NodeIndex base = base_of(body, none);
+            if (base == none) continue;
             if (!spin_known(body)) {
-                NodeIndex second = -1;
+                NodeIndex second = none;
                 for (const NodeIndex node : structure_.nodes_of(body)) {
                     if (node != base && known(node) && apart(base, node)) {
                         second = node;
                         break;
                     }
                 }
-                if (second < 0) continue;
+                if (second == none) continue;
                 Step step;
                 step.kind = Step::Kind::spin_from_pair;
                 step.body = body;
                 step.base = base;
                 step.node = second;
                 add_step(step);
-                plan_.spins[b] = true;
+                plan_.spins[at(body)] = true;
             }
             learn_body(body);
             learnt = true;
@@ -304,14 +301,13 @@ private:
     /// Where two bodies roll on each other and the point of one is known, so is the point of the other.
     bool learn_rolling_points() {
         bool learnt = false;
-        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
-        for (BodyIndex body = 0; body < bodies; ++body) {
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) {
             if (body_known(body)) continue;
             for (const Rolling& rolling : structure_.rollings_of(body)) {
                 const NodeIndex node = structure_.on(rolling.point, body);
                 if (known(node)) continue;
                 const NodeIndex base = known_on(rolling.point, rolling.other);
-                if (base < 0 || base == node) continue;
+                if (base == none || base == node) continue;
                 Step step;
                 step.kind = Step::Kind::roll;
                 step.body = body;
@@ -328,8 +324,7 @@ private:
 
     /// The places by which higher pairs hold their bodies, on both; the file need not list them.
     void add_places_of_higher_pairs() {
-        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
-        for (BodyIndex body = 0; body < bodies; ++body) {
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) {
             for (const Rolling& rolling : structure_.rollings_of(body)) structure_.on(rolling.point, body);
             for (const Passage& passage : structure_.passages_of(body)) {
                 if (mechanism_.joints[at(passage.joint)].pair().touches()) structure_.on(passage.own, body);
@@ -346,10 +341,10 @@ private:
                 const BodyIndex body = joint.bodies[inverse ? 1 : 0], other = joint.bodies[inverse ? 0 : 1];
                 if (body_known(body)) continue;
                 NodeIndex base = known_on(joint.point, other);
-                if (base < 0 && joint.pair().holds_rotation) {  // any known place of the other serves: no relative rotation
-                    base = base_of(other, -1);
+                if (base == none && joint.pair().holds_rotation) {  // any known place of the other serves: no relative rotation
+                    base = base_of(other, none);
                 }
-                if (base < 0 || structure_.node(base).point < 0) continue;
+                if (base == none || structure_.node(base).point == none) continue;
                 const NodeIndex node = structure_.on(structure_.node(base).point, body);
                 sync();
                 if (known(node)) continue;
@@ -388,7 +383,7 @@ private:
             if (body == except) continue;
             if (!spin_known(body)) {
                 const NodeIndex base = base_of(body, node);
-                if (base >= 0 && apart(base, node)) loci.push_back(rotation(body, base, node));
+                if (base != none && apart(base, node)) loci.push_back(rotation(body, base, node));
             }
             const std::vector<Slide>& sleeves = structure_.sleeves_of(body);
             for (const Slide& slide : sleeves) add_sleeve(slide, node, point, body, loci);
@@ -410,7 +405,7 @@ private:
 
     /// The node of a point on the other body of a slide, where it is known and may be looked at.
     NodeIndex base_on(PointIndex point, BodyIndex other) {
-        if (point < 0 || (thrifty_ && other != frame && structure_.find(point, other) < 0)) return -1;
+        if (point == none || (thrifty_ && other != frame && structure_.find(point, other) == none)) return none;
         return known_on(point, other);
     }
 
@@ -429,7 +424,7 @@ private:
 
     void add_sleeve(const Slide& slide, NodeIndex node, PointIndex point, BodyIndex body, std::vector<Locus>& loci) {
         const NodeIndex base = base_on(point, slide.other);
-        if (base < 0 || base == node) return;
+        if (base == none || base == node) return;
         Locus locus = past(slide, body, node, base);
         locus.kind = Locus::Kind::sleeve;
         loci.push_back(locus);
@@ -437,7 +432,7 @@ private:
 
     void add_passage(const Passage& passage, NodeIndex node, BodyIndex body, std::vector<Locus>& loci) {
         const NodeIndex base = base_on(passage.others, passage.other);
-        if (base < 0 || base == node) return;
+        if (base == none || base == node) return;
         Locus locus = past(passage, body, node, base);
         switch (passage.kind) {
             case Passage::Kind::slot:
@@ -459,7 +454,7 @@ private:
 
     /// A node to which loci of others can be carried, and how from there to the node sought.
     struct Reached {
-        NodeIndex node = -1;
+        NodeIndex node = none;
         std::vector<Carry> carries;
     };
 
@@ -480,21 +475,21 @@ private:
                 for (const Rolling& rolling : structure_.rollings_of(body)) {
                     if (rolling.point != structure_.node(here).point) continue;
                     const NodeIndex other = structure_.find(rolling.point, rolling.other);
-                    if (other >= 0) reach(i, Carry::Kind::roll, body, rolling.joint, other);
+                    if (other != none) reach(i, Carry::Kind::roll, body, rolling.joint, other);
                 }
                 if (!spin_known(body) || body_known(body)) continue;
-                for (const NodeIndex other : structure_.nodes_of(body)) reach(i, Carry::Kind::image, body, -1, other);
+                for (const NodeIndex other : structure_.nodes_of(body)) reach(i, Carry::Kind::image, body, none, other);
             }
         }
         return reached;
     }
 
     /// All loci of a node, through any body that carries it but `except`: its own, and those carried to it.
-    std::vector<Locus> loci_of(NodeIndex node, BodyIndex except = -1) {
+    std::vector<Locus> loci_of(NodeIndex node, BodyIndex except = none) {
         std::vector<Locus> loci;
         for (const Reached& reached : reached_from(node)) {
             std::vector<Locus> there;
-            own_loci(reached.node, reached.node == node ? except : -1, there);
+            own_loci(reached.node, reached.node == node ? except : none, there);
             for (Locus& locus : there) {
                 // A sleeve of a body whose ω is known holds every one of its points alike: nothing new.
                 const bool repeats = std::any_of(reached.carries.begin(), reached.carries.end(), [&](const Carry& carry) {
@@ -511,16 +506,15 @@ private:
     /// Nodes that may be sought: those of the file, then the places where a sleeve lets one body's known point be seen on the
     /// other.
     std::vector<NodeIndex> candidates() {
-        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
         // A* of the guide under the slider's pin is the place a book takes; the slider's under the guide's pin serves as well.
         for (const bool on_guide : {true, false}) {
-            for (BodyIndex body = 0; body < bodies; ++body) {
+            for (const BodyIndex body : indices_of(mechanism_.bodies)) {
                 if (!body_known(body)) add_places_of_slides(body, on_guide);
             }
         }
         sync();
         std::vector<NodeIndex> order;
-        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+        for (const NodeIndex node : indices_of(structure_.nodes())) {
             const auto& bodies_there = structure_.node(node).bodies;
             // On a body wholly known every place is there for the asking.
             const bool is_there =
@@ -541,12 +535,12 @@ private:
             const std::vector<NodeIndex> others = structure_.nodes_of(slide.other);
             for (const NodeIndex other : others) {
                 const bool wanted = structure_.node(other).carried || !body_known(slide.other);
-                if (wanted && known(other) && structure_.node(other).point >= 0)
+                if (wanted && known(other) && structure_.node(other).point != none)
                     structure_.on(structure_.node(other).point, body);
             }
         }
         for (const Passage& passage : structure_.passages_of(body)) {
-            if (passage.inverse == on_guide && known_on(passage.others, passage.other) >= 0) structure_.on(passage.own, body);
+            if (passage.inverse == on_guide && known_on(passage.others, passage.other) != none) structure_.on(passage.own, body);
         }
     }
 
@@ -595,9 +589,8 @@ private:
 
     /// Class III: a body with two loci has its auxiliary (Assur) point known, or its ω where the loci are parallel.
     bool find_auxiliary() {
-        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
-        for (BodyIndex body = 1; body < bodies; ++body) {
-            if (spin_known(body) || base_of(body, -1) >= 0) continue;
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            if (spin_known(body) || base_of(body, none) != none) continue;
             std::vector<Locus> loci;
             const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
             for (const NodeIndex node : nodes) {
@@ -613,7 +606,7 @@ private:
     void own_slides(BodyIndex body, const std::vector<NodeIndex>& nodes, std::vector<Locus>& loci) {
         for (const NodeIndex node : nodes) {
             std::vector<Locus> all;
-            own_loci(node, -1, all);
+            own_loci(node, none, all);
             for (const Locus& locus : all) {
                 if (locus.body == body) loci.push_back(locus);
             }
@@ -694,7 +687,7 @@ private:
     bool attempt(const Step& guess, int depth) {
         const std::size_t assumed = plan_.steps.size();
         add_step(guess);
-        if (guess.node >= 0) {
+        if (guess.node != none) {
             plan_.nodes[at(guess.node)] = true;
         } else {
             plan_.spins[at(guess.body)] = true;
@@ -716,7 +709,7 @@ private:
             if (loci.empty()) continue;
             // A line that a point at rest gives is the easiest to see.
             const auto at_rest = [&](const Locus& locus) {
-                return locus.base >= 0 && structure_.node(locus.base).bodies.front() == frame;
+                return locus.base != none && structure_.node(locus.base).bodies.front() == frame;
             };
             const auto best = std::find_if(loci.begin(), loci.end(), at_rest);
             Step guess;
@@ -725,11 +718,11 @@ private:
             guess.first = best == loci.end() ? loci.front() : *best;
             found.push_back(std::move(guess));
         }
-        for (std::size_t body = 1; body < plan_.spins.size(); ++body) {
-            if (plan_.spins[body] || base_of(static_cast<BodyIndex>(body), -1) >= 0) continue;
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            if (spin_known(body) || base_of(body, none) != none) continue;
             Step guess;
             guess.kind = Step::Kind::assume;
-            guess.body = static_cast<BodyIndex>(body);
+            guess.body = body;
             found.push_back(std::move(guess));
         }
         return found;
@@ -738,9 +731,8 @@ private:
     /// Looks for a condition that the assumption moves; finds what must be drawn from it to the condition.
     bool close(std::size_t assumed) {
         std::optional<Closing> closing = moved_condition(assumed);
-        for (JointIndex joint = 0; !closing && at(joint) < mechanism_.joints.size(); ++joint) {
-            closing = moved_condition_at(joint, assumed);
-        }
+        for (const JointIndex joint : indices_of(mechanism_.joints))
+            if (!closing) closing = moved_condition_at(joint, assumed);
         if (!closing) return false;
         Quantities wanted;
         add_inputs(*closing, wanted);
@@ -771,8 +763,9 @@ private:
         for (const Closing& condition : all) {
             if (!is_broken(structure_, board_, moved, condition)) continue;
             const bool line_at_rest =
-                condition.locus && (condition.locus->base < 0 || board_.is_zero(board_.vector(board_.pole<Plane::velocity>(),
-                                                                                              moved.tip(condition.locus->base))));
+                condition.locus &&
+                (condition.locus->base == none ||
+                 board_.is_zero(board_.vector(board_.pole<Plane::velocity>(), moved.tip(condition.locus->base))));
             if (line_at_rest) return condition;
             if (!first) first = condition;
         }
@@ -797,9 +790,10 @@ private:
         const Joint& joint = mechanism_.joints[at(index)];
         const BodyIndex body = joint.bodies[0];
         if (joint.pair().is_sleeve() || joint.pair().rolls())
-            return known_on(joint.point, body) >= 0 && known_on(joint.point, joint.bodies[1]) >= 0;
+            return known_on(joint.point, body) != none && known_on(joint.point, joint.bodies[1]) != none;
         for (const Passage& passage : structure_.passages_of(body)) {
-            if (passage.joint == index) return known_on(passage.own, body) >= 0 && known_on(passage.others, passage.other) >= 0;
+            if (passage.joint == index)
+                return known_on(passage.own, body) != none && known_on(passage.others, passage.other) != none;
         }
         return false;
     }
@@ -807,18 +801,17 @@ private:
     /// All that the bodies reached must fulfil; most of it does by the way it was drawn.
     std::vector<Closing> conditions(const Track<Plane::velocity>& moved) {
         std::vector<Closing> found;
-        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
-        for (BodyIndex body = 1; body < bodies; ++body) {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
             add_rigidity(body, moved, found);
             if (moved.turns(body)) add_equal_spins(body, moved, found);
         }
         thrifty_ = true;
-        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+        for (const NodeIndex node : indices_of(structure_.nodes())) {
             if (!moved.has(node) || structure_.node(node).bodies.front() == frame) continue;
             std::vector<Locus> loci;
-            own_loci(node, -1, loci);
+            own_loci(node, none, loci);
             for (Locus& locus : loci) {
-                if (locus.kind == Locus::Kind::rotation || (locus.base >= 0 && !moved.has(locus.base))) continue;
+                if (locus.kind == Locus::Kind::rotation || (locus.base != none && !moved.has(locus.base))) continue;
                 Closing condition;
                 condition.locus = std::move(locus);
                 found.push_back(std::move(condition));
@@ -831,11 +824,11 @@ private:
 
     /// Two points of a body: equal projections on their join and, where ω is known, the image ⟂ to it.
     void add_rigidity(BodyIndex body, const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
-        NodeIndex base = -1;
+        NodeIndex base = none;
         const std::vector<NodeIndex> nodes = structure_.nodes_of(body);
         for (const NodeIndex node : nodes) {
             if (!moved.has(node)) continue;
-            if (base < 0) {
+            if (base == none) {
                 base = node;
                 continue;
             }
@@ -854,8 +847,7 @@ private:
 
     /// Points in contact in rolling: alike along the tangent and along the normal.
     void add_rollings(const Track<Plane::velocity>& moved, std::vector<Closing>& found) {
-        const auto bodies = static_cast<BodyIndex>(mechanism_.bodies.size());
-        for (BodyIndex body = 1; body < bodies; ++body) {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
             for (const Rolling& rolling : structure_.rollings_of(body)) {
                 Locus locus;
                 locus.kind = Locus::Kind::roll;
@@ -863,7 +855,7 @@ private:
                 locus.joint = rolling.joint;
                 locus.node = structure_.find(rolling.point, body);
                 locus.base = structure_.find(rolling.point, rolling.other);
-                if (rolling.other > body || locus.node < 0 || locus.base < 0 || locus.node == locus.base) continue;
+                if (rolling.other > body || locus.node == none || locus.base == none || locus.node == locus.base) continue;
                 if (!moved.has(locus.node) || !moved.has(locus.base)) continue;
                 for (const bool across : {false, true}) {
                     locus.across = across;
@@ -884,7 +876,7 @@ private:
             locus.kind = Locus::Kind::driven_slide;
             locus.node = structure_.find(joint.point, joint.bodies[0]);
             locus.base = structure_.find(joint.point, joint.bodies[1]);
-            if (locus.node < 0 || locus.base < 0 || !moved.has(locus.node) || !moved.has(locus.base)) continue;
+            if (locus.node == none || locus.base == none || !moved.has(locus.node) || !moved.has(locus.base)) continue;
             locus.body = joint.bodies[0];
             locus.joint = slide->joint;
             locus.guide = joint.bodies[1];
@@ -904,7 +896,7 @@ private:
             condition.joint = joint;
             found.push_back(condition);
         }
-        condition.joint = -1;
+        condition.joint = none;
         for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
             const auto* spin = std::get_if<SpinDriver>(&mechanism_.drivers[d]);
             if (spin == nullptr || !use_driver_[d] || spin->body != body || !moved.turns(spin->relative_to)) continue;

@@ -21,10 +21,10 @@ namespace kinegraph {
 /// joint, or set by a driver between them).
 struct Closing {
     std::optional<Locus> locus;
-    BodyIndex body = -1, other = -1;
-    JointIndex joint = -1;
+    BodyIndex body = none, other = none;
+    JointIndex joint = none;
     int driver = -1;
-    bool found() const { return locus.has_value() || body >= 0; }
+    bool found() const { return locus.has_value() || body != none; }
 };
 
 struct Step {
@@ -38,14 +38,14 @@ struct Step {
         spin_from_pair,       ///< ω of `body` from `base` and `node`
         auxiliary,            ///< Assur's point `node` of `body`: where the perpendiculars to the loci of two nodes meet
         spin_from_parallels,  ///< ω of `body` from two parallel loci (auxiliary point at infinity)
-        assume  ///< the last rule: the place of `node` on the line `first`, or (node −1) ω of `body`, by two trials
+        assume  ///< the last rule: the place of `node` on the line `first`, or (node none) ω of `body`, by two trials
     };
     Kind kind = Kind::image;
-    BodyIndex body = -1, other = -1;
-    JointIndex joint = -1;
+    BodyIndex body = none, other = none;
+    JointIndex joint = none;
     int driver = -1;
     bool inverse = false;
-    NodeIndex node = -1, base = -1;
+    NodeIndex node = none, base = none;
     Locus first, second;
     std::vector<Step> trial;  ///< assume: what is drawn from each trial value, up to the closing
     Closing closing;          ///< assume
@@ -53,7 +53,7 @@ struct Step {
 
 /// Two loci that should have met but are parallel: a dead point of the group.
 struct DeadPoint {
-    NodeIndex node = -1;
+    NodeIndex node = none;
     Locus first, second;
 };
 

@@ -50,7 +50,7 @@ Quantity motion_quantity(const Seen& seen, DrawnVector::Role role) {
                 return Part::whole;
         }
     };
-    if (seen.of.body < 0) return {};
+    if (seen.of.body == none) return {};
     Quantity quantity{.kind = is_velocity<plane> ? Quantity::Kind::velocity : Quantity::Kind::acceleration,
                       .body = seen.of.body,
                       .point = seen.of.point,
@@ -72,7 +72,7 @@ constexpr Sentence either(Sentence velocity, Sentence acceleration) {
 
 /// Opens a sentence of the plane's section; returns its index.
 template <Plane plane>
-int state(Board& board, Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
+StatementIndex state(Board& board, Sentence sentence, std::vector<Argument> arguments, std::string source = {}) {
     Statement statement;
     statement.message = {sentence, std::move(arguments)};
     statement.section = is_velocity<plane> ? Topic::velocity : Topic::acceleration;
@@ -89,7 +89,6 @@ public:
     static int begin(Board& board, Polygon polygon) {
         polygon.plane = plane;
         const int index = board.add_polygon(std::move(polygon));
-        constexpr BodyIndex frame = 0;
         PolygonPen(board, index)
             .image({Symbol::Letter::pole, is_velocity<plane> ? "v" : "a", {}}, board.template pole<plane>(), frame);
         return index;
@@ -110,7 +109,7 @@ public:
         board_.draw(std::move(drawn));
     }
     /// A construction line through these point elements.
-    void line(LineOn<plane> line, LineReason reason, std::vector<int> points) const {
+    void line(LineOn<plane> line, LineReason reason, std::vector<ElementIndex> points) const {
         DrawnLine drawn;
         drawn.line = line.element;
         drawn.polygon = polygon_;

@@ -9,18 +9,17 @@
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// The node of a point that moves with the body the question is about: any of its nodes but one of the observer's own.
 NodeIndex node_of_point(const Structure& structure, PointIndex point, BodyIndex observer) {
-    NodeIndex best = -1;
-    for (NodeIndex node = 0; at(node) < structure.nodes().size(); ++node) {
+    NodeIndex best = none;
+    for (const NodeIndex node : indices_of(structure.nodes())) {
         if (structure.node(node).point != point) continue;
         const auto& bodies = structure.node(node).bodies;
         const bool observers = std::find(bodies.begin(), bodies.end(), observer) != bodies.end();
         if (!observers && structure.node(node).carried) return node;
-        if (best < 0 || structure.node(node).carried) best = node;
+        if (best == none || structure.node(node).carried) best = node;
     }
     return best;
 }
@@ -33,10 +32,10 @@ public:
     RelativeMotion see(const RelativeMotionQuery& query, bool with_accelerations) {
         RelativeMotion result;
         result.query = query;
-        translating_ = query.translating_with >= 0;
-        point_ = node_of_point(structure_, query.point, translating_ ? -1 : query.observer);
+        translating_ = query.translating_with != none;
+        point_ = node_of_point(structure_, query.point, translating_ ? none : query.observer);
         transport_ =
-            translating_ ? node_of_point(structure_, query.translating_with, -1) : structure_.on(query.point, query.observer);
+            translating_ ? node_of_point(structure_, query.translating_with, none) : structure_.on(query.point, query.observer);
         observer_ = query.observer;
         if (!motion_.velocity.has(point_) || !motion_.velocity.has(transport_)) return result;
         const auto v = velocities();
@@ -77,11 +76,11 @@ private:
     /// At a hinge the observer's place is of several bodies, of which its own tells how it turns.
     CarriedPlace transport() { return translating_ ? carried(transport_) : carried(transport_, observer_); }
     Seen seen_as(DrawnVector::Role role) {
-        if (role == DrawnVector::Role::absolute) return {carried(point_), {}, -1};
+        if (role == DrawnVector::Role::absolute) return {carried(point_), {}, none};
         // An observer that translates turns no more than the frame does.
-        if (role == DrawnVector::Role::coriolis && translating_) return {carried(point_), carried(transport_, frame), -1};
-        if (role == DrawnVector::Role::transport) return {transport(), {}, -1};
-        return {carried(point_), transport(), -1};
+        if (role == DrawnVector::Role::coriolis && translating_) return {carried(point_), carried(transport_, frame), none};
+        if (role == DrawnVector::Role::transport) return {transport(), {}, none};
+        return {carried(point_), transport(), none};
     }
 
     void say(Sentence rotating, Sentence translating, Symbol::Letter letter, const char* source) {
@@ -137,8 +136,8 @@ private:
     Board& board_;
     SpaceDiagram diagram_;
     const Motion& motion_;
-    NodeIndex point_ = -1, transport_ = -1;
-    BodyIndex observer_ = -1;
+    NodeIndex point_ = none, transport_ = none;
+    BodyIndex observer_ = none;
     bool translating_ = false;
 };
 
@@ -156,21 +155,21 @@ void add_nodes_of_interest(Structure& structure) {
         if (guide_first) structure.on(joint.point, frame, true);
     }
     for (const RelativeMotionQuery& query : mechanism.find.relative_motion) {
-        if (query.translating_with < 0) structure.on(query.point, query.observer, true);
+        if (query.translating_with == none) structure.on(query.point, query.observer, true);
     }
 }
 
 std::vector<Sliding> draw_slidings(Structure& structure, Board& board, const Motion& motion, bool with_accelerations) {
     const Mechanism& mechanism = structure.mechanism();
     std::vector<Sliding> results;
-    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
-        const Joint& joint = mechanism.joints[j];
+    for (const JointIndex index : indices_of(mechanism.joints)) {
+        const Joint& joint = mechanism.joint(index);
         if (!joint.pair().slides()) continue;
         const NodeIndex slider = structure.find(joint.point, joint.bodies[0]),
                         guide = structure.find(joint.point, joint.bodies[1]);
-        if (slider < 0 || guide < 0 || !motion.velocity.has(slider) || !motion.velocity.has(guide)) continue;
+        if (slider == none || guide == none || !motion.velocity.has(slider) || !motion.velocity.has(guide)) continue;
         Sliding result;
-        result.joint = static_cast<JointIndex>(j);
+        result.joint = index;
         const Symbol relative{Symbol::Letter::v, relative_name(structure.node(slider).label, structure.node(guide).label), {}};
         const bool on_rest = joint.bodies[1] == frame;
         const auto say = [&](Sentence sentence, const Symbol& symbol, Topic section) {

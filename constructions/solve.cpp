@@ -20,8 +20,7 @@
 namespace kinegraph {
 namespace {
 
-constexpr BodyIndex frame = 0;
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// What is to be found: what the file asks, else all that its data allow.
 struct Wanted {
@@ -120,19 +119,19 @@ private:
     /// The record cut to what is drawn and found; then its values are the solution's.
     void finish_record() {
         Protocol& protocol = solution_.protocol = std::move(board_).finish();
-        std::vector<int> wanted;
-        for_each_drawn(protocol, [&](int& element) { wanted.push_back(element); });
-        for_each_found(solution_, [&](int& element, auto&) { wanted.push_back(element); });
+        std::vector<ElementIndex> wanted;
+        for_each_drawn(protocol, [&](ElementIndex& element) { wanted.push_back(element); });
+        for_each_found(solution_, [&](ElementIndex& element, auto&) { wanted.push_back(element); });
         Cut record = cut(protocol.program, wanted, static_cast<int>(protocol.program.strokes.size()));
-        const auto renumber = [&](int& element) { element = record.element[at(element)]; };
+        const auto renumber = [&](ElementIndex& element) { element = record.element[at(element)]; };
         for_each_drawn(protocol, renumber);
-        for_each_found(solution_, [&](int& element, auto&) { renumber(element); });
+        for_each_found(solution_, [&](ElementIndex& element, auto&) { renumber(element); });
         for (int* settled : {&solution_.settled.velocities, &solution_.settled.accelerations, &solution_.settled.forces})
-            *settled = static_cast<int>(
-                std::count_if(record.element.begin(), record.element.begin() + *settled, [](int kept) { return kept >= 0; }));
+            *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
+                                                      [](ElementIndex kept) { return kept != none; }));
         std::vector<Value> values(record.program.strokes.size());
         for (std::size_t i = 0; i < record.element.size(); ++i)
-            if (record.element[i] >= 0) values[at(record.element[i])] = std::move(protocol.values[i]);
+            if (record.element[i] != none) values[at(record.element[i])] = std::move(protocol.values[i]);
         protocol.values = std::move(values);
         protocol.program = std::move(record.program);
         read_values(solution_, protocol.values);
@@ -172,12 +171,12 @@ private:
         }
         for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
         const BodyIndex moved = mechanism_.motion->body;
-        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
             if (body != moved) unsolved({Sentence::motion_of_body, {named(body)}}, {Sentence::one_body_only, {named(moved)}});
         }
         if (!wanted_.centres) return;
-        for (BodyIndex first = 0; at(first) < mechanism_.bodies.size(); ++first) {
-            for (BodyIndex second = first + 1; at(second) < mechanism_.bodies.size(); ++second) {
+        for (const BodyIndex first : indices_of(mechanism_.bodies)) {
+            for (const BodyIndex second : mechanism_.bodies_after(first)) {
                 InstantCentre centre;
                 centre.first = first;
                 centre.second = second;
@@ -247,7 +246,7 @@ private:
                         guide = structure_.find(joint.point, joint.bodies[1]);
         const auto& v = motion_.velocity;
         const auto& a = motion_.acceleration;
-        if (slider < 0 || guide < 0 || !v.has(slider) || !v.has(guide))
+        if (slider == none || guide == none || !v.has(slider) || !v.has(guide))
             return board_.is_zero(board_.driver_velocity(driver)) && board_.is_zero(board_.driver_acceleration(driver));
         const DirectionHandle along = board_.guide_unit(slide.joint);
         const auto velocity = board_.vector(v.tip(guide), v.tip(slider));
@@ -264,7 +263,7 @@ private:
     bool asks_the_same(const PointDriver& point, int driver) {
         const NodeIndex node = structure_.find(point.at, point.body);
         const auto same = [&]<Plane plane>(const Track<plane>& track, ScalarHandle asked) {
-            if (node < 0 || !track.has(node)) return board_.is_zero(asked);
+            if (node == none || !track.has(node)) return board_.is_zero(asked);
             const DirectionHandle along = board_.driver_unit(driver);
             const auto rest =
                 board_.subtract(board_.vector(board_.pole<plane>(), track.tip(node)), board_.scale<plane>(asked, along));
@@ -289,17 +288,16 @@ private:
     }
 
     void collect_motion() {
-        for (std::size_t body = 0; body < mechanism_.bodies.size(); ++body) {
-            const auto index = static_cast<BodyIndex>(body);
-            if (motion_.velocity.turns(index))
-                solution_.bodies[body].omega = Recorded<Exact>::at(motion_.velocity.spin(index).element);
-            if (wanted_.accelerations && motion_.acceleration.polygon >= 0 && motion_.acceleration.turns(index))
-                solution_.bodies[body].alpha = Recorded<Exact>::at(motion_.acceleration.spin(index).element);
+        for (const BodyIndex body : indices_of(mechanism_.bodies)) {
+            BodyMotion& found = solution_.bodies[at(body)];
+            if (motion_.velocity.turns(body)) found.omega = Recorded<Exact>::at(motion_.velocity.spin(body).element);
+            if (wanted_.accelerations && motion_.acceleration.polygon >= 0 && motion_.acceleration.turns(body))
+                found.alpha = Recorded<Exact>::at(motion_.acceleration.spin(body).element);
         }
     }
 
     void collect_points() {
-        for (NodeIndex node = 0; at(node) < structure_.nodes().size(); ++node) {
+        for (const NodeIndex node : indices_of(structure_.nodes())) {
             const Node& here = structure_.node(node);
             if (!here.carried) continue;
             PointMotion point;
@@ -347,7 +345,7 @@ private:
             unsolved({Sentence::velocity_of_body, {named(contradiction.body)}},
                      {Sentence::no_rigid_motion, {label(contradiction.first), label(contradiction.second)}});
         }
-        for (BodyIndex body = 1; at(body) < mechanism_.bodies.size(); ++body) {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
             if (!reached(body)) {
                 unsolved({Sentence::motion_of_body, {named(body)}}, reason_for(body));
             } else if (wanted_.accelerations && !wholly_accelerated(body)) {
@@ -357,9 +355,9 @@ private:
     }
 
     Message missing_acceleration() const {
-        for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
-            const Joint& joint = mechanism_.joints[j];
-            if (!joint.pair().asks_curvatures() || structure_.has_curvatures(static_cast<JointIndex>(j))) continue;
+        for (const JointIndex index : indices_of(mechanism_.joints)) {
+            const Joint& joint = mechanism_.joint(index);
+            if (!joint.pair().asks_curvatures() || structure_.has_curvatures(index)) continue;
             const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
             return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {PointName{joint.name}}};
         }

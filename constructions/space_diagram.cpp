@@ -7,13 +7,13 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 }  // namespace
 
 PointOn<Plane::drawing> SpaceDiagram::place(NodeIndex node) {
     const Node& here = structure_.node(node);
-    if (here.point >= 0) return board_.place(here.point);
+    if (here.point != none) return board_.place(here.point);
     const auto& [first, second] = structure_.auxiliary(here.auxiliary);
     const auto met = board_.meet(perpendicular_at(first), perpendicular_at(second));
     KG_ASSERT(met, "an auxiliary point was found by two perpendiculars that differ");
@@ -43,7 +43,7 @@ DirectionHandle SpaceDiagram::direction(const Locus& locus) {
         case Locus::Kind::slot: {
             const Joint& joint = structure_.mechanism().joints[at(locus.joint)];
             if (joint.pair().touches()) return tangent();
-            return joint.arc >= 0 ? board_.perpendicular(board_.normal(locus.joint)) : board_.guide(locus.joint);
+            return joint.arc != none ? board_.perpendicular(board_.normal(locus.joint)) : board_.guide(locus.joint);
         }
         case Locus::Kind::tangent:
             return tangent();

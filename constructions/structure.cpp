@@ -5,7 +5,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// Profiles that are given, of the joint's first or second body.
 bool is_straight(const Joint& joint, std::size_t side) {
@@ -18,16 +18,15 @@ PointIndex centre_of(const Joint& joint, std::size_t side) {
 
 /// The body whose point at a joint goes by the plain name: the slider, not the guide; of two that touch the one that moves.
 BodyIndex plainly_named(const Joint& joint) {
-    return joint.pair().touches() && joint.bodies.front() == 0 ? joint.bodies.back() : joint.bodies.front();
+    return joint.pair().touches() && joint.bodies.front() == frame ? joint.bodies.back() : joint.bodies.front();
 }
 
 /// For each point, the groups of bodies that carry it as one: joined by the revolutes and welds at it.
 class Carriers {
 public:
     explicit Carriers(const Mechanism& mechanism) : groups_(mechanism.points.size()) {
-        for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
-            for (const PointIndex point : mechanism.bodies[body].points) add(point, static_cast<BodyIndex>(body));
-        }
+        for (const BodyIndex body : indices_of(mechanism.bodies))
+            for (const PointIndex point : mechanism.body(body).points) add(point, body);
         for (const Joint& joint : mechanism.joints) {
             if (joint.pair().has_common_point()) {
                 for (const BodyIndex body : joint.bodies) unite(joint.point, joint.bodies.front(), body);
@@ -40,7 +39,7 @@ public:
             }
         }
     }
-    const std::vector<std::vector<BodyIndex>>& groups(std::size_t point) const { return groups_[point]; }
+    const std::vector<std::vector<BodyIndex>>& groups(PointIndex point) const { return groups_[at(point)]; }
 
 private:
     std::vector<BodyIndex>& add(PointIndex point, BodyIndex body) {
@@ -79,29 +78,28 @@ Structure::Structure(const Mechanism& mechanism, Board& scratch)
       same_spin_(mechanism.bodies.size()),
       guided_(mechanism.bodies.size()) {
     for (const Joint& joint : mechanism.joints)
-        if (std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end())
-            for (const BodyIndex body : joint.bodies) guided_[static_cast<std::size_t>(body)] = body != 0;
+        if (joint.connects(frame))
+            for (const BodyIndex body : joint.bodies) guided_[at_index(body)] = body != frame;
     const Carriers carriers(mechanism);
-    for (std::size_t point = 0; point < mechanism.points.size(); ++point) {
+    for (const PointIndex point : indices_of(mechanism.points)) {
         auto groups = carriers.groups(point);
         // The slider's point goes by the plain name, the guide's by the name with a star.
         const auto is_slider = [&](const std::vector<BodyIndex>& group) {
             return std::any_of(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
-                return (joint.pair().has_guide() || joint.pair().touches()) && joint.point == static_cast<PointIndex>(point) &&
+                return (joint.pair().has_guide() || joint.pair().touches()) && joint.point == point &&
                        std::find(group.begin(), group.end(), plainly_named(joint)) != group.end();
             });
         };
         std::stable_partition(groups.begin(), groups.end(), is_slider);
         for (auto& group : groups) {
             Node node;
-            node.point = static_cast<PointIndex>(point);
+            node.point = point;
             node.bodies = std::move(group);
             add(std::move(node));
         }
     }
-    for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
-        const Joint& joint = mechanism.joints[j];
-        const auto index = static_cast<JointIndex>(j);
+    for (const JointIndex index : indices_of(mechanism.joints)) {
+        const Joint& joint = mechanism.joint(index);
         if (joint.pair().is_sleeve()) {
             sleeves_[at(joint.bodies[0])].push_back({index, joint.bodies[1], false});
             sleeves_[at(joint.bodies[1])].push_back({index, joint.bodies[0], true});
@@ -157,8 +155,8 @@ bool Structure::finds_curvatures(const Joint& joint, Board& scratch) {
 }
 
 NodeIndex Structure::add(Node node) {
-    const auto index = static_cast<NodeIndex>(nodes_.size());
-    if (node.point >= 0) {
+    const NodeIndex index(nodes_.size());
+    if (node.point != none) {
         auto& here = nodes_at_[at(node.point)];
         node.label = mechanism_.points[at(node.point)].name + std::string(here.size(), '*');
         here.push_back(index);
@@ -173,11 +171,11 @@ NodeIndex Structure::find(PointIndex point, BodyIndex body) const {
         const auto& bodies = node(candidate).bodies;
         if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return candidate;
     }
-    return -1;
+    return none;
 }
 
 NodeIndex Structure::on(PointIndex point, BodyIndex body, bool of_interest) {
-    if (const NodeIndex found = find(point, body); found >= 0) {
+    if (const NodeIndex found = find(point, body); found != none) {
         Node& there = nodes_[at(found)];
         there.of_interest = there.of_interest || of_interest;
         return found;
@@ -193,7 +191,7 @@ NodeIndex Structure::on(PointIndex point, BodyIndex body, bool of_interest) {
 void Structure::rewind(const Mark& mark) {
     while (nodes_.size() > mark.nodes) {
         const Node& last = nodes_.back();
-        if (last.point >= 0) nodes_at_[at(last.point)].pop_back();
+        if (last.point != none) nodes_at_[at(last.point)].pop_back();
         for (const BodyIndex body : last.bodies) nodes_of_[at(body)].pop_back();
         nodes_.pop_back();
     }

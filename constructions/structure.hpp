@@ -15,7 +15,7 @@
 namespace kinegraph {
 
 struct Node {
-    PointIndex point = -1;          ///< −1: an auxiliary point of the construction
+    PointIndex point = none;        ///< none: an auxiliary point of the construction
     int auxiliary = -1;             ///< which one, then
     std::vector<BodyIndex> bodies;  ///< in the file's order
     std::string label;              ///< "A", "A*", "S"
@@ -25,8 +25,8 @@ struct Node {
 
 /// A joint in which one body slides on another, seen from body `moving` (inverse: from the guide's side).
 struct Slide {
-    JointIndex joint = -1;
-    BodyIndex other = -1;
+    JointIndex joint = none;
+    BodyIndex other = none;
     bool inverse = false;  ///< the body asked about carries the guide
 };
 
@@ -40,17 +40,17 @@ struct Passage {
         mesh      ///< along the common normal of two pitch curves, which roll on each other (own = others)
     };
     Kind kind = Kind::slot;
-    JointIndex joint = -1;
-    BodyIndex other = -1;
-    PointIndex own = -1, others = -1;
+    JointIndex joint = none;
+    BodyIndex other = none;
+    PointIndex own = none, others = none;
     bool inverse = false;  ///< the body asked about carries the guide (slots)
 };
 
 /// Rolling without slip, seen from one of its bodies: the points in contact have one velocity.
 struct Rolling {
-    JointIndex joint = -1;
-    BodyIndex other = -1;
-    PointIndex point = -1;
+    JointIndex joint = none;
+    BodyIndex other = none;
+    PointIndex point = none;
 };
 
 class Structure {
@@ -60,8 +60,8 @@ public:
 
     const Mechanism& mechanism() const { return mechanism_; }
     const std::vector<Node>& nodes() const { return nodes_; }
-    const Node& node(NodeIndex node) const { return nodes_[static_cast<std::size_t>(node)]; }
-    /// The node of a point on a body, or −1.
+    const Node& node(NodeIndex node) const { return nodes_[at_index(node)]; }
+    /// The node of a point on a body, or none.
     NodeIndex find(PointIndex point, BodyIndex body) const;
     /// The same, made (not carried) where the body does not carry the point.
     NodeIndex on(PointIndex point, BodyIndex body, bool of_interest = false);
@@ -74,22 +74,20 @@ public:
     void rewind(const Mark& mark);
     /// Assur's point of a body: where the perpendiculars to two loci meet.
     NodeIndex add_auxiliary(BodyIndex body, const Locus& first, const Locus& second);
-    const std::array<Locus, 2>& auxiliary(int index) const { return auxiliaries_[static_cast<std::size_t>(index)]; }
-    const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[static_cast<std::size_t>(body)]; }
+    const std::array<Locus, 2>& auxiliary(int index) const { return auxiliaries_[at_index(index)]; }
+    const std::vector<NodeIndex>& nodes_of(BodyIndex body) const { return nodes_of_[at_index(body)]; }
     /// Sleeves (prismatic) of a body, in the file's order.
-    const std::vector<Slide>& sleeves_of(BodyIndex body) const { return sleeves_[static_cast<std::size_t>(body)]; }
+    const std::vector<Slide>& sleeves_of(BodyIndex body) const { return sleeves_[at_index(body)]; }
     /// Pin-slots, contacts and gears of a body: they hold at their own place only.
-    const std::vector<Passage>& passages_of(BodyIndex body) const { return passages_[static_cast<std::size_t>(body)]; }
-    const std::vector<Rolling>& rollings_of(BodyIndex body) const { return rollings_[static_cast<std::size_t>(body)]; }
+    const std::vector<Passage>& passages_of(BodyIndex body) const { return passages_[at_index(body)]; }
+    const std::vector<Rolling>& rollings_of(BodyIndex body) const { return rollings_[at_index(body)]; }
     /// Whether the curvatures at a rolling joint or contact are given and differ, so that accelerations can be drawn there.
-    bool has_curvatures(JointIndex joint) const { return curvatures_[static_cast<std::size_t>(joint)]; }
+    bool has_curvatures(JointIndex joint) const { return curvatures_[at_index(joint)]; }
     /// Bodies that turn as one with a body: through sleeves and welds.
-    const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const {
-        return same_spin_[static_cast<std::size_t>(body)];
-    }
+    const std::vector<std::pair<BodyIndex, JointIndex>>& same_spin(BodyIndex body) const { return same_spin_[at_index(body)]; }
     /// Whether a joint holds the body to the frame.
-    bool is_guided_by_frame(BodyIndex body) const { return guided_[static_cast<std::size_t>(body)]; }
-    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[static_cast<std::size_t>(body)].name; }
+    bool is_guided_by_frame(BodyIndex body) const { return guided_[at_index(body)]; }
+    const std::string& body_name(BodyIndex body) const { return mechanism_.bodies[at_index(body)].name; }
 
 private:
     NodeIndex add(Node node);

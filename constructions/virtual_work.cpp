@@ -32,8 +32,8 @@ public:
         const auto velocity = board_.vector(board_.pole<Plane::velocity>(), tip);
         std::optional<ScalarHandle> power;
         const auto add = [&](ScalarHandle part) { power = power ? board_.sum(*power, part) : part; };
-        if (applied.elements.force >= 0) add(board_.power(VectorOn<Plane::force>{applied.elements.force}, velocity));
-        if (applied.elements.couple >= 0) add(board_.product(ScalarHandle{applied.elements.couple}, omega));
+        if (applied.elements.force != none) add(board_.power(VectorOn<Plane::force>{applied.elements.force}, velocity));
+        if (applied.elements.couple != none) add(board_.product(ScalarHandle{applied.elements.couple}, omega));
         total_ = total_ ? board_.sum(*total_, *power) : *power;
 
         VirtualWork::Entry entry;
@@ -44,7 +44,7 @@ public:
                           omega.element, power->element};
         return entry;
     }
-    int total() const { return total_->element; }
+    ElementIndex total() const { return total_->element; }
 
 private:
     Board& board_;
@@ -60,7 +60,7 @@ std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board
     VirtualWork work;
     Powers powers(structure, board, velocities);
     for (const FreeBody& free : bodies) {
-        if (free.body < 0) continue;
+        if (free.body == none) continue;
         const std::optional<NodeIndex> base = base_of(structure, velocities, free.body);
         for (const AppliedForce& applied : free.forces) {
             if (applied.kind == AppliedForce::Kind::reaction) continue;

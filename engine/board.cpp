@@ -7,9 +7,10 @@
 namespace kinegraph {
 namespace {
 
-std::size_t position(int element) {
-    KG_ASSERT(element >= 0, "a handle that no stroke made");
-    return static_cast<std::size_t>(element);
+template <class Of>
+std::size_t position(ListIndex<Of> index) {
+    KG_ASSERT(index != none, "a handle that no stroke made");
+    return at_index(index);
 }
 
 Verb verb_of(const Value& given) {
@@ -38,20 +39,20 @@ Plane plane_of(Given::Kind kind) {
 
 }  // namespace
 
-const Value& Board::Memory::value(int i) const { return values[position(i)]; }
+const Value& Board::Memory::value(ElementIndex i) const { return values[position(i)]; }
 
 Board::Board(const Mechanism& mechanism, const Pose& pose, std::function<const Pose&()> finer)
     : mechanism_(mechanism), pose_(pose), finer_(std::move(finer)) {
     largest_.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(pose.size);
 }
 
-int Board::state(Statement statement) {
+StatementIndex Board::state(Statement statement) {
     protocol_.statements.push_back(std::move(statement));
-    current_statement_ = static_cast<int>(protocol_.statements.size()) - 1;
+    current_statement_ = StatementIndex(protocol_.statements.size() - 1);
     return current_statement_;
 }
 
-Statement& Board::statement(int index) { return protocol_.statements[position(index)]; }
+Statement& Board::statement(StatementIndex index) { return protocol_.statements[position(index)]; }
 
 Board::Mark Board::mark() const {
     const Program& program = protocol_.program;
@@ -64,7 +65,7 @@ void Board::rewind(const Mark& mark) {
     if (program.strokes.size() == mark.strokes && program.guards.size() == mark.guards &&
         protocol_.statements.size() == mark.statements)
         return;
-    const auto is_gone = [&](int element) { return element >= static_cast<int>(mark.strokes); };
+    const auto is_gone = [&](ElementIndex element) { return element >= ElementIndex(mark.strokes); };
     program.strokes.resize(mark.strokes);
     program.guards.resize(mark.guards);
     program.givens.resize(mark.givens);
@@ -80,8 +81,8 @@ void Board::rewind(const Mark& mark) {
     std::erase_if(asked_, [&](const auto& each) { return each.second >= mark.guards; });
 }
 
-int Board::enter(const Stroke& stroke, Value value) {
-    const int element = strokes();
+ElementIndex Board::enter(const Stroke& stroke, Value value) {
+    const ElementIndex element(strokes());
     std::visit([&](const auto& made) { largest_.note(stroke.plane, made); }, value);
     memory_.values.push_back(std::move(value));
     protocol_.program.strokes.push_back(stroke);
@@ -89,7 +90,7 @@ int Board::enter(const Stroke& stroke, Value value) {
     return element;
 }
 
-int Board::enter_given(Given given) {
+ElementIndex Board::enter_given(Given given) {
     Value value = given_value(given, mechanism_, pose_);
     Stroke stroke;
     stroke.verb = verb_of(value);
@@ -99,8 +100,8 @@ int Board::enter_given(Given given) {
     return enter(stroke, std::move(value));
 }
 
-int Board::given(Given::Kind kind, int index) {
-    const auto [entry, fresh] = givens_.try_emplace({kind, index}, -1);
+ElementIndex Board::given(Given::Kind kind, int index) {
+    const auto [entry, fresh] = givens_.try_emplace({kind, index}, none);
     if (fresh) entry->second = enter_given({kind, index, {}, name_of_given(kind, index, mechanism_)});
     return entry->second;
 }
@@ -119,17 +120,17 @@ DirectionHandle Board::own_direction(const Vector& direction) {
     return {directions_.back().second};
 }
 
-int Board::pole(Plane plane) { return binary(Verb::pole, plane, -1, -1); }
+ElementIndex Board::pole(Plane plane) { return binary(Verb::pole, plane, none, none); }
 
-int Board::unary(Verb verb, Plane plane, int a) { return binary(verb, plane, a, -1); }
+ElementIndex Board::unary(Verb verb, Plane plane, ElementIndex a) { return binary(verb, plane, a, none); }
 
-int Board::binary(Verb verb, Plane plane, int a, int b) {
-    const auto [entry, fresh] = made_.try_emplace({verb, plane, a, b}, -1);
+ElementIndex Board::binary(Verb verb, Plane plane, ElementIndex a, ElementIndex b) {
+    const auto [entry, fresh] = made_.try_emplace({verb, plane, a, b}, none);
     if (fresh) entry->second = make(verb, plane, a, b);
     return entry->second;
 }
 
-int Board::make(Verb verb, Plane plane, int a, int b) {
+ElementIndex Board::make(Verb verb, Plane plane, ElementIndex a, ElementIndex b) {
     Stroke stroke;
     stroke.verb = verb;
     stroke.plane = plane;
@@ -137,49 +138,49 @@ int Board::make(Verb verb, Plane plane, int a, int b) {
     stroke.inputs[1] = b;
     // What elsewhere would divide by zero is guarded here once and for all.
     if (verb == Verb::through || verb == Verb::ratio || verb == Verb::arm)
-        ask(Guard::Question::zero_vector, before_turning(protocol_.program, b), -1);
-    if (verb == Verb::quotient) ask(Guard::Question::zero_scalar, b, -1);
+        ask(Guard::Question::zero_vector, before_turning(protocol_.program, b), none);
+    if (verb == Verb::quotient) ask(Guard::Question::zero_scalar, b, none);
     struct Once {
         using Number [[maybe_unused]] = Exact;
         const Memory& from;
         std::optional<Value> made;
-        const ProjectivePoint& point(int i) const { return from.point(i); }
-        const ProjectiveLine& line(int i) const { return from.line(i); }
-        const Vector& vector(int i) const { return from.vector(i); }
-        const Exact& scalar(int i) const { return from.scalar(i); }
-        void put(int, Value value) { made = std::move(value); }
+        const ProjectivePoint& point(ElementIndex i) const { return from.point(i); }
+        const ProjectiveLine& line(ElementIndex i) const { return from.line(i); }
+        const Vector& vector(ElementIndex i) const { return from.vector(i); }
+        const Exact& scalar(ElementIndex i) const { return from.scalar(i); }
+        void put(ElementIndex, Value value) { made = std::move(value); }
     } once{memory_, {}};
-    carry_out(stroke, strokes(), once);
+    carry_out(stroke, ElementIndex(strokes()), once);
     return enter(stroke, std::move(*once.made));
 }
 
-int Board::of_scalars(Verb verb, int a, int b) {
-    const auto plane_at = [&](int element) { return protocol_.program.strokes[position(element)].plane; };
-    const Plane first = plane_at(a), second = b < 0 ? first : plane_at(b);
+ElementIndex Board::of_scalars(Verb verb, ElementIndex a, ElementIndex b) {
+    const auto plane_at = [&](ElementIndex element) { return protocol_.program.strokes[position(element)].plane; };
+    const Plane first = plane_at(a), second = b == none ? first : plane_at(b);
     Plane plane = std::max(first, second);
     if (verb == Verb::product && first == Plane::velocity && second == Plane::velocity) plane = Plane::acceleration;
     if (verb == Verb::quotient) plane = first == second ? Plane::drawing : first;
     return binary(verb, plane, a, b);
 }
 
-int Board::join(Plane plane, int p, int q) {
+ElementIndex Board::join(Plane plane, ElementIndex p, ElementIndex q) {
     KG_ASSERT(!ask(Guard::Question::coincide, p, q), "two points that coincide have no join: ask first");
     return binary(Verb::join, plane, p, q);
 }
 
-int Board::meet(Plane plane, int l, int m) {
-    const auto at_infinity = [&](int element) { return kinegraph::is_at_infinity(protocol_.program, element); };
+ElementIndex Board::meet(Plane plane, ElementIndex l, ElementIndex m) {
+    const auto at_infinity = [&](ElementIndex element) { return kinegraph::is_at_infinity(protocol_.program, element); };
     if (!ask(Guard::Question::parallel, l, m))
         return binary(at_infinity(l) || at_infinity(m) ? Verb::meet_at_infinity : Verb::meet, plane, l, m);
-    if (at_infinity(l)) return -1;
+    if (at_infinity(l)) return none;
     // Parallel: the same line where a point of one lies on the other.
     const Stroke& first = protocol_.program.strokes[position(l)];
     const bool far = first.verb == Verb::join && at_infinity(first.inputs[0]);
-    if (ask(Guard::Question::on_line, first.inputs[far ? 1 : 0], m)) return -1;
+    if (ask(Guard::Question::on_line, first.inputs[far ? 1 : 0], m)) return none;
     return binary(Verb::meet_at_infinity, plane, l, m);
 }
 
-int Board::ask(Guard::Question question, int a, int b, Guard::How how) {
+int Board::ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how) {
     const auto [entry, fresh] = asked_.try_emplace({question, a, b}, protocol_.program.guards.size());
     if (!fresh) return protocol_.program.guards[entry->second].verdict;
     Guard guard;
@@ -214,21 +215,21 @@ void Board::follow_on_finer_pose() {
     for (std::size_t i = finer_memory_.values.size(); i < program.strokes.size(); ++i) {
         const Stroke& stroke = program.strokes[i];
         if (stroke.given >= 0) {
-            finer_memory_.values.push_back(given_value(program.givens[position(stroke.given)], mechanism_, fine));
+            finer_memory_.values.push_back(given_value(program.givens[at_index(stroke.given)], mechanism_, fine));
         } else {
-            carry_out(stroke, static_cast<int>(i), finer_memory_);
+            carry_out(stroke, ElementIndex(i), finer_memory_);
         }
         std::visit([&](const auto& made) { finer_largest_.note(stroke.plane, made); }, finer_memory_.values.back());
     }
 }
 
-void for_each_drawn(Protocol& protocol, const std::function<void(int&)>& see) {
+void for_each_drawn(Protocol& protocol, const std::function<void(ElementIndex&)>& see) {
     const auto see_vectors = [&](std::vector<DrawnVector>& vectors) {
         for (DrawnVector& vector : vectors) {
             see(vector.tail);
             see(vector.tip);
-            for (int* place : {&vector.seen.of.place, &vector.seen.to.place, &vector.seen.about})
-                if (*place >= 0) see(*place);
+            for (ElementIndex* place : {&vector.seen.of.place, &vector.seen.to.place, &vector.seen.about})
+                if (*place != none) see(*place);
         }
     };
     const auto see_images = [&](std::vector<Image>& images) {
@@ -237,7 +238,7 @@ void for_each_drawn(Protocol& protocol, const std::function<void(int&)>& see) {
     const auto see_lines = [&](std::vector<DrawnLine>& lines) {
         for (DrawnLine& line : lines) {
             see(line.line);
-            for (int& point : line.points) see(point);
+            for (ElementIndex& point : line.points) see(point);
         }
     };
     see_vectors(protocol.vectors);
@@ -248,7 +249,7 @@ void for_each_drawn(Protocol& protocol, const std::function<void(int&)>& see) {
     see_lines(protocol.trials.lines);
     for (Polygon& polygon : protocol.polygons)
         for (Face& face : polygon.faces)
-            for (int& corner : face.corners) see(corner);
+            for (ElementIndex& corner : face.corners) see(corner);
 }
 
 int Board::add_polygon(Polygon polygon) {
@@ -259,18 +260,18 @@ int Board::add_polygon(Polygon polygon) {
 void Board::draw(DrawnVector vector) {
     vector.statement = current_statement_;
     if (vector.trial != 0) return protocol_.trials.vectors.push_back(std::move(vector));
-    protocol_.polygons[position(vector.polygon)].vectors.push_back(static_cast<int>(protocol_.vectors.size()));
+    protocol_.polygons[at_index(vector.polygon)].vectors.push_back(static_cast<int>(protocol_.vectors.size()));
     protocol_.vectors.push_back(std::move(vector));
 }
 
 void Board::label(Image image) {
     image.statement = current_statement_;
     if (image.trial != 0) return protocol_.trials.images.push_back(std::move(image));
-    protocol_.polygons[position(image.polygon)].images.push_back(static_cast<int>(protocol_.images.size()));
+    protocol_.polygons[at_index(image.polygon)].images.push_back(static_cast<int>(protocol_.images.size()));
     protocol_.images.push_back(std::move(image));
 }
 
-void Board::add_face(int polygon, Face face) { protocol_.polygons[position(polygon)].faces.push_back(std::move(face)); }
+void Board::add_face(int polygon, Face face) { protocol_.polygons[at_index(polygon)].faces.push_back(std::move(face)); }
 
 void Board::draw(DrawnLine line) {
     line.statement = current_statement_;

@@ -27,27 +27,27 @@ namespace kinegraph {
 /// Typed handles: an index into the protocol's elements that knows its plane. A point of the drawing cannot be joined to a tip.
 template <Plane plane>
 struct PointOn {
-    int element = -1;
+    ElementIndex element = none;
 };
 template <Plane plane>
 struct LineOn {
-    int element = -1;
+    ElementIndex element = none;
 };
 template <Plane plane>
 struct VectorOn {
-    int element = -1;
+    ElementIndex element = none;
 };
 struct DirectionHandle {
-    int element = -1;
+    ElementIndex element = none;
 };
 struct ScalarHandle {
-    int element = -1;
+    ElementIndex element = none;
 };
 
 /// The polygon of one body within a joined force polygon: its corners in order.
 struct Face {
-    BodyIndex body = -1;
-    std::vector<int> corners;  ///< elements: points of the force plane
+    BodyIndex body = none;
+    std::vector<ElementIndex> corners;  ///< elements: points of the force plane
 };
 /// A polygon: a figure of one plane, with its own pole.
 struct Polygon {
@@ -68,22 +68,22 @@ struct Polygon {
 };
 /// A place as a body carries it.
 struct CarriedPlace {
-    int place = -1;  ///< point element of the drawing
-    BodyIndex body = -1;
-    PointIndex point = -1;  ///< the file's point there; −1: an auxiliary place
+    ElementIndex place = none;  ///< point element of the drawing
+    BodyIndex body = none;
+    PointIndex point = none;  ///< the file's point there; none: an auxiliary place
 };
 /// Whose motion a vector of motion is, or is part of, and how it is seen.
 struct Seen {
     CarriedPlace of;
-    CarriedPlace to;  ///< from where it is seen; no body: from the frame
-    int about = -1;   ///< point element about which `of` turns, seen from `to`; −1: it goes straight
+    CarriedPlace to;            ///< from where it is seen; no body: from the frame
+    ElementIndex about = none;  ///< point element about which `of` turns, seen from `to`; none: it goes straight
 };
 /// A named vector of a polygon, from tail to tip (elements that are points of its plane).
 struct DrawnVector {
     Symbol symbol;
     int polygon = 0;
-    int tail = -1, tip = -1;
-    BodyIndex body = -1;
+    ElementIndex tail = none, tip = none;
+    BodyIndex body = none;
     enum class Role {
         absolute,
         relative,
@@ -95,7 +95,7 @@ struct DrawnVector {
         external,
         internal
     } role = Role::absolute;
-    int statement = -1;
+    StatementIndex statement = none;
     int trial = 0;      ///< 1, 2: from the first, the second trial value of an assumption (Protocol::trials); 0: the solution
     Seen seen;          ///< nothing for a force, nor for a component along a line
     Quantity quantity;  ///< nothing for a component along a line
@@ -104,19 +104,19 @@ struct DrawnVector {
 struct Image {
     Symbol symbol;
     int polygon = 0;
-    int point = -1;  ///< element
-    BodyIndex body = -1;
-    int statement = -1;
+    ElementIndex point = none;
+    BodyIndex body = none;
+    StatementIndex statement = none;
     int trial = 0;  ///< as DrawnVector::trial
 };
 /// A construction line of a polygon or of the drawing worth showing, with its direction in words and the places it was drawn
 /// between.
 struct DrawnLine {
-    int line = -1;     ///< element
+    ElementIndex line = none;
     int polygon = -1;  ///< −1: in the drawing of the mechanism
     LineReason reason;
-    std::vector<int> points;  ///< point elements it passes (support, meet)
-    int statement = -1;
+    std::vector<ElementIndex> points;  ///< point elements it passes (support, meet)
+    StatementIndex statement = none;
     int trial = 0;  ///< as DrawnVector::trial
 };
 
@@ -153,18 +153,16 @@ struct Protocol {
     std::vector<DrawnLine> lines;
     Trials trials;
 
-    const ProjectivePoint& point(int element) const {
-        return std::get<ProjectivePoint>(values[static_cast<std::size_t>(element)]);
-    }
-    const ProjectiveLine& line(int element) const { return std::get<ProjectiveLine>(values[static_cast<std::size_t>(element)]); }
-    const Vector& vector(int element) const { return std::get<Vector>(values[static_cast<std::size_t>(element)]); }
-    const Exact& scalar(int element) const { return std::get<Exact>(values[static_cast<std::size_t>(element)]); }
+    const ProjectivePoint& point(ElementIndex element) const { return std::get<ProjectivePoint>(values[at_index(element)]); }
+    const ProjectiveLine& line(ElementIndex element) const { return std::get<ProjectiveLine>(values[at_index(element)]); }
+    const Vector& vector(ElementIndex element) const { return std::get<Vector>(values[at_index(element)]); }
+    const Exact& scalar(ElementIndex element) const { return std::get<Exact>(values[at_index(element)]); }
     /// Tip − tail of a drawn vector, exact, in its plane's SI unit.
     Vector value_of(const DrawnVector& drawn) const { return point(drawn.tip).place() - point(drawn.tail).place(); }
 };
 
 /// The elements that are drawn: vectors, images, lines, corners of faces, those of trials too.
-void for_each_drawn(Protocol& protocol, const std::function<void(int& element)>& see);
+void for_each_drawn(Protocol& protocol, const std::function<void(ElementIndex& element)>& see);
 
 class Board {
 public:
@@ -175,8 +173,8 @@ public:
     Board& operator=(const Board&) = delete;
 
     /// Opens a sentence: the strokes that follow belong to it, until the next one. Returns its index.
-    int state(Statement statement);
-    Statement& statement(int index);
+    StatementIndex state(Statement statement);
+    Statement& statement(StatementIndex index);
 
     // What is given, and below what is constructed: asked for twice, the same element is returned.
     PointOn<Plane::drawing> place(PointIndex point) { return {given(Given::Kind::place, point)}; }
@@ -234,8 +232,8 @@ public:
     /// The meet of two lines: finite, or at infinity where they are parallel; nothing where they coincide.
     template <Plane plane>
     std::optional<PointOn<plane>> meet(LineOn<plane> l, LineOn<plane> m) {
-        const int element = meet(plane, l.element, m.element);
-        if (element < 0) return std::nullopt;
+        const ElementIndex element = meet(plane, l.element, m.element);
+        if (element == none) return std::nullopt;
         return PointOn<plane>{element};
     }
     PointOn<Plane::drawing> at_infinity(DirectionHandle d) { return {unary(Verb::point_at_infinity, Plane::drawing, d.element)}; }
@@ -277,7 +275,7 @@ public:
     ScalarHandle product(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::product, a.element, b.element)}; }
     /// a / b, b ≠ 0 (ask first).
     ScalarHandle quotient(ScalarHandle a, ScalarHandle b) { return {of_scalars(Verb::quotient, a.element, b.element)}; }
-    ScalarHandle opposite(ScalarHandle a) { return {of_scalars(Verb::opposite, a.element, -1)}; }
+    ScalarHandle opposite(ScalarHandle a) { return {of_scalars(Verb::opposite, a.element, none)}; }
     /// r ∧ F: the moment of a force about the tail of r (N m, counter-clockwise positive).
     ScalarHandle moment(VectorOn<Plane::drawing> r, VectorOn<Plane::force> force) {
         return {binary(Verb::moment, Plane::force, r.element, force.element)};
@@ -314,9 +312,9 @@ public:
     }
     template <Plane plane>
     bool is_zero(VectorOn<plane> v) {
-        return ask(Guard::Question::zero_vector, before_turning(protocol_.program, v.element), -1) != 0;
+        return ask(Guard::Question::zero_vector, before_turning(protocol_.program, v.element), none) != 0;
     }
-    bool is_zero(ScalarHandle s) { return ask(Guard::Question::zero_scalar, s.element, -1) != 0; }
+    bool is_zero(ScalarHandle s) { return ask(Guard::Question::zero_scalar, s.element, none) != 0; }
     template <Plane plane>
     bool on_line(PointOn<plane> p, LineOn<plane> l) {
         return ask(Guard::Question::on_line, p.element, l.element) != 0;
@@ -330,7 +328,7 @@ public:
         return kinegraph::is_at_infinity(protocol_.program, l.element);
     }
     /// −1, 0, 1.
-    int sign(ScalarHandle s) { return ask(Guard::Question::sign, s.element, -1); }
+    int sign(ScalarHandle s) { return ask(Guard::Question::sign, s.element, none); }
     /// Whether w lies along v (1), against it (−1) or across it (0).
     template <Plane p>
     int along_sign(DirectionHandle v, VectorOn<p> w) {
@@ -356,7 +354,7 @@ public:
     /// made since are void.
     struct Mark {
         std::size_t strokes = 0, guards = 0, givens = 0, statements = 0;
-        int statement = -1;
+        StatementIndex statement = none;
         Largest<Exact> largest;
     };
     Mark mark() const;
@@ -378,17 +376,21 @@ public:
 
 private:
     using Key = std::pair<Given::Kind, int>;
-    int given(Given::Kind kind, int index);
-    int enter_given(Given given);
-    int pole(Plane plane);
-    int unary(Verb verb, Plane plane, int a);
-    int binary(Verb verb, Plane plane, int a, int b);
-    int make(Verb verb, Plane plane, int a, int b);
-    int of_scalars(Verb verb, int a, int b);
-    int join(Plane plane, int p, int q);
-    int meet(Plane plane, int l, int m);
-    int enter(const Stroke& stroke, Value value);
-    int ask(Guard::Question question, int a, int b, Guard::How how = Guard::How::exactly);
+    ElementIndex given(Given::Kind kind, int index);
+    template <class Of>
+    ElementIndex given(Given::Kind kind, ListIndex<Of> index) {
+        return given(kind, index.number());
+    }
+    ElementIndex enter_given(Given given);
+    ElementIndex pole(Plane plane);
+    ElementIndex unary(Verb verb, Plane plane, ElementIndex a);
+    ElementIndex binary(Verb verb, Plane plane, ElementIndex a, ElementIndex b);
+    ElementIndex make(Verb verb, Plane plane, ElementIndex a, ElementIndex b);
+    ElementIndex of_scalars(Verb verb, ElementIndex a, ElementIndex b);
+    ElementIndex join(Plane plane, ElementIndex p, ElementIndex q);
+    ElementIndex meet(Plane plane, ElementIndex l, ElementIndex m);
+    ElementIndex enter(const Stroke& stroke, Value value);
+    int ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how = Guard::How::exactly);
     void decide(Guard& guard);
     void follow_on_finer_pose();
 
@@ -397,13 +399,13 @@ private:
         using Number = Exact;
         std::vector<Value> values;
 
-        const Value& value(int i) const;
-        const ProjectivePoint& point(int i) const { return std::get<ProjectivePoint>(value(i)); }
-        const ProjectiveLine& line(int i) const { return std::get<ProjectiveLine>(value(i)); }
-        const Vector& vector(int i) const { return std::get<Vector>(value(i)); }
-        const Exact& scalar(int i) const { return std::get<Exact>(value(i)); }
-        bool is_line(int i) const { return std::holds_alternative<ProjectiveLine>(value(i)); }
-        void put(int, Value made) { values.push_back(std::move(made)); }
+        const Value& value(ElementIndex i) const;
+        const ProjectivePoint& point(ElementIndex i) const { return std::get<ProjectivePoint>(value(i)); }
+        const ProjectiveLine& line(ElementIndex i) const { return std::get<ProjectiveLine>(value(i)); }
+        const Vector& vector(ElementIndex i) const { return std::get<Vector>(value(i)); }
+        const Exact& scalar(ElementIndex i) const { return std::get<Exact>(value(i)); }
+        bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(value(i)); }
+        void put(ElementIndex, Value made) { values.push_back(std::move(made)); }
     };
 
     const Mechanism& mechanism_;
@@ -412,12 +414,12 @@ private:
     Protocol protocol_;
     Memory memory_, finer_memory_;  ///< the finer one is continued only when a predicate asks
     Largest<Exact> largest_, finer_largest_;
-    std::map<Key, int> givens_;
-    std::vector<std::pair<Exact, int>> numbers_;
-    std::vector<std::pair<Vector, int>> directions_;
-    std::map<std::tuple<Guard::Question, int, int>, std::size_t> asked_;
-    std::map<std::tuple<Verb, Plane, int, int>, int> made_;  ///< no line is drawn twice
-    int current_statement_ = -1;
+    std::map<Key, ElementIndex> givens_;
+    std::vector<std::pair<Exact, ElementIndex>> numbers_;
+    std::vector<std::pair<Vector, ElementIndex>> directions_;
+    std::map<std::tuple<Guard::Question, ElementIndex, ElementIndex>, std::size_t> asked_;
+    std::map<std::tuple<Verb, Plane, ElementIndex, ElementIndex>, ElementIndex> made_;  ///< no line is drawn twice
+    StatementIndex current_statement_ = none;
 };
 
 }  // namespace kinegraph

@@ -54,10 +54,10 @@ public:
             motion.second_order = InstantMotion::SecondOrder::open;
             return motion;
         }
-        for (BodyIndex body = 1; at_index(body) < mechanism_.bodies.size(); ++body) {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
             const auto rests = [&](int from, int to) {
                 return std::all_of(velocities_.begin(), velocities_.end(), [&](const Row& u) {
-                    const auto first = u.begin() + static_cast<Row::difference_type>(3 * at_index(body - 1));
+                    const auto first = u.begin() + static_cast<Row::difference_type>(3 * at_index(body.number() - 1));
                     return std::all_of(first + from, first + to, [&](const Exact& value) { return arithmetic_.is_zero(value); });
                 });
             };
@@ -120,8 +120,8 @@ private:
     Row coefficients(const ConstraintRow& row) const {
         Row entries(at_index(columns_));
         const auto add = [&](BodyIndex body, int sign) {
-            if (body == 0) return;
-            const std::size_t first = 3 * at_index(body - 1);
+            if (body == frame) return;
+            const std::size_t first = 3 * at_index(body.number() - 1);
             if (row.turn) {
                 entries[first + 2] += sign;
                 return;
@@ -138,8 +138,8 @@ private:
     // --- the second order --------------------------------------------------------------------------------------------------
 
     State state(const Row& u, BodyIndex body) const {
-        if (body == 0) return {};
-        const std::size_t first = 3 * at_index(body - 1);
+        if (body == frame) return {};
+        const std::size_t first = 3 * at_index(body.number() - 1);
         return {{u[first], u[first + 1]}, u[first + 2]};
     }
     static Vector velocity(const State& state, const Vector& at) { return state.v + state.omega * quarter_turn(at); }
@@ -193,7 +193,7 @@ private:
         if (joint.pair().has_guide()) {
             const Vector sliding = velocity(i, p) - velocity(j, p);
             Exact q = centripetal - 2 * j.omega * dot(row.along, quarter_turn(sliding));
-            if (joint.arc >= 0) {
+            if (joint.arc != none) {
                 const Vector inwards = place(joint.arc) - p;
                 q -= squared_length(sliding) * dot(row.along, inwards) / squared_length(inwards);
             }
@@ -312,15 +312,15 @@ private:
             omega[body] = root.x * velocities_[0][column] + root.y * velocities_[1][column];
         }
         Branch branch;
-        const auto turns = [&](BodyIndex body) { return body > 0 && !arithmetic_.is_zero(omega[at_index(body)]); };
+        const auto turns = [&](BodyIndex body) { return body > frame && !arithmetic_.is_zero(omega[at_index(body)]); };
         for (const Driver& driver : mechanism_.drivers) {
             const auto* spin = std::get_if<SpinDriver>(&driver);
-            if (spin != nullptr && spin->relative_to == 0 && branch.reference < 0 && turns(spin->body))
+            if (spin != nullptr && spin->relative_to == frame && branch.reference == none && turns(spin->body))
                 branch.reference = spin->body;
         }
-        for (BodyIndex body = 1; branch.reference < 0 && at_index(body) < omega.size(); ++body)
-            if (turns(body)) branch.reference = body;
-        if (branch.reference < 0) return branch;
+        for (const BodyIndex body : mechanism_.moving_bodies())
+            if (branch.reference == none && turns(body)) branch.reference = body;
+        if (branch.reference == none) return branch;
         for (const Exact& each : omega) {
             const Exact ratio = arithmetic_.is_zero(each) ? Exact() : each / omega[at_index(branch.reference)];
             branch.ratios.push_back(ratio.to_double());

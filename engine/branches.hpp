@@ -12,7 +12,7 @@ namespace kinegraph {
 
 /// One way out of a change point, as ratios of angular velocities.
 struct Branch {
-    BodyIndex reference = -1;    ///< the driven body, or the first that turns; −1: no body turns
+    BodyIndex reference = none;  ///< the driven body, or the first that turns; none: no body turns
     std::vector<double> ratios;  ///< by BodyIndex: ω_b/ω_reference; empty where no body turns
     std::vector<Exact> exact;    ///< the same where it is rational and the pose exact; else empty
 };

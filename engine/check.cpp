@@ -158,7 +158,7 @@ public:
     }
 
     NumericMotion run() {
-        for (const Joint& joint : mechanism_.joints) write(joint, index_of(joint));
+        for (const Joint& joint : mechanism_.joints) write(joint, mechanism_.index_of(joint));
         for (const Driver& driver : mechanism_.drivers) {
             std::visit([&](const auto& form) { write(form); }, driver);
         }
@@ -197,8 +197,6 @@ public:
 private:
     using SecondOrder = std::function<std::optional<double>()>;
 
-    int index_of(const Joint& joint) const { return static_cast<int>(&joint - mechanism_.joints.data()); }
-
     template <class Side>
     Eigen::VectorXd right_side(Side side) const {
         Eigen::VectorXd right(static_cast<Eigen::Index>(rows_.size()));
@@ -223,15 +221,15 @@ private:
         return {r[0] / size_, r[1] / size_};
     }
     void add_speed(Row& row, BodyIndex body, const Vector& place, const Pair& n, double sign) const {
-        if (body == 0) return;
+        if (body == frame) return;
         const Pair r = arm(body, place);
-        const Eigen::Index first = Eigen::Index{3} * (body - 1);
+        const Eigen::Index first = Eigen::Index{3} * (body.number() - 1);
         row.terms.push_back({first, sign * n[0]});
         row.terms.push_back({first + 1, sign * n[1]});
         row.terms.push_back({first + 2, sign * (r[0] * n[1] - r[1] * n[0])});
     }
     static void add_turn(Row& row, BodyIndex body, double sign) {
-        if (body != 0) row.terms.push_back({Eigen::Index{3} * (body - 1) + 2, sign});
+        if (body != frame) row.terms.push_back({Eigen::Index{3} * (body.number() - 1) + 2, sign});
     }
     void enter(Row row, double velocity, SecondOrder second_order) {
         row.velocity = velocity;
@@ -269,7 +267,7 @@ private:
     }
 
     // --- joints --------------------------------------------------------------------------------------------------------------
-    void write(const Joint& joint, int index) {
+    void write(const Joint& joint, JointIndex index) {
         switch (joint.kind) {
             case JointKind::revolute:
             case JointKind::weld:
@@ -283,7 +281,7 @@ private:
                 equal_turns(joint.bodies[0], joint.bodies[1]);
                 return;
             case JointKind::pin_slot:
-                if (joint.arc >= 0) {
+                if (joint.arc != none) {
                     slide_on_arc(joint);
                 } else {
                     slide(joint, index);
@@ -306,7 +304,7 @@ private:
     }
 
     /// P of i moves along u in j, at s:  a_i = a_j + 2ω_j z×(s u) + s̈ u,  so with n = z×u:  n·(a_i − a_j) = 2 ω_j s.
-    void slide(const Joint& joint, int index) {
+    void slide(const Joint& joint, JointIndex index) {
         const Pair u = unit(pose_.guides[at_index(index)]);
         slot_along(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), u);
     }
@@ -348,7 +346,7 @@ private:
 
     /// Rolling: the points in contact differ by ω_ij² / (1/x_i − 1/x_j) along n, x the centres' places along n (a line has 1/x =
     /// 0).
-    void roll(const Joint& joint, int index) {
+    void roll(const Joint& joint, JointIndex index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
         const Vector place = pose_.at(joint.point);
@@ -374,7 +372,7 @@ private:
     }
 
     /// Sliding contact: to second order a rod between the centres of curvature, or a pin at the one centre in a straight slot.
-    void touch(const Joint& joint, int index) {
+    void touch(const Joint& joint, JointIndex index) {
         const BodyIndex i = joint.bodies[0];
         const BodyIndex j = joint.bodies[1];
         const Pair n = unit(pose_.normals[at_index(index)]);
@@ -406,7 +404,7 @@ private:
     /// Gears: equal speeds along the common tangent of the pitch curves. Seen from the arm k that holds both centres,
     ///   (ω_i − ω_k) x_i = (ω_j − ω_k) x_j  at every instant, so the same holds of the α; put into the accelerations at P, the
     /// terms of the arm cancel and the tangential components are equal (what is left lies along the normal). So too for a rack.
-    void mesh(const Joint& joint, int index) {
+    void mesh(const Joint& joint, JointIndex index) {
         const Pair t = unit(pose_.tangents[at_index(index)]);
         equal_speeds(joint.bodies[0], joint.bodies[1], pose_.at(joint.point), t, 0, [] { return 0.0; });
     }
@@ -427,7 +425,7 @@ private:
     }
     void write(const PointDriver& driver) {
         const double second = driver.acceleration.to_double() / size_;
-        equal_speeds(driver.body, 0, pose_.at(driver.at), unit(direction_of(driver.along, pose_)),
+        equal_speeds(driver.body, frame, pose_.at(driver.at), unit(direction_of(driver.along, pose_)),
                      driver.speed.to_double() / size_, [=] { return second; });
     }
     void write(const ActOfMotion& motion) {

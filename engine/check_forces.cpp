@@ -106,7 +106,7 @@ private:
 
 /// A force at a place of a body, or a couple, that the file gives.
 struct Given {
-    BodyIndex body = 0;
+    BodyIndex body = frame;
     Pair force{};
     Vector place;
     double couple = 0;
@@ -148,7 +148,7 @@ private:
         }
         unknown_inertia_.resize(mechanism_.bodies.size(), false);
         for (const Mass& mass : mechanism_.masses) {
-            if (mass.body == 0) continue;
+            if (mass.body == frame) continue;
             const Vector& centre = pose_.at(mass.centre);
             const double m = mass.mass.to_double();
             if (mechanism_.gravity) given_.push_back({mass.body, m * rough(*mechanism_.gravity), centre, 0});
@@ -242,12 +242,12 @@ private:
     }
 
     // --- equations -------------------------------------------------------------------------------------------------------------
-    static Index row_of(BodyIndex body) { return Index{3} * (body - 1); }
+    static Index row_of(BodyIndex body) { return Index{3} * (body.number() - 1); }
     double moment(BodyIndex body, const Vector& place, const Pair& force) const {
         return outer(rough(place - references_[at_index(body)]), force) / own_size_[at_index(body)];
     }
     void add_force(Eigen::MatrixXd& matrix, Index column, BodyIndex body, const Vector& place, const Pair& direction) const {
-        if (body == 0) return;
+        if (body == frame) return;
         const Index row = row_of(body);
         matrix(row, column) += direction[0];
         matrix(row + 1, column) += direction[1];
@@ -255,12 +255,12 @@ private:
     }
     /// A couple is counted in units of (largest load)·(size of the drawing).
     void add_couple(Eigen::MatrixXd& matrix, Index column, BodyIndex body, double sign) const {
-        if (body != 0) matrix(row_of(body) + 2, column) += sign * size_ / own_size_[at_index(body)];
+        if (body != frame) matrix(row_of(body) + 2, column) += sign * size_ / own_size_[at_index(body)];
     }
     void write_right_side() {
         right_ = Eigen::VectorXd::Zero(rows_);
         for (const Given& each : given_) {
-            if (each.body == 0) continue;
+            if (each.body == frame) continue;
             const Index row = row_of(each.body);
             right_[row] -= each.force[0] / unit_;
             right_[row + 1] -= each.force[1] / unit_;
@@ -345,7 +345,7 @@ private:
         // A body whose inertia nobody knows has no equations that could be used.
         std::vector<bool> used(static_cast<std::size_t>(rows_), true);
         for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
-            if (unknown_inertia_[b]) leave_out(row_of(static_cast<BodyIndex>(b)), used);
+            if (unknown_inertia_[b]) leave_out(row_of(BodyIndex(b)), used);
         }
         Solved solved;
         const Solver all(matrix);
@@ -404,7 +404,7 @@ private:
     /// Whole bodies: one of whose equations fails is not at rest, so its others say nothing either.
     void leave_out_unbalanced(const Eigen::VectorXd& miss, const Eigen::VectorXd& values, std::vector<bool>& used) const {
         const double tolerated = tolerance(values);
-        const Index of_bodies = row_of(static_cast<BodyIndex>(mechanism_.bodies.size()));
+        const Index of_bodies = row_of(BodyIndex(mechanism_.bodies.size()));
         for (Index i = 0; i < rows_; ++i) {
             if (std::abs(miss[i]) <= tolerated) continue;
             if (i < of_bodies) {
@@ -459,7 +459,7 @@ private:
             Index column = first_column_[i];
             const auto next_action = [&] {
                 NumericForces::Action action;
-                action.joint = static_cast<JointIndex>(i);
+                action.joint = JointIndex(i);
                 action.known = true;
                 for (const Pair& direction : along) {
                     action.known = action.known && known(column);

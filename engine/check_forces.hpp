@@ -14,10 +14,10 @@ namespace kinegraph {
 /// Reactions and efforts from equilibrium; SI units.
 struct NumericForces {
     /// The action of `from` on `on` at a joint, reduced to the joint's point. At a hinge of three bodies or more the pin acts on
-    /// each: `from` is −1 then.
+    /// each: `from` is none then.
     struct Action {
-        JointIndex joint = -1;
-        BodyIndex on = -1, from = -1;
+        JointIndex joint = none;
+        BodyIndex on = none, from = none;
         std::array<double, 2> force{};
         double couple = 0;
         bool known = false;  ///< determined by equilibrium

@@ -13,7 +13,7 @@ std::vector<Vector> held_directions(const PlanePair& pair, const Pose& pose, std
 }
 
 void write(const Joint& joint, JointIndex index, const Pose& pose, std::vector<ConstraintRow>& rows) {
-    const std::vector<Vector> held = held_directions(joint.pair(), pose, static_cast<std::size_t>(index));
+    const std::vector<Vector> held = held_directions(joint.pair(), pose, at_index(index));
     for (std::size_t k = 1; k < joint.bodies.size(); ++k) {
         for (const Vector& along : held) rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, along, false});
         if (joint.pair().holds_rotation) rows.push_back({index, joint.bodies[0], joint.bodies[k], joint.point, {}, true});
@@ -24,7 +24,7 @@ void write(const Joint& joint, JointIndex index, const Pose& pose, std::vector<C
 
 std::vector<ConstraintRow> constraint_rows(const Mechanism& mechanism, const Pose& pose) {
     std::vector<ConstraintRow> rows;
-    for (std::size_t i = 0; i < mechanism.joints.size(); ++i) write(mechanism.joints[i], static_cast<JointIndex>(i), pose, rows);
+    for (const JointIndex joint : indices_of(mechanism.joints)) write(mechanism.joint(joint), joint, pose, rows);
     return rows;
 }
 

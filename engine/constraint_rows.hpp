@@ -11,9 +11,9 @@ namespace kinegraph {
 
 /// along · (v_i(P) − v_j(P)) = 0, or ω_i = ω_j.
 struct ConstraintRow {
-    JointIndex joint = -1;
-    BodyIndex i = -1, j = -1;
-    PointIndex point = -1;
+    JointIndex joint = none;
+    BodyIndex i = none, j = none;
+    PointIndex point = none;
     Vector along;  ///< any length; unused where `turn`
     bool turn = false;
 };

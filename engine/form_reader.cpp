@@ -90,33 +90,33 @@ PointIndex FormReader::look_up_point(JsonValue at, std::string_view name) {
         return found->second;
     }
     if (points_known_) fault(at, "no point is named " + quoted(name) + did_you_mean(speller_.nearest(name, point_names_)));
-    return -1;
+    return none;
 }
 
 PointIndex FormReader::point(JsonValue value, bool in_array) {
-    if (!value) return -1;
+    if (!value) return none;
     if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
     fault(value, "a point's name is wanted here, not " + described(value));
-    return -1;
+    return none;
 }
 
 BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
     const auto found = bodies_by_name_.find(name);
     if (found != bodies_by_name_.end()) return found->second;
     if (bodies_known_) fault(at, "no body is named " + quoted(name) + did_you_mean(speller_.nearest(name, body_names_)));
-    return -1;
+    return none;
 }
 
 BodyIndex FormReader::body(JsonValue value) {
-    if (!value) return -1;
+    if (!value) return none;
     if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
     fault(value, "a body's name is wanted here, not " + described(value));
-    return -1;
+    return none;
 }
 
 BodyIndex FormReader::moving_body(JsonValue value, std::string_view why) {
     const BodyIndex found = body(value);
-    if (found == 0) fault(value, std::string(why));
+    if (found == frame) fault(value, std::string(why));
     return found;
 }
 
@@ -257,7 +257,7 @@ Bearing::Between FormReader::between(JsonValue value) {
     const JsonValue first = *value.begin();
     const JsonValue second = *++value.begin();
     const Bearing::Between ends{point(first, true), point(second, true)};
-    if (ends.from >= 0 && ends.from == ends.to) fault(value, "a point and itself give no direction; name two points");
+    if (ends.from != none && ends.from == ends.to) fault(value, "a point and itself give no direction; name two points");
     return ends;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Quantity::Kind;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 void raise(double& largest, double value) {
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));

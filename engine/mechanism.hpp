@@ -18,11 +18,6 @@
 
 namespace kinegraph {
 
-/// Indices into Mechanism's lists, in the file's order; body 0 is the frame. −1 is "none".
-using PointIndex = int;
-using BodyIndex = int;
-using JointIndex = int;
-
 /// A title or label in the languages of the file; `en` serves where a language is missing (a plain string fills both).
 struct Words {
     std::string en;
@@ -39,8 +34,8 @@ struct Angle {
 /// FORMAT "X, a direction": an angle from +x, the sense from one point to another, or a vector.
 struct Bearing {
     struct Between {
-        PointIndex from = -1;
-        PointIndex to = -1;
+        PointIndex from = none;
+        PointIndex to = none;
     };
     std::variant<Angle, Between, Vector> form = Vector{};
 };
@@ -53,13 +48,13 @@ struct Coordinates {
     Vector at;
 };
 struct Polar {
-    PointIndex from = -1;
+    PointIndex from = none;
     Exact distance;
     Angle angle;
     std::optional<Bearing::Between> relative_to;  ///< angle counted from P→Q instead of +x
 };
 struct Along {
-    PointIndex from = -1, to = -1;
+    PointIndex from = none, to = none;
     Exact amount;
     bool is_ratio = false;  ///< `amount` is a ratio of the distance from→to, else a distance in m
 };
@@ -70,9 +65,9 @@ struct CircleCurve {
 struct LineCurve {
     Place through;
     enum class By { angle, to, parallel, perpendicular } by = By::angle;
-    Angle angle;         ///< by == angle
-    PointIndex to = -1;  ///< by == to
-    Bearing bearing;     ///< by == parallel, perpendicular
+    Angle angle;           ///< by == angle
+    PointIndex to = none;  ///< by == to
+    Bearing bearing;       ///< by == parallel, perpendicular
 };
 using Curve = std::variant<CircleCurve, LineCurve>;
 struct Meet {
@@ -89,7 +84,7 @@ struct NamedPoint {
 };
 
 struct Circle {
-    PointIndex centre = -1;
+    PointIndex centre = none;
     Exact radius;
 };
 
@@ -106,7 +101,7 @@ struct LineProfile {
     Bearing along;
 };
 struct CircleProfile {
-    PointIndex centre = -1;
+    PointIndex centre = none;
 };
 struct TipProfile {};
 using Profile = std::variant<LineProfile, CircleProfile, TipProfile>;
@@ -115,14 +110,14 @@ struct Joint {
     JointKind kind = JointKind::revolute;
     std::string name;    ///< given, or the point's name
     bool named = false;  ///< true where the file gives "name"
-    PointIndex point = -1;
+    PointIndex point = none;
     std::vector<BodyIndex> bodies;          ///< two; a revolute or weld may have more
     std::optional<Bearing> along;           ///< prismatic, straight pin-slot
-    PointIndex arc = -1;                    ///< pin-slot curved about this point
+    PointIndex arc = none;                  ///< pin-slot curved about this point
     std::map<BodyIndex, Profile> profiles;  ///< rolling, contact, gear (a body's own circle is filled in by the reader)
     std::optional<Bearing> tangent;
     std::optional<Angle> pressure_angle;
-    BodyIndex arm = 0;             ///< gear: the carrier
+    BodyIndex arm = frame;         ///< gear: the carrier
     std::optional<Vector> pushes;  ///< contact: sense of the force on bodies[0]
     std::string where;
 
@@ -134,18 +129,18 @@ struct Joint {
 
 /// rad/s, rad/s², m/s, m/s².
 struct SpinDriver {
-    BodyIndex body = -1, relative_to = 0;
+    BodyIndex body = none, relative_to = frame;
     Exact omega, alpha;
     std::string where;
 };
 struct SlideDriver {
-    JointIndex joint = -1;
+    JointIndex joint = none;
     Exact speed, acceleration;
     std::string where;
 };
 struct PointDriver {
-    BodyIndex body = -1;
-    PointIndex at = -1;
+    BodyIndex body = none;
+    PointIndex at = none;
     Bearing along;
     Exact speed, acceleration;
     std::string where;
@@ -153,9 +148,9 @@ struct PointDriver {
 using Driver = std::variant<SpinDriver, SlideDriver, PointDriver>;
 
 struct Mass {
-    BodyIndex body = -1;
+    BodyIndex body = none;
     Exact mass;
-    PointIndex centre = -1;
+    PointIndex centre = none;
     Exact inertia;
     std::string where;
 };
@@ -163,22 +158,22 @@ struct Mass {
 /// Loads: N, N m.
 struct ForceLoad {
     std::string name;
-    BodyIndex body = -1;
-    PointIndex at = -1;
+    BodyIndex body = none;
+    PointIndex at = none;
     std::optional<Vector> value;                         ///< either the components …
     std::optional<std::pair<Exact, Bearing>> magnitude;  ///< … or magnitude and direction
     std::string where;
 };
 struct CoupleLoad {
     std::string name;
-    BodyIndex body = -1;
+    BodyIndex body = none;
     Exact value;
     std::string where;
 };
 struct SpringLoad {
     std::string name;
-    std::array<BodyIndex, 2> bodies{-1, -1};
-    std::array<PointIndex, 2> between{-1, -1};
+    std::array<BodyIndex, 2> bodies{none, none};
+    std::array<PointIndex, 2> between{none, none};
     Exact magnitude;
     std::string where;
 };
@@ -186,40 +181,40 @@ using Load = std::variant<ForceLoad, CoupleLoad, SpringLoad>;
 
 struct CoupleEffort {
     std::string name;
-    BodyIndex body = -1;
-    BodyIndex from = 0;
+    BodyIndex body = none;
+    BodyIndex from = frame;
     std::string where;
 };
 struct ForceEffort {
     std::string name;
-    BodyIndex body = -1;
-    PointIndex at = -1;
+    BodyIndex body = none;
+    PointIndex at = none;
     Bearing along;
     std::string where;
 };
 struct ActuatorEffort {
     std::string name;
-    JointIndex joint = -1;
+    JointIndex joint = none;
     std::string where;
 };
 using Effort = std::variant<CoupleEffort, ForceEffort, ActuatorEffort>;
 
 /// One rigid body's act of motion, instead of joints and drivers (m/s, m/s²).
 struct GivenMotion {
-    PointIndex point = -1;
+    PointIndex point = none;
     std::variant<Vector, Bearing> value;
 };
 struct ActOfMotion {
-    BodyIndex body = -1;
+    BodyIndex body = none;
     std::vector<GivenMotion> velocities, accelerations;
     std::string where;
 };
 
 /// What is asked of one point's relative motion.
 struct RelativeMotionQuery {
-    PointIndex point = -1;
-    BodyIndex observer = 0;            ///< the frame is fixed in this body …
-    PointIndex translating_with = -1;  ///< … or, where ≥ 0, it translates with this point
+    PointIndex point = none;
+    BodyIndex observer = frame;          ///< the frame is fixed in this body …
+    PointIndex translating_with = none;  ///< … or, where there is one, it translates with this point
     std::string where;
 };
 struct Find {
@@ -250,7 +245,7 @@ struct Mechanism {
     Words title;
     Units units;
     std::vector<NamedPoint> points;
-    std::vector<Body> bodies;  ///< [0] is the frame
+    std::vector<Body> bodies;  ///< the frame first
     std::vector<Joint> joints;
     std::vector<Driver> drivers;
     std::vector<Mass> masses;
@@ -266,7 +261,10 @@ struct Mechanism {
     const Body& body(BodyIndex index) const { return bodies[at_index(index)]; }
     const Joint& joint(JointIndex index) const { return joints[at_index(index)]; }
     /// Of a joint of this mechanism.
-    JointIndex index_of(const Joint& joint) const { return static_cast<JointIndex>(&joint - joints.data()); }
+    JointIndex index_of(const Joint& joint) const { return JointIndex(&joint - joints.data()); }
+    /// All bodies but the frame.
+    Indices<BodyIndex> moving_bodies() const { return bodies_after(frame); }
+    Indices<BodyIndex> bodies_after(BodyIndex body) const { return indices<BodyIndex>(bodies.size(), body.next()); }
     std::optional<PointIndex> point_named(std::string_view name) const;
     std::optional<BodyIndex> body_named(std::string_view name) const;
 };

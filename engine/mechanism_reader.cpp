@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -152,7 +153,7 @@ private:
     // ----- points
 
     void register_point(JsonValue member) {
-        if (!points_by_name_.emplace(member.key(), static_cast<PointIndex>(point_names_.size())).second) return;
+        if (!points_by_name_.emplace(member.key(), PointIndex(point_names_.size())).second) return;
         point_names_.push_back(member.key());
         check_name(member, member.key());
     }
@@ -164,7 +165,7 @@ private:
         collected_ = &graph.targets;
         mechanism_.points.reserve(point_names_.size());
         for (const JsonValue member : points) {
-            const bool again = points_by_name_.at(member.key()) != static_cast<PointIndex>(mechanism_.points.size());
+            const bool again = points_by_name_.at(member.key()) != PointIndex(mechanism_.points.size());
             if (again) {
                 // A second one of the same name: its own faults are told, but it is not in the drawing.
                 const std::size_t kept = graph.targets.size();
@@ -182,12 +183,12 @@ private:
 
     void report_cycle(const std::vector<PointIndex>& cycle, const std::vector<JsonValue>& places) {
         constexpr std::size_t most_named = 12;
-        const auto name = [&](PointIndex i) { return quoted(point_names_[static_cast<std::size_t>(i)]); };
+        const auto name = [&](PointIndex i) { return quoted(point_names_[at_index(i)]); };
         std::string chain = name(cycle.front());
         for (std::size_t i = 1; i < std::min(cycle.size(), most_named); ++i) chain += " → " + name(cycle[i]);
         if (cycle.size() > most_named) chain += " → … (" + std::to_string(cycle.size()) + " points)";
         chain += " → " + name(cycle.front());
-        fault(places[static_cast<std::size_t>(cycle.front())],
+        fault(places[at_index(cycle.front())],
               cycle.size() == 1
                   ? "the point " + name(cycle.front()) + " is placed by itself; place it by others or by coordinates"
                   : "these points are placed by each other in a cycle: " + chain +
@@ -228,7 +229,7 @@ private:
         Along along;
         along.from = point(required(form, "from", "the point from which the distance is taken"));
         along.to = point(required(form, "to", "the point towards which it is taken"));
-        if (along.from >= 0 && along.from == along.to) fault(form["to"], "a point and itself give no line; name another");
+        if (along.from != none && along.from == along.to) fault(form["to"], "a point and itself give no line; name another");
         if (const JsonValue amount = one_of(form, {"distance", "ratio"})) {
             along.is_ratio = amount.key() == "ratio";
             along.amount =
@@ -283,7 +284,7 @@ private:
             line.by = LineCurve::By::to;
             line.to = point(how);
             const auto* through = std::get_if<PointIndex>(&line.through);
-            if (through != nullptr && *through >= 0 && *through == line.to)
+            if (through != nullptr && *through != none && *through == line.to)
                 fault(how, "a point and itself give no line; name another");
         } else {
             line.by = how.key() == "parallel" ? LineCurve::By::parallel : LineCurve::By::perpendicular;
@@ -306,7 +307,7 @@ private:
             }
         }
         const auto add = [&](std::string_view name, std::string where) {
-            if (!bodies_by_name_.emplace(name, static_cast<BodyIndex>(body_names_.size())).second) return false;
+            if (!bodies_by_name_.emplace(name, BodyIndex(body_names_.size())).second) return false;
             body_names_.push_back(name);
             Body added;
             added.name = name;
@@ -325,11 +326,12 @@ private:
         }
     }
 
-    Body& body_at(BodyIndex index) { return mechanism_.bodies[static_cast<std::size_t>(index)]; }
+    Body& body_at(BodyIndex index) { return mechanism_.bodies[at_index(index)]; }
 
     void carry(BodyIndex on, PointIndex carried) {
-        if (on < 0 || carried < 0) return;
-        const std::uint64_t pair = (static_cast<std::uint64_t>(on) << 32U) | static_cast<std::uint64_t>(carried);
+        if (on == none || carried == none) return;
+        const std::uint64_t pair =
+            (static_cast<std::uint64_t>(on.number()) << 32U) | static_cast<std::uint64_t>(carried.number());
         if (carried_.insert(pair).second) body_at(on).points.push_back(carried);
     }
 
@@ -415,7 +417,7 @@ private:
         }
         if (const JsonValue arm = form["arm"]) {
             joint.arm = body(arm);
-            if (joint.connects(joint.arm) && joint.arm >= 0) {
+            if (joint.connects(joint.arm) && joint.arm != none) {
                 fault(arm, "the carrier of the two gears is a third body");
             }
         }
@@ -428,7 +430,7 @@ private:
                 fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " + found->second +
                                  "); give one of them a \"name\"");
             } else {
-                sliding_by_name_.emplace(joint.name, static_cast<JointIndex>(mechanism_.joints.size()));
+                sliding_by_name_.emplace(joint.name, JointIndex(mechanism_.joints.size()));
                 sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
             }
         }
@@ -465,10 +467,10 @@ private:
             fault(bodies,
                   std::string(any_number ? "two bodies or more" : "two bodies") + " are wanted here, not " + described(bodies));
         }
-        std::unordered_set<BodyIndex> seen;
+        std::set<BodyIndex> seen;
         for (const JsonValue name : bodies) {
             const BodyIndex connected = body(name);
-            if (connected >= 0 && !seen.insert(connected).second) {
+            if (connected != none && !seen.insert(connected).second) {
                 fault(name, "the body " + quoted(name.text()) + " stands twice in one joint");
             }
             joint.bodies.push_back(connected);
@@ -482,7 +484,7 @@ private:
             joint.along = bearing(shape);
         } else {
             joint.arc = point(shape);
-            if (joint.arc >= 0 && joint.arc == joint.point)
+            if (joint.arc != none && joint.arc == joint.point)
                 fault(shape, "a slot about its own pin has no radius; name the arc's centre");
         }
     }
@@ -500,7 +502,7 @@ private:
             return;
         }
         if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
-        bool complete = joint.bodies.size() == 2 && joint.bodies[0] >= 0 && joint.bodies[1] >= 0;
+        bool complete = joint.bodies.size() == 2 && joint.bodies[0] != none && joint.bodies[1] != none;
         if (shape) {
             if (!expect(shape, Kind::object, "an object of profiles by body")) return;
             for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
@@ -511,7 +513,7 @@ private:
             if (joint.profiles.contains(on)) continue;
             const Body& owner = body_at(on);
             if (owner.circle) {
-                if (owner.circle->centre == joint.point && joint.point >= 0) {
+                if (owner.circle->centre == joint.point && joint.point != none) {
                     fault(place, "the circle of body " + quoted(owner.name) + " has its centre at the contact itself");
                 }
                 joint.profiles.emplace(on, CircleProfile{owner.circle->centre});
@@ -534,8 +536,8 @@ private:
 
     bool read_profile(JsonValue member, Joint& joint) {
         const BodyIndex on = look_up_body(member, member.key());
-        if (on >= 0 && !joint.connects(on)) {
-            if (!joint.connects(-1)) {
+        if (on != none && !joint.connects(on)) {
+            if (!joint.connects(none)) {
                 fault(member, "the body " + quoted(member.key()) + " is not in this joint");
             }
             return false;
@@ -550,7 +552,7 @@ private:
             joint.profiles.emplace(on, LineProfile{*along});
         } else if (shape.key() == "circle") {
             const PointIndex centre = point(shape);
-            if (centre >= 0 && centre == joint.point)
+            if (centre != none && centre == joint.point)
                 fault(shape, "a circle about the contact itself has no radius; name its centre");
             joint.profiles.emplace(on, CircleProfile{centre});
         } else {
@@ -560,12 +562,12 @@ private:
             }
             joint.profiles.emplace(on, TipProfile{});
         }
-        return on >= 0;
+        return on != none;
     }
 
-    /// A sliding joint by its name, or −1 with a fault; `remedy` is for those who name a joint of another kind.
+    /// A sliding joint by its name, or none with a fault; `remedy` is for those who name a joint of another kind.
     JointIndex sliding_joint(JsonValue value, std::string_view remedy) {
-        if (!value || !expect(value, Kind::string, "a joint's name")) return -1;
+        if (!value || !expect(value, Kind::string, "a joint's name")) return none;
         const std::string name(value.text());
         if (const auto found = sliding_by_name_.find(name); found != sliding_by_name_.end()) return found->second;
         if (const auto other = other_joints_.find(name); other != other_joints_.end()) {
@@ -574,7 +576,7 @@ private:
         } else if (joints_known_) {
             fault(value, "no sliding joint is named " + quoted(name) + did_you_mean(speller_.nearest(name, sliding_names_)));
         }
-        return -1;
+        return none;
     }
 
     // ----- drivers
@@ -587,7 +589,7 @@ private:
             driver.where = value.pointer();
             driver.joint =
                 sliding_joint(form["joint"], "a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here");
-            if (driver.joint >= 0 && mechanism_.joint(driver.joint).arc >= 0) {
+            if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
                 fault(form["joint"], "the slot of " + quoted(form["joint"].text()) + " is curved; drive a \"body\" instead");
             }
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
@@ -623,7 +625,7 @@ private:
         driver.body = moving_body(required(form, "body", "the body that is driven (or give \"joint\")"), frame_rests);
         if (const JsonValue base = form["relative to"]) {
             driver.relative_to = body(base);
-            if (driver.relative_to > 0 && driver.relative_to == driver.body)
+            if (driver.relative_to > frame && driver.relative_to == driver.body)
                 fault(base, "a body does not turn against itself; name another");
         }
         driver.omega = quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
@@ -675,7 +677,7 @@ private:
             if (bodies.is_array() && bodies.size() == 2) {
                 const JsonValue second = *++bodies.begin();
                 spring.bodies = {body(*bodies.begin()), body(second)};
-                if (spring.bodies[0] >= 0 && spring.bodies[0] == spring.bodies[1]) {
+                if (spring.bodies[0] != none && spring.bodies[0] == spring.bodies[1]) {
                     fault(second, "the body " + quoted(second.text()) + " stands twice; a spring is between two bodies");
                 }
             } else {
@@ -737,7 +739,7 @@ private:
             couple.where = value.pointer();
             couple.body = body(required(form, "body", "the body on which it acts"));
             if (const JsonValue from = form["from"]) couple.from = body(from);
-            if (couple.body >= 0 && couple.body == couple.from) {
+            if (couple.body != none && couple.body == couple.from) {
                 fault(form["from"] ? form["from"] : form["body"],
                       form["from"] ? "a couple from a body on itself balances nothing; name another" : std::string(frame_rests));
             }
@@ -750,7 +752,7 @@ private:
             actuator.where = value.pointer();
             constexpr std::string_view remedy = "an actuator works in a prismatic joint";
             actuator.joint = sliding_joint(form["joint"], remedy);
-            if (actuator.joint >= 0) {
+            if (actuator.joint != none) {
                 const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
                 if (!pair.is_sleeve())
                     fault(form["joint"], "the joint " + quoted(form["joint"].text()) + " is of kind \"" + std::string(pair.key) +
@@ -892,10 +894,10 @@ private:
 };
 
 template <class Item>
-std::optional<int> named_in(const std::vector<Item>& items, std::string_view name) {
+std::optional<ListIndex<Item>> named_in(const std::vector<Item>& items, std::string_view name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
     if (found == items.end()) return std::nullopt;
-    return static_cast<int>(found - items.begin());
+    return ListIndex<Item>(found - items.begin());
 }
 
 }  // namespace

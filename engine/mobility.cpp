@@ -110,7 +110,7 @@ using Row = std::vector<std::pair<int, Number>>;
 
 /// Whose row: a joint or a driver, by index; a given motion's is neither.
 struct Owner {
-    JointIndex joint = -1;
+    JointIndex joint = none;
     int driver = -1;
 };
 
@@ -136,7 +136,7 @@ public:
         }
         for (const ConstraintRow& row : constraint_rows(mechanism, pose)) write(row);
         for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-            owner_ = {-1, static_cast<int>(i)};
+            owner_ = {none, static_cast<int>(i)};
             std::visit([&](const auto& driver) { write(driver); }, mechanism.drivers[i]);
         }
         owner_ = {};
@@ -162,11 +162,11 @@ private:
         Number moment = field_.product(place[0], n[1]);
         field_.subtract_product(moment, place[1], n[0]);
         const auto add = [&](BodyIndex body, bool negative) {
-            if (body == 0) return;
+            if (body == frame) return;
             const auto signed_of = [&](const Number& value) {
                 return negative ? field_.difference(field_.zero(), value) : value;
             };
-            const int first = 3 * (body - 1);
+            const int first = 3 * (body.number() - 1);
             row.emplace_back(first, signed_of(n[0]));
             row.emplace_back(first + 1, signed_of(n[1]));
             row.emplace_back(first + 2, signed_of(moment));
@@ -178,8 +178,8 @@ private:
     void equal_turns(BodyIndex i, BodyIndex j) {
         if (i == j) return enter({});
         Row<Number> row;
-        if (i != 0) row.emplace_back(3 * (i - 1) + 2, field_.from(1));
-        if (j != 0) row.emplace_back(3 * (j - 1) + 2, field_.from(-1));
+        if (i != frame) row.emplace_back(3 * (i.number() - 1) + 2, field_.from(1));
+        if (j != frame) row.emplace_back(3 * (j.number() - 1) + 2, field_.from(-1));
         enter(std::move(row));
     }
     void enter(Row<Number> row) {
@@ -206,14 +206,14 @@ private:
                      direction(guide.is_zero() ? quarter_turn(pose_.normals[at_index(driver.joint)]) : guide));
     }
     void write(const PointDriver& driver) {
-        equal_speeds(driver.body, 0, driver.at, direction(direction_of(driver.along, pose_)));
+        equal_speeds(driver.body, frame, driver.at, direction(direction_of(driver.along, pose_)));
     }
     void write(const ActOfMotion& motion) {
         for (const GivenMotion& given : motion.velocities) {
             if (const auto* along = std::get_if<Bearing>(&given.value)) {
-                equal_speeds(motion.body, 0, given.point, direction(quarter_turn(direction_of(*along, pose_))));
+                equal_speeds(motion.body, frame, given.point, direction(quarter_turn(direction_of(*along, pose_))));
             } else {
-                pinned(motion.body, 0, given.point);
+                pinned(motion.body, frame, given.point);
             }
         }
     }
@@ -429,8 +429,8 @@ Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPo
     for (std::size_t i = 0; i < verdict.owners.size(); ++i) {
         const auto [joint, driver] = verdict.owners[i];
         if (verdict.independent[i]) {
-            ++(joint >= 0 ? rank : mobility.driven);
-        } else if (joint >= 0) {
+            ++(joint != none ? rank : mobility.driven);
+        } else if (joint != none) {
             auto& redundant = mobility.redundant;
             if (redundant.empty() || redundant.back().joint != joint) redundant.push_back({joint, 0});
             ++redundant.back().rows;

@@ -18,7 +18,7 @@ struct Mobility {
     int gruebler = 0;   ///< 3(m−1) − 2c₁ − c₂ − 3w
     int effective = 0;  ///< 3(m−1) − rank at this pose
     struct Redundant {
-        JointIndex joint = -1;
+        JointIndex joint = none;
         int rows = 0;
     };
     std::vector<Redundant> redundant;    ///< joints (in the file's order) whose constraints depend on those before, and how many

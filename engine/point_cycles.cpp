@@ -15,7 +15,7 @@ public:
     explicit Components(const Dependencies& graph)
         : graph_(graph), number_(count(), unseen), low_(count(), 0), of_(count(), unseen) {
         for (std::size_t start = 0; start < count(); ++start)
-            if (number_[start] == unseen) search(static_cast<PointIndex>(start));
+            if (number_[start] == unseen) search(PointIndex(start));
     }
 
     std::size_t of(PointIndex point) const { return at_index(of_[at_index(point)]); }
@@ -56,7 +56,7 @@ private:
     void close(PointIndex first) {
         const auto component = static_cast<int>(sizes_.size());
         sizes_.push_back(0);
-        PointIndex member = -1;
+        PointIndex member = none;
         do {
             member = open_.back();
             open_.pop_back();
@@ -75,14 +75,14 @@ private:
 std::vector<PointIndex> shortest_cycle(const Dependencies& graph, const Components& components, PointIndex first,
                                        std::vector<PointIndex>& reached_from) {
     std::vector<PointIndex> queue{first};
-    PointIndex last = -1;
-    for (std::size_t i = 0; i < queue.size() && last < 0; ++i) {
+    PointIndex last = none;
+    for (std::size_t i = 0; i < queue.size() && last == none; ++i) {
         for (const PointIndex target : graph.of(queue[i])) {
             if (target == first) {
                 last = queue[i];
                 break;
             }
-            if (components.of(target) != components.of(first) || reached_from[at_index(target)] >= 0) continue;
+            if (components.of(target) != components.of(first) || reached_from[at_index(target)] != none) continue;
             reached_from[at_index(target)] = queue[i];
             queue.push_back(target);
         }
@@ -100,8 +100,8 @@ std::vector<std::vector<PointIndex>> cycles(const Dependencies& graph) {
     const Components components(graph);
     std::vector<std::vector<PointIndex>> found;
     std::vector<bool> told(components.number(), false);
-    std::vector<PointIndex> reached_from(graph.first.size() - 1, -1);
-    for (PointIndex first = 0; at_index(first) < reached_from.size(); ++first) {
+    std::vector<PointIndex> reached_from(graph.first.size() - 1, none);
+    for (const PointIndex first : indices<PointIndex>(reached_from.size())) {
         const std::size_t own = components.of(first);
         const auto targets = graph.of(first);
         const bool knotted = components.size(own) > 1 || std::find(targets.begin(), targets.end(), first) != targets.end();

@@ -14,7 +14,7 @@ struct Dependencies {
     std::vector<std::size_t> first;
     std::vector<PointIndex> targets;
     std::span<const PointIndex> of(PointIndex point) const {
-        const auto i = static_cast<std::size_t>(point);
+        const auto i = at_index(point);
         return std::span(targets).subspan(first[i], first[i + 1] - first[i]);
     }
 };

@@ -52,7 +52,7 @@ struct Ray {
 struct Disc {
     Vector centre;
     Exact radius;
-    PointIndex point = -1;
+    PointIndex point = none;
     bool touched = false;
     std::string name;  ///< "A (radius 50 mm)"
 };
@@ -77,7 +77,7 @@ public:
     }
 
     Result<Pose> draw() {
-        for (std::size_t i = 0; i < mechanism_.points.size(); ++i) drawn(static_cast<int>(i));
+        for (const PointIndex point : indices_of(mechanism_.points)) drawn(point);
         if (!errors_.empty()) return tl::unexpected(in_order_of_file());
         measure();
         read_joints();
@@ -246,7 +246,7 @@ private:
     std::optional<Stroke> stroke(const CircleCurve& circle, const std::string&) {
         if (!drawn(circle.centre)) return std::nullopt;
         const auto* point = std::get_if<PointIndex>(&circle.centre);
-        return Disc{at(circle.centre), circle.radius, point == nullptr ? -1 : *point, touched(circle.centre),
+        return Disc{at(circle.centre), circle.radius, point == nullptr ? none : *point, touched(circle.centre),
                     name_of(circle.centre) + " (radius " + in_file_units(circle.radius.to_double()) + ")"};
     }
     std::optional<Stroke> stroke(const LineCurve& line, const std::string& where) {
@@ -508,7 +508,7 @@ private:
                     pose_.guide_units[i] = unit_along(*guide, pose_.bits);
                     pose_.normals[i] = quarter_turn(*guide);
                 }
-            } else if (joint.arc >= 0) {
+            } else if (joint.arc != none) {
                 if (const auto normal = direction_between({joint.arc, joint.point}, joint.where + "/arc"))
                     pose_.normals[i] = *normal;
             }

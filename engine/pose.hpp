@@ -14,11 +14,11 @@ namespace kinegraph {
 
 /// One arc struck or line drawn to find a point, for the drawing and the words.
 struct PositionStep {
-    PointIndex point = -1;
+    PointIndex point = none;
     enum class How { given, polar, along, lines, line_and_circle, circles, moved_onto_curve } how = How::given;
     struct Arc {
         Vector centre;
-        PointIndex centre_point = -1;
+        PointIndex centre_point = none;
         Exact radius;
     };
     std::vector<Arc> arcs;  ///< the compass strokes
@@ -41,7 +41,7 @@ struct Pose {
     std::vector<PositionStep> steps;  ///< in the order found
     std::vector<Message> remarks;     ///< points moved onto their curves, with the misfit
 
-    const Vector& at(PointIndex point) const { return points[static_cast<std::size_t>(point)]; }
+    const Vector& at(PointIndex point) const { return points[at_index(point)]; }
 };
 
 /// Finds every point. Errors: a cycle of points, curves that do not meet (by how much), two intersections and no choice,

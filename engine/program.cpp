@@ -8,7 +8,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 ProjectivePoint point_at(const Vector& place) { return {place.x, place.y, 1}; }
 
@@ -194,7 +194,7 @@ ValueOf<double> to_double(const Value& value) {
     return near(std::get<Exact>(value));
 }
 
-bool is_at_infinity(const Program& program, int element) {
+bool is_at_infinity(const Program& program, ElementIndex element) {
     const Stroke& stroke = program.strokes[at(element)];
     switch (stroke.verb) {
         case Verb::point_at_infinity:
@@ -209,7 +209,7 @@ bool is_at_infinity(const Program& program, int element) {
     }
 }
 
-int before_turning(const Program& program, int element) {
+ElementIndex before_turning(const Program& program, ElementIndex element) {
     const Stroke& stroke = program.strokes[at(element)];
     const bool turns = stroke.verb == Verb::perpendicular || stroke.verb == Verb::turn || stroke.verb == Verb::negate;
     return turns ? before_turning(program, stroke.inputs[0]) : element;
@@ -235,14 +235,14 @@ namespace {
 void mark_inputs(const Program& program, std::vector<bool>& marked) {
     for (std::size_t i = marked.size(); i-- > 0;) {
         if (!marked[i]) continue;
-        for (const int input : program.strokes[i].inputs)
-            if (input >= 0) marked[at(input)] = true;
+        for (const ElementIndex input : program.strokes[i].inputs)
+            if (input != none) marked[at(input)] = true;
     }
 }
 
 }  // namespace
 
-std::vector<int> hangs_on(const Program& program, int element) {
+std::vector<int> hangs_on(const Program& program, ElementIndex element) {
     std::vector<bool> needed(program.strokes.size(), false);
     needed[at(element)] = true;
     mark_inputs(program, needed);
@@ -253,35 +253,35 @@ std::vector<int> hangs_on(const Program& program, int element) {
     return givens;
 }
 
-Cut cut(const Program& program, const std::vector<int>& wanted, int settled) {
+Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled) {
     std::vector<bool> needed(program.strokes.size(), false);
-    for (const int element : wanted) needed[at(element)] = true;
+    for (const ElementIndex element : wanted) needed[at(element)] = true;
     const auto decides = [&](const Guard& guard) { return guard.before <= settled && guard.how != Guard::How::by_choice; };
     for (const Guard& guard : program.guards)
-        for (const int input : guard.inputs)
-            if (input >= 0 && decides(guard)) needed[at(input)] = true;
+        for (const ElementIndex input : guard.inputs)
+            if (input != none && decides(guard)) needed[at(input)] = true;
     mark_inputs(program, needed);
 
     Cut result;
-    result.element.assign(program.strokes.size(), -1);
+    result.element.assign(program.strokes.size(), none);
     std::vector<int> made(program.strokes.size() + 1, 0);  // by stroke: how many were kept before it
     for (std::size_t i = 0; i < program.strokes.size(); ++i) {
         made[i + 1] = made[i] + (needed[i] ? 1 : 0);
         if (!needed[i]) continue;
         Stroke stroke = program.strokes[i];
-        for (int& input : stroke.inputs)
-            if (input >= 0) input = result.element[at(input)];
+        for (ElementIndex& input : stroke.inputs)
+            if (input != none) input = result.element[at(input)];
         if (stroke.given >= 0) {
             result.program.givens.push_back(program.givens[at(stroke.given)]);
             stroke.given = static_cast<int>(result.program.givens.size()) - 1;
         }
-        result.element[i] = static_cast<int>(result.program.strokes.size());
+        result.element[i] = ElementIndex(result.program.strokes.size());
         result.program.strokes.push_back(stroke);
     }
     for (Guard guard : program.guards) {
         if (!decides(guard)) continue;
-        for (int& input : guard.inputs)
-            if (input >= 0) input = result.element[at(input)];
+        for (ElementIndex& input : guard.inputs)
+            if (input != none) input = result.element[at(input)];
         guard.before = made[at(guard.before)];
         result.program.guards.push_back(guard);
     }
@@ -294,12 +294,12 @@ struct ExactMemory {
     using Number = Exact;
     std::vector<Value>& values;
 
-    const ProjectivePoint& point(int i) const { return std::get<ProjectivePoint>(values[at(i)]); }
-    const ProjectiveLine& line(int i) const { return std::get<ProjectiveLine>(values[at(i)]); }
-    const Vector& vector(int i) const { return std::get<Vector>(values[at(i)]); }
-    const Exact& scalar(int i) const { return std::get<Exact>(values[at(i)]); }
-    bool is_line(int i) const { return std::holds_alternative<ProjectiveLine>(values[at(i)]); }
-    void put(int, Value value) { values.push_back(std::move(value)); }
+    const ProjectivePoint& point(ElementIndex i) const { return std::get<ProjectivePoint>(values[at(i)]); }
+    const ProjectiveLine& line(ElementIndex i) const { return std::get<ProjectiveLine>(values[at(i)]); }
+    const Vector& vector(ElementIndex i) const { return std::get<Vector>(values[at(i)]); }
+    const Exact& scalar(ElementIndex i) const { return std::get<Exact>(values[at(i)]); }
+    bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(values[at(i)]); }
+    void put(ElementIndex, Value value) { values.push_back(std::move(value)); }
 };
 
 }  // namespace
@@ -328,7 +328,7 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
         if (stroke.given >= 0) {
             result.values.push_back(givens[at(stroke.given)]);
         } else {
-            carry_out(stroke, static_cast<int>(i), memory);
+            carry_out(stroke, ElementIndex(i), memory);
         }
         std::visit([&](const auto& made) { largest.note(stroke.plane, made); }, result.values.back());
     }

@@ -19,6 +19,7 @@
 #include "engine/assert.hpp"
 #include "engine/exact.hpp"
 #include "engine/geometry.hpp"
+#include "engine/index.hpp"
 
 namespace kinegraph {
 
@@ -97,13 +98,13 @@ enum class Verb : std::uint8_t {
     arm,
 };
 
-/// One stroke: element = verb(inputs). Its element is its index in Program::strokes.
+/// One stroke: element = verb(inputs). Its element has its index in Program::strokes.
 struct Stroke {
     Verb verb = Verb::given_scalar;
     Plane plane = Plane::drawing;
-    int inputs[2] = {-1, -1};
-    int given = -1;      ///< index in Program::givens
-    int statement = -1;  ///< the sentence it belongs to; −1 before the first
+    ElementIndex inputs[2] = {none, none};
+    int given = -1;                   ///< index in Program::givens
+    StatementIndex statement = none;  ///< the sentence it belongs to; none before the first
 };
 
 /// A predicate and its verdict, kept because the construction went on with it.
@@ -124,7 +125,7 @@ struct Guard {
         by_finer_pose,  ///< suspiciously small: decided by what it did on the finer pose (a heuristic, not a proof)
         by_choice       ///< no result hangs on it: of several ways, all right, the handier one was taken
     } how = How::exactly;
-    int inputs[2] = {-1, -1};
+    ElementIndex inputs[2] = {none, none};
     int verdict = 0;  ///< 0 and 1 for no and yes
     int before = 0;   ///< asked before the stroke of this index was made
 };
@@ -136,9 +137,9 @@ struct Program {
 };
 
 /// Whether a point or a line lies at infinity: its verb tells, for the verb was chosen by what the guards say.
-bool is_at_infinity(const Program& program, int element);
+bool is_at_infinity(const Program& program, ElementIndex element);
 /// The vector that was turned or reversed to make a direction: they vanish together.
-int before_turning(const Program& program, int element);
+ElementIndex before_turning(const Program& program, ElementIndex element);
 
 /// The values of a program's givens in the mechanism's pose (or another of its poses). Lengths in m, all SI.
 std::vector<Value> givens_of(const Program& program, const Mechanism& mechanism, const Pose& pose);
@@ -150,17 +151,17 @@ ValueOf<double> to_double(const Value& value);
 bool identical(const Value& a, const Value& b);
 
 /// The indices of the givens that an element hangs on, ascending.
-std::vector<int> hangs_on(const Program& program, int element);
+std::vector<int> hangs_on(const Program& program, ElementIndex element);
 
 /// A program cut to what a set of elements needs, as a compiler drops dead code.
 struct Cut {
     Program program;
-    std::vector<int> element;  ///< by element of the whole: its index in `program`; −1: dropped
+    std::vector<ElementIndex> element;  ///< by element of the whole: its index in `program`; none: dropped
 };
 /// Keeps the strokes that `wanted` needs and every guard asked before `settled` strokes were made, with the strokes it needs: a
 /// result hangs on each verdict that was given before it was settled, even where no stroke tells so (a body that translates).
 /// Guards that are a mere choice go.
-Cut cut(const Program& program, const std::vector<int>& wanted, int settled);
+Cut cut(const Program& program, const std::vector<ElementIndex>& wanted, int settled);
 
 /// A program evaluated in Exact.
 struct Evaluation {
@@ -184,10 +185,10 @@ Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
 /// What a verb does. `Memory` has Number, point(i), line(i), vector(i), scalar(i) and put(i, …) for each of these; givens are
 /// put by who has them.
 template <class Memory>
-void carry_out(const Stroke& stroke, int element, Memory& memory) {
+void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
     using Number = typename Memory::Number;
     using Point = PointOf<Number>;
-    const int a = stroke.inputs[0], b = stroke.inputs[1];
+    const ElementIndex a = stroke.inputs[0], b = stroke.inputs[1];
     switch (stroke.verb) {
         case Verb::given_point:
         case Verb::given_vector:
@@ -321,15 +322,15 @@ struct Answer {
 
 /// A direction of a vector or a line.
 template <class Memory>
-VectorOf<typename Memory::Number> direction_in(const Memory& memory, int element) {
+VectorOf<typename Memory::Number> direction_in(const Memory& memory, ElementIndex element) {
     return memory.is_line(element) ? memory.line(element).direction() : VectorOf<typename Memory::Number>(memory.vector(element));
 }
 
 /// How large the vectors are of which a direction is the difference: what its rounding is a part of.
 template <class Memory>
-Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory, int element,
+Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory, ElementIndex element,
                                             const Largest<typename Memory::Number>& largest) {
-    const Stroke& stroke = strokes[static_cast<std::size_t>(element)];
+    const Stroke& stroke = strokes[at_index(element)];
     switch (stroke.verb) {
         case Verb::given_vector:
             return magnitude_of(memory.vector(element));
@@ -349,7 +350,7 @@ Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, 
 template <class Memory>
 Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const std::vector<Stroke>& strokes,
                                                       const Memory& memory, const Largest<typename Memory::Number>& largest) {
-    const int a = guard.inputs[0], b = guard.inputs[1];
+    const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
     return std::max(scale_of(strokes, memory, a, largest) * magnitude_of(direction_in(memory, b)),
                     magnitude_of(direction_in(memory, a)) * scale_of(strokes, memory, b, largest));
 }
@@ -361,8 +362,8 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
                                        const Largest<typename Memory::Number>& largest) {
     using Number = typename Memory::Number;
     using Question = Guard::Question;
-    const int a = guard.inputs[0], b = guard.inputs[1];
-    const Plane lies_in = strokes[static_cast<std::size_t>(a)].plane;
+    const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
+    const Plane lies_in = strokes[at_index(a)].plane;
     const auto plane = static_cast<std::size_t>(lies_in);
     const auto plain = [](bool yes) { return Answer<Number>{yes ? 1 : 0, true, {}, {}}; };
     const auto zero = [](const auto& excess, Magnitude<Number> unit) {

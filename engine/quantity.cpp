@@ -86,12 +86,12 @@ private:
         KG_ASSERT(false, "a part is one of these");
     }
 
-    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
-    std::string body(BodyIndex index) const { return index < 0 ? "pin" : mechanism_.bodies[at(index)].name; }
+    static std::size_t at(auto index) { return at_index(index); }
+    std::string body(BodyIndex index) const { return index == none ? "pin" : mechanism_.bodies[at(index)].name; }
     std::string joint(JointIndex index) const { return mechanism_.joints[at(index)].name; }
     std::string carried(const Quantity& q) const {
         // A place that the recipe needed and the file does not name.
-        const std::string letter = q.point < 0 ? "S" : mechanism_.points[at(q.point)].name;
+        const std::string letter = q.point == none ? "S" : mechanism_.points[at(q.point)].name;
         return is_of_several_bodies(q.point) ? letter + " on " + body(q.body) : letter;
     }
     std::string action(const Quantity& q) const {

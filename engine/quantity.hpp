@@ -22,7 +22,7 @@ struct Quantity {
         sliding_velocity,  ///< at `joint`, of its first body on its second
         sliding_acceleration,
         sliding_coriolis,
-        force,   ///< at `joint`, of `other` on `body` (−1: the pin of a multiple hinge)
+        force,   ///< at `joint`, of `other` on `body` (none: the pin of a multiple hinge)
         couple,  ///< the same, about the joint's point
         load,    ///< `given` counts Mechanism::loads
         weight,  ///< `given` counts Mechanism::masses
@@ -30,13 +30,13 @@ struct Quantity {
         effort,        ///< `given` counts Mechanism::efforts
         virtual_power  ///< of all that acts from outside
     } kind = Kind::none;
-    BodyIndex body = -1, other = -1;
-    PointIndex point = -1;
-    JointIndex joint = -1;
+    BodyIndex body = none, other = none;
+    PointIndex point = none;
+    JointIndex joint = none;
     int given = -1;
     /// Of a velocity or an acceleration.
     enum class Part { whole, relative, normal, tangential, sliding, coriolis, transport } part = Part::whole;
-    PointIndex seen_from = -1;  ///< the point of `other` that a part is counted from
+    PointIndex seen_from = none;  ///< the point of `other` that a part is counted from
     enum class Component { none, x, y } component = Component::none;
 
     // clang-tidy 14 takes the 0 that the compiler compares with for a pointer.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/assert.hpp"
+#include "engine/index.hpp"
 
 namespace kinegraph {
 
@@ -16,7 +17,7 @@ public:
     /// A value that stands in no record.
     Recorded(T value) : known_(true), value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as std::optional
     Recorded(std::nullopt_t) {}                                    // NOLINT(google-explicit-constructor)
-    static Recorded at(int element) {
+    static Recorded at(ElementIndex element) {
         Recorded found;
         found.known_ = true;
         found.element_ = element;
@@ -33,13 +34,13 @@ public:
     T value_or(T otherwise) const { return known_ ? value_ : std::move(otherwise); }
     const T& operator*() const { return value(); }
     const T* operator->() const { return &value(); }
-    /// −1 where it vanishes, or is not known.
-    int element() const { return element_; }
+    /// None where it vanishes, or is not known.
+    ElementIndex element() const { return element_; }
 
     /// What `see(element, value)` makes of both: renumbers the one, reads the other.
     template <class See>
     void visit(See& see) {
-        if (known_ && element_ >= 0) see(element_, value_);
+        if (known_ && element_ != none) see(element_, value_);
     }
 
     friend bool operator==(const Recorded& a, const Recorded& b) {
@@ -48,7 +49,7 @@ public:
 
 private:
     bool known_ = false;
-    int element_ = -1;
+    ElementIndex element_ = none;
     T value_{};
 };
 

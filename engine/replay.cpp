@@ -3,7 +3,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// What is this much smaller than what it is small beside may be zero in doubles: 2^-30, a millionth of a millimetre in a drawing
 /// of a metre, and some six orders above what rounding leaves of the deepest constructions met (chains of ten dyads).
@@ -46,11 +46,11 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
     const std::size_t count = strokes_.size();
     memory_.cells.resize(count);
     memory_.lines.resize(count);
-    element_of_given_.resize(program.givens.size(), -1);
+    element_of_given_.resize(program.givens.size(), none);
     std::vector<int> made(count + 1, 0);  // by stroke: how many are carried out before it
     for (std::size_t i = 0; i < count; ++i) {
         const Stroke& stroke = strokes_[i];
-        const auto element = static_cast<int>(i);
+        const ElementIndex element(i);
         const Kind kind = kind_of(stroke.verb);
         const bool is_small_beside_size = stroke.plane == Plane::drawing && kind != Kind::scalar;
         memory_.lines[i] = kind == Kind::line ? 1 : 0;
@@ -76,7 +76,7 @@ Replay::Replay(const Program& program, const std::vector<Value>& givens, double 
 }
 
 void Replay::give(int given, const ValueOf<double>& value) {
-    const int element = element_of_given_[at(given)];
+    const ElementIndex element = element_of_given_[at(given)];
     std::visit([&](const auto& number) { memory_.put(element, number); }, value);
 }
 

@@ -21,9 +21,9 @@ public:
     /// evaluated. Givens that are not finite, or a division by what a guard should have excluded, show as values that are not.
     std::optional<int> run();
 
-    PointOf<double> point(int element) const { return memory_.point(element); }
-    VectorOf<double> vector(int element) const { return memory_.vector(element); }
-    double scalar(int element) const { return memory_.scalar(element); }
+    PointOf<double> point(ElementIndex element) const { return memory_.point(element); }
+    VectorOf<double> vector(ElementIndex element) const { return memory_.vector(element); }
+    double scalar(ElementIndex element) const { return memory_.scalar(element); }
     std::size_t strokes() const { return steps_.size(); }  ///< those carried out by a run; givens and poles are not
 
 private:
@@ -36,16 +36,16 @@ private:
         std::vector<Cell> cells;
         std::vector<char> lines;  ///< whether an element is a line
 
-        const Cell& cell(int i) const { return cells[static_cast<std::size_t>(i)]; }
-        PointOf<double> point(int i) const { return {cell(i).x, cell(i).y, cell(i).w}; }
-        LineOf<double> line(int i) const { return {cell(i).x, cell(i).y, cell(i).w}; }
-        VectorOf<double> vector(int i) const { return {cell(i).x, cell(i).y}; }
-        double scalar(int i) const { return cell(i).x; }
-        bool is_line(int i) const { return lines[static_cast<std::size_t>(i)] != 0; }
-        void put(int i, const PointOf<double>& p) { cells[static_cast<std::size_t>(i)] = {p.x, p.y, p.w}; }
-        void put(int i, const LineOf<double>& l) { cells[static_cast<std::size_t>(i)] = {l.a, l.b, l.c}; }
-        void put(int i, const VectorOf<double>& v) { cells[static_cast<std::size_t>(i)] = {v.x, v.y, 0}; }
-        void put(int i, double s) { cells[static_cast<std::size_t>(i)] = {s, 0, 0}; }
+        const Cell& cell(ElementIndex i) const { return cells[at_index(i)]; }
+        PointOf<double> point(ElementIndex i) const { return {cell(i).x, cell(i).y, cell(i).w}; }
+        LineOf<double> line(ElementIndex i) const { return {cell(i).x, cell(i).y, cell(i).w}; }
+        VectorOf<double> vector(ElementIndex i) const { return {cell(i).x, cell(i).y}; }
+        double scalar(ElementIndex i) const { return cell(i).x; }
+        bool is_line(ElementIndex i) const { return lines[at_index(i)] != 0; }
+        void put(ElementIndex i, const PointOf<double>& p) { cells[at_index(i)] = {p.x, p.y, p.w}; }
+        void put(ElementIndex i, const LineOf<double>& l) { cells[at_index(i)] = {l.a, l.b, l.c}; }
+        void put(ElementIndex i, const VectorOf<double>& v) { cells[at_index(i)] = {v.x, v.y, 0}; }
+        void put(ElementIndex i, double s) { cells[at_index(i)] = {s, 0, 0}; }
     };
     /// What is noted of an element for what others are small beside.
     enum class Noted : std::uint8_t { nothing, vector, scalar };
@@ -53,7 +53,7 @@ private:
     /// A stroke that a run carries out: all but givens and poles.
     struct Step {
         Stroke stroke;
-        int element = -1;
+        ElementIndex element = none;
         Noted noted = Noted::nothing;
     };
     void note(const Step& step);
@@ -64,7 +64,7 @@ private:
     std::vector<Step> steps_;      ///< in a row, as a run needs them
     std::vector<Step> noted_givens_;
     std::vector<Guard> guards_;  ///< `before` counts steps_
-    std::vector<int> element_of_given_;
+    std::vector<ElementIndex> element_of_given_;
     Memory memory_;
     Largest<double> at_start_, largest_;
     std::size_t next_ = 0;  ///< how far the run is in steps_

@@ -131,7 +131,7 @@ public:
     void add_place(PointIndex point) {
         const Vector& at = pose_.at(point);
         add("at", pair(at));
-        const Exact& leftover = pose_.leftover[static_cast<std::size_t>(point)];
+        const Exact& leftover = pose_.leftover[at_index(point)];
         if (!leftover.is_zero()) {
             if (exact_) leftover_ = bound(leftover);
         } else if (certain(at.x) && certain(at.y)) {
@@ -234,7 +234,7 @@ private:
                 ratios.emplace_back(mechanism_.bodies[body].name, number(branch.ratios[body]));
             for (std::size_t body = 1; body < branch.exact.size(); ++body)
                 fractions.emplace_back(mechanism_.bodies[body].name, quoted(branch.exact[body].to_fraction()));
-            Members members{{"reference", branch.reference < 0 ? "null" : quoted(name_of_body(branch.reference))},
+            Members members{{"reference", branch.reference == none ? "null" : quoted(name_of_body(branch.reference))},
                             {"ratios", object(ratios)}};
             if (exact_ && !fractions.empty()) members.emplace_back("exact", object(fractions));
             all.push_back(object(members));
@@ -249,7 +249,7 @@ private:
 
     std::string points() const {
         Members all;
-        for (PointIndex point = 0; point < static_cast<PointIndex>(mechanism_.points.size()); ++point) {
+        for (const PointIndex point : indices_of(mechanism_.points)) {
             std::vector<const PointMotion*> nodes;
             for (const PointMotion& motion : solution_.points)
                 if (motion.point == point) nodes.push_back(&motion);
@@ -260,7 +260,7 @@ private:
                 here.add("acceleration", nodes[0]->acceleration);
             } else if (nodes.size() > 1) {
                 Members on;
-                for (BodyIndex body = 0; body < static_cast<BodyIndex>(mechanism_.bodies.size()); ++body) {
+                for (const BodyIndex body : indices_of(mechanism_.bodies)) {
                     for (const PointMotion* node : nodes) {
                         bool carries = false;
                         for (const BodyIndex carrier : node->bodies) carries = carries || carrier == body;
@@ -339,7 +339,7 @@ private:
         for (const RelativeMotion& motion : solution_.relative_motion) {
             Entry seen = entry();
             seen.add("point", quoted(name_of_point(motion.query.point)));
-            if (motion.query.translating_with >= 0)
+            if (motion.query.translating_with != none)
                 seen.add("observer", object({{"translating with", quoted(name_of_point(motion.query.translating_with))}}));
             else
                 seen.add("observer", quoted(name_of_body(motion.query.observer)));
@@ -382,7 +382,7 @@ private:
                 // The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
                 here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
             }
-            const std::string from = action.from < 0 ? "pin" : name_of_body(action.from);
+            const std::string from = action.from == none ? "pin" : name_of_body(action.from);
             by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), here.json());
         }
         Members all;

@@ -14,7 +14,7 @@ void read(const Value& from, Vector& value) {
 }  // namespace
 
 void read_values(Solution& solution, const std::vector<Value>& values) {
-    for_each_found(solution, [&](int& element, auto& value) { read(values[static_cast<std::size_t>(element)], value); });
+    for_each_found(solution, [&](ElementIndex& element, auto& value) { read(values[at_index(element)], value); });
 }
 
 }  // namespace kinegraph

@@ -22,7 +22,7 @@ namespace kinegraph {
 
 /// A point as carried by one body, or by several that a pin holds together there.
 struct PointMotion {
-    PointIndex point = -1;
+    PointIndex point = none;
     std::vector<BodyIndex> bodies;
     std::string label;  ///< "A", "A*" where other bodies carry the same place without a pin
     Recorded<Vector> velocity, acceleration;
@@ -32,20 +32,20 @@ struct BodyMotion {
 };
 /// i seen from j at a sliding joint or a contact.
 struct Sliding {
-    JointIndex joint = -1;
+    JointIndex joint = none;
     Recorded<Vector> velocity, acceleration, coriolis;
 };
 /// What stands for a contact of round or straight profiles up to accelerations: a link between the centres of curvature, or the
 /// one centre as a pin in a straight slot parallel to the other's line (a tip is its own centre).
 struct EquivalentLinkage {
     enum class Kind { link, slot } kind = Kind::link;
-    JointIndex joint = -1;
-    std::array<BodyIndex, 2> bodies{-1, -1};   ///< slot: the pin's body, then the slot's
-    std::array<PointIndex, 2> places{-1, -1};  ///< link: its ends on these bodies; slot: the pin twice
+    JointIndex joint = none;
+    std::array<BodyIndex, 2> bodies{none, none};   ///< slot: the pin's body, then the slot's
+    std::array<PointIndex, 2> places{none, none};  ///< link: its ends on these bodies; slot: the pin twice
 };
 /// An instant centre P_ij.
 struct InstantCentre {
-    BodyIndex first = 0, second = 0;  ///< frame first, then in the file's order
+    BodyIndex first = frame, second = frame;  ///< frame first, then in the file's order
     enum class How { unknown, primary, kennedy, velocities } how = How::unknown;
     Recorded<ProjectivePoint> at;     ///< finite or at infinity
     bool everywhere = false;          ///< the bodies do not move against each other
@@ -54,7 +54,7 @@ struct InstantCentre {
         through;  ///< the lines used: pairs of indices into Solution::centres (P_ik, P_kj); empty for primary ones
     std::vector<PointIndex> normals;  ///< … or normals at these points
     int order = 0;                    ///< position in the order found
-    int statement = -1;
+    StatementIndex statement = none;
 };
 /// The motion of a point seen by an observer.
 struct RelativeMotion {
@@ -64,15 +64,15 @@ struct RelativeMotion {
 };
 /// An angular velocity found a second time, by instant centres.
 struct SecondWay {
-    BodyIndex body = -1;
+    BodyIndex body = none;
     Recorded<Exact> omega;
     bool agrees = false;  ///< with the polygon, by exact predicate
 };
 /// The action of one body on another at a joint, reduced to the joint's point. At a hinge of three bodies or more the pin acts on
-/// each: `from` is −1 then.
+/// each: `from` is none then.
 struct JointForce {
-    JointIndex joint = -1;
-    BodyIndex on = -1, from = -1;
+    JointIndex joint = none;
+    BodyIndex on = none, from = none;
     Recorded<Vector> force;  ///< N
     Recorded<Exact> couple;  ///< N m about the joint's point, counter-clockwise positive
 };
@@ -85,39 +85,39 @@ struct EffortValue {
 struct AppliedForce {
     Symbol symbol;
     enum class Kind { load, weight, inertia, spring, reaction, effort } kind = Kind::load;
-    JointIndex joint = -1;  ///< reactions
-    BodyIndex from = -1;    ///< which body acts, −1: none or a pin
-    Vector force;           ///< N; zero for a pure couple
-    Exact couple;           ///< N m about `at`
-    Vector at;              ///< a place on the line of action (m); for a couple the place it is drawn at
+    JointIndex joint = none;  ///< reactions
+    BodyIndex from = none;    ///< which body acts, none: no body or a pin
+    Vector force;             ///< N; zero for a pure couple
+    Exact couple;             ///< N m about `at`
+    Vector at;                ///< a place on the line of action (m); for a couple the place it is drawn at
     struct Elements {
-        int force = -1, couple = -1, at = -1;
-    } elements;                         ///< of the record, −1 where it vanishes
+        ElementIndex force, couple, at;
+    } elements;                         ///< of the record, none where it vanishes
     bool line_by_construction = false;  ///< its line of action was deduced, not given
     /// Index in Mechanism::loads (load, spring), masses (weight, inertia) or efforts (effort); −1: a reaction.
     int given = -1;
-    /// The statement after which its line is known, or that first needs the line of what is given; −1: none does.
-    int line_statement = -1;
-    int force_statement = -1;  ///< that finds it; −1: it is given
+    /// The statement after which its line is known, or that first needs the line of what is given; none: no one does.
+    StatementIndex line_statement = none;
+    StatementIndex force_statement = none;  ///< that finds it; none: it is given
     /// By the check: the modulus in N; the couple in N m, as `couple` counts. None where equilibrium leaves them open.
     std::optional<double> numeric_force, numeric_couple;
 };
 /// A body cut free, with all that acts on it; the forces close its polygon.
 struct FreeBody {
-    BodyIndex body = -1;  ///< −1: the pin of a multiple hinge at `pin`
-    PointIndex pin = -1;
+    BodyIndex body = none;  ///< none: the pin of a multiple hinge at `pin`
+    PointIndex pin = none;
     std::vector<AppliedForce> forces;  ///< in the order of the polygon: what was known first
     /// A point of concurrency that was used.
     struct Meet {
         std::string name;
         Vector place;
-        int statement = -1;  ///< that finds it
-        int element = -1;    ///< of the record
+        StatementIndex statement = none;  ///< that finds it
+        ElementIndex element = none;      ///< of the record
     };
     std::vector<Meet> meets;
-    int polygon = -1;       ///< index in Protocol::polygons; −1 where all forces vanish
-    int statement = -1;     ///< after which all its forces are known
-    bool in_parts = false;  ///< its forces are sums of parts or trials: its polygon was closed by no one statement
+    int polygon = -1;                 ///< index in Protocol::polygons; −1 where all forces vanish
+    StatementIndex statement = none;  ///< after which all its forces are known
+    bool in_parts = false;            ///< its forces are sums of parts or trials: its polygon was closed by no one statement
 };
 /// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
 /// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
@@ -125,7 +125,7 @@ struct VirtualWork {
     struct Entry {
         Symbol symbol;
         Quantity quantity;  ///< the force or couple
-        BodyIndex body = -1;
+        BodyIndex body = none;
         Vector at;        ///< place of application, m
         Vector velocity;  ///< of that place, m/s
         Vector force;     ///< N; zero for a couple
@@ -133,16 +133,16 @@ struct VirtualWork {
         Exact omega;      ///< of the body, rad/s
         Exact power;      ///< W
         struct Elements {
-            int at = -1, velocity = -1, force = -1, couple = -1, omega = -1, power = -1;
-        } elements;  ///< of the record, −1 where it vanishes
+            ElementIndex at, velocity, force, couple, omega, power;
+        } elements;  ///< of the record, none where it vanishes
     };
     std::vector<Entry> entries;
     Exact total;  ///< exactly zero on an exact pose
-    int total_element = -1;
+    ElementIndex total_element = none;
 };
 /// What a figure of one body's act of motion shows besides its velocities and centre.
 struct ActFigure {
-    BodyIndex body = -1;
+    BodyIndex body = none;
     enum class Found {
         nothing,         ///< neither centre nor translation is known
         perpendiculars,  ///< the perpendiculars at `points` meet in the centre
@@ -155,15 +155,15 @@ struct ActFigure {
     std::vector<PointIndex> points;
     /// Where two velocities project differently on the join of their points (first → second): the projections, m/s.
     struct Projections {
-        PointIndex first = -1, second = -1;
+        PointIndex first = none, second = none;
         Recorded<Vector> of_first, of_second;
         Recorded<Vector> join;
-        int statement = -1;  ///< that says by how much
+        StatementIndex statement = none;  ///< that says by how much
     };
     std::optional<Projections> differing;
     Recorded<Vector> acceleration_centre;  ///< the place of the body whose acceleration vanishes, m
     std::string acceleration_centre_name;  ///< "K", or the first of K2, K3 … that no point of the file has
-    int centre_statement = -1, acceleration_centre_statement = -1;
+    StatementIndex centre_statement = none, acceleration_centre_statement = none;
 };
 /// One scalar held against the check.
 struct CheckRow {
@@ -204,11 +204,12 @@ struct Solution {
     std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
 };
 
-/// Every element that the results name, with its value (Vector, Exact or ProjectivePoint): `see(int& element, auto& value)`.
+/// Every element that the results name, with its value (Vector, Exact or ProjectivePoint): `see(ElementIndex& element, auto&
+/// value)`.
 template <class See>
 void for_each_found(Solution& solution, See see) {
-    const auto held = [&](int& element, auto& value) {
-        if (element >= 0) see(element, value);
+    const auto held = [&](ElementIndex& element, auto& value) {
+        if (element != none) see(element, value);
     };
     for (PointMotion& point : solution.points)
         for (auto* found : {&point.velocity, &point.acceleration}) found->visit(see);

@@ -244,8 +244,8 @@ struct Term {
     Symbol symbol;
     bool magnitude_known = false;
     bool direction_known = true;
-    LineReason line;      ///< what the direction is, for the table's third row
-    BodyIndex body = -1;  ///< whose colour it has; −1: none
+    LineReason line;        ///< what the direction is, for the table's third row
+    BodyIndex body = none;  ///< whose colour it has
 };
 /// side[0] = side[1] (= side[2]): each side a sum of terms.
 struct Equation {

@@ -36,11 +36,11 @@ Mechanism mechanism_of(const Data& data) {
     mechanism.bodies.push_back({"2", {}, {}, {}, "/bodies/2"});
     const auto index = [&](const std::string& name) { return mechanism.point_named(name).value(); };
     for (const auto& [name, place] : data.points) {
-        mechanism.bodies[1].points.push_back(static_cast<PointIndex>(mechanism.points.size()));
+        mechanism.bodies[1].points.push_back(PointIndex(mechanism.points.size()));
         mechanism.points.push_back({name, Coordinates{place}, "/points/" + name});
     }
     ActOfMotion act;
-    act.body = 1;
+    act.body = BodyIndex(1);
     for (const auto& [name, value] : data.velocities) act.velocities.push_back({index(name), value});
     for (const auto& [name, value] : data.accelerations) act.accelerations.push_back({index(name), value});
     mechanism.motion = std::move(act);

@@ -56,7 +56,7 @@ TEST(Branches, OfAFoldedParallelogramAreItselfAndTheCrossedOne) {
     ASSERT_EQ(seen.motion.branches.size(), 2u);
     std::vector<Exact> rocker;
     for (const Branch& branch : seen.motion.branches) {
-        EXPECT_EQ(branch.reference, 1) << "the driven crank";
+        EXPECT_EQ(branch.reference, BodyIndex(1)) << "the driven crank";
         ASSERT_EQ(branch.exact.size(), 4u);
         EXPECT_EQ(branch.exact[1], 1);
         EXPECT_EQ(2 * branch.exact[2], branch.exact[3] - 1) << "b ω₃ = a(ω₄ − ω₂)";
@@ -95,7 +95,7 @@ TEST(Branches, OfARhombusAreATurnAsAWholeAndItsCrankAlone) {
     ASSERT_EQ(seen.motion.branches.size(), 2u);
     for (const Branch& branch : seen.motion.branches) {
         // a(ω₄² − ω₂²) = a(ω₄ − ω₂)²: ω₄ = ω₂, or ω₂ = 0 and body 3 turns as 4 does
-        if (branch.reference == 1)
+        if (branch.reference == BodyIndex(1))
             EXPECT_EQ(branch.exact.at(3), 1);
         else
             EXPECT_TRUE(branch.exact.at(1).is_zero() && branch.exact.at(2) == branch.exact.at(3));

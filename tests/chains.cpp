@@ -26,7 +26,7 @@ std::vector<int> Chain::neighbours(int link) const {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// For each link the set of those it is hinged to, as bits.
 using Adjacency = std::vector<unsigned>;

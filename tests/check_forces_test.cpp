@@ -43,8 +43,8 @@ struct Statics {
     /// The action at the joint on one body; of the pin where the joint has more than two.
     NumericForces::Action on(const std::string& joint, const std::string& body) const {
         for (const auto& action : forces.actions) {
-            const bool here = mechanism.joints[static_cast<std::size_t>(action.joint)].name == joint;
-            if (here && mechanism.bodies[static_cast<std::size_t>(action.on)].name == body) return action;
+            const bool here = mechanism.joints[at_index(action.joint)].name == joint;
+            if (here && mechanism.bodies[at_index(action.on)].name == body) return action;
         }
         ADD_FAILURE() << "nothing acts on " << body << " at " << joint;
         return {};
@@ -90,7 +90,7 @@ void expect_power_closes(const Statics& s) {
         sum += power;
         largest = std::max(largest, std::abs(power));
     };
-    const auto state = [&](BodyIndex body) { return s.motion.bodies[static_cast<std::size_t>(body)]; };
+    const auto state = [&](BodyIndex body) { return s.motion.bodies[at_index(body)]; };
     const auto force = [&](BodyIndex body, PointIndex at, const Vector& direction, double size) {
         const auto d = numbers(unit_along(direction, 100));
         add(size * dot(d, s.motion.velocity(body, s.pose.at(at))));
@@ -126,8 +126,8 @@ void expect_power_closes(const Statics& s) {
             force(one->body, one->at, direction_of(one->along, s.pose), s.effort(i));
         } else {
             const JointIndex index = std::get<ActuatorEffort>(effort).joint;
-            const Joint& joint = s.mechanism.joints[static_cast<std::size_t>(index)];
-            const Vector& guide = s.pose.guides[static_cast<std::size_t>(index)];
+            const Joint& joint = s.mechanism.joints[at_index(index)];
+            const Vector& guide = s.pose.guides[at_index(index)];
             force(joint.bodies[0], joint.point, guide, s.effort(i));
             force(joint.bodies[1], joint.point, -guide, s.effort(i));
         }
@@ -158,8 +158,8 @@ TEST(Forces, BeamOnAHingeAndARoller) {
     expect_force(s.on("B", "1"), 0, -r);
     expect_force(s.on("A", "2"), -1000, 3000 + q - r);
     EXPECT_EQ(s.forces.actions.size(), 4U);
-    EXPECT_EQ(s.forces.actions[0].on, 0);
-    EXPECT_EQ(s.forces.actions[0].from, 1);
+    EXPECT_EQ(s.forces.actions[0].on, frame);
+    EXPECT_EQ(s.forces.actions[0].from, BodyIndex(1));
 }
 
 TEST(Forces, BeamOnAHingeAndAnInclinedRoller) {
@@ -335,7 +335,7 @@ TEST(Forces, PinOfThreeBodiesIsInEquilibrium) {
     expect_force(s.on("C", "3"), 0, 0);
     expect_force(s.on("C", "2"), 500, 0);
     expect_force(s.on("D", "4"), 0, 200);
-    EXPECT_EQ(s.on("C", "4").from, -1);
+    EXPECT_EQ(s.on("C", "4").from, none);
 }
 
 TEST(Forces, FrameCountsAtAPinOfThree) {

@@ -56,7 +56,7 @@ void expect_derivatives(const Moving& moving, const char* q0, const char* speed,
         const Vector v = Exact::ratio(1, 2) / moment * (after.at(p) - before.at(p));
         const Vector a = 1 / square(moment) * (after.at(p) - 2 * here.at(p) + before.at(p));
         const std::string what = "point " + point + " of body " + body;
-        EXPECT_TRUE(motion.bodies[static_cast<std::size_t>(b)].acceleration_known) << what;
+        EXPECT_TRUE(motion.bodies[at_index(b)].acceleration_known) << what;
         expect_near(motion.velocity(b, pose.at(p)), v.x.to_double(), v.y.to_double(), 1e-10, "velocity of " + what);
         expect_near(motion.acceleration(b, pose.at(p)), a.x.to_double(), a.y.to_double(), 1e-9, "acceleration of " + what);
     }
@@ -193,7 +193,7 @@ Sketch cam(const Exact& q, bool flat, bool follower_first = true) {
     s.point("O", "0", "0");
     polar(s, "C", "O", "0.02", q);
     s.revolute("O", {"1", "2"});
-    const LineCurve path{at("0.005", "0"), LineCurve::By::angle, degrees("90"), -1, {}};
+    const LineCurve path{at("0.005", "0"), LineCurve::By::angle, degrees("90"), none, {}};
     if (flat) {
         s.polar("P", "C", "0.05", "90").meet("F", s.line("P", "0"), path);
     } else {
@@ -240,9 +240,9 @@ TEST(Derivative, TurningFlatUnderARoundNose) {
         s.point("O", "0", "0");
         polar(s, "U", "O", "1", q);
         polar_from_line(s, "V", "O", "0.03", "90", "O", "U");  // the nose's centre runs 0.03 above the flat through O
-        const LineCurve path{at("0.1", "0"), LineCurve::By::angle, degrees("90"), -1, {}};
-        s.meet("D", LineCurve{s["V"], LineCurve::By::parallel, {}, -1, s.between("O", "U")}, path);
-        s.meet("P", s.line_to("O", "U"), LineCurve{s["D"], LineCurve::By::perpendicular, {}, -1, s.between("O", "U")});
+        const LineCurve path{at("0.1", "0"), LineCurve::By::angle, degrees("90"), none, {}};
+        s.meet("D", LineCurve{s["V"], LineCurve::By::parallel, {}, none, s.between("O", "U")}, path);
+        s.meet("P", s.line_to("O", "U"), LineCurve{s["D"], LineCurve::By::perpendicular, {}, none, s.between("O", "U")});
         s.revolute("O", {"1", "2"}).prismatic("D", {"3", "1"}, at_angle("90"));
         s.touching(JointKind::contact, "P", {"3", "2"}, {CircleProfile{s["D"]}, LineProfile{s.between("O", "U")}});
         return s.spin("2", "2", "-1");
@@ -297,10 +297,11 @@ TEST(Derivative, PointDrivenAlongALine) {
     const auto trammel = [](const Exact& q) {  // a bar of length 1 whose end A runs along x, B along y
         Sketch s;
         s.point("A", Coordinates{{q, 0}});
-        s.meet("B", CircleCurve{s["A"], 1}, LineCurve{at("0", "0"), LineCurve::By::angle, degrees("90"), -1, {}},
+        s.meet("B", CircleCurve{s["A"], 1}, LineCurve{at("0", "0"), LineCurve::By::angle, degrees("90"), none, {}},
                Meet::Side::right);
         s.pin_slot("A", {"2", "1"}, at_angle("0")).pin_slot("B", {"2", "1"}, at_angle("90"));
-        s.mechanism.drivers.push_back(PointDriver{1, s["A"], at_angle("180"), decimal("-0.5"), decimal("0.25"), "/drivers/0"});
+        s.mechanism.drivers.push_back(
+            PointDriver{BodyIndex(1), s["A"], at_angle("180"), decimal("-0.5"), decimal("0.25"), "/drivers/0"});
         return s;
     };
     expect_derivatives({trammel, {{"2", "A"}, {"2", "B"}}}, "0.6", "0.5", "-0.25");
@@ -342,22 +343,22 @@ TEST(ClosedForm, ScotchYoke) {
 TEST(ClosedForm, RollingDiscsLowestPointAcceleratesUpwards) {
     Sketch s;
     s.point("C", "0", "0.5").point("P", "0", "0");
-    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{0}, LineProfile{at_angle("0")}}).spin("2", "-4");
+    s.touching(JointKind::rolling, "P", {"2", "1"}, {CircleProfile{PointIndex(0)}, LineProfile{at_angle("0")}}).spin("2", "-4");
     const NumericMotion motion = motion_of(s);
-    expect_near(motion.velocity(1, {0, decimal("0.5")}), 2, 0, 1e-14);
-    expect_near(motion.acceleration(1, {0, 0}), 0, 16 * 0.5, 1e-13);
-    expect_near(motion.acceleration(1, {0, decimal("0.5")}), 0, 0, 1e-13);
+    expect_near(motion.velocity(BodyIndex(1), {0, decimal("0.5")}), 2, 0, 1e-14);
+    expect_near(motion.acceleration(BodyIndex(1), {0, 0}), 0, 16 * 0.5, 1e-13);
+    expect_near(motion.acceleration(BodyIndex(1), {0, decimal("0.5")}), 0, 0, 1e-13);
 }
 
 TEST(ClosedForm, ActOfMotion) {
     Sketch s;
     s.point("A", "0", "0").point("B", "2", "0");
     s.body("2");
-    s.mechanism.bodies[1].points = {0, 1};
+    s.mechanism.bodies[1].points = {PointIndex(0), PointIndex(1)};
     ActOfMotion act;
-    act.body = 1;
-    act.velocities = {{0, Vector{1, 1}}, {1, at_angle("0")}};
-    act.accelerations = {{0, Vector{0, 0}}, {1, at_angle("90")}};
+    act.body = BodyIndex(1);
+    act.velocities = {{PointIndex(0), Vector{1, 1}}, {PointIndex(1), at_angle("0")}};
+    act.accelerations = {{PointIndex(0), Vector{0, 0}}, {PointIndex(1), at_angle("90")}};
     s.mechanism.motion = act;
     const NumericMotion motion = motion_of(s);
     EXPECT_TRUE(motion.bodies[1].velocity_known);
@@ -379,7 +380,7 @@ TEST(Known, AFreeBodyLeavesTheOthersKnown) {
     EXPECT_TRUE(motion.bodies[1].velocity_known);
     EXPECT_TRUE(motion.bodies[1].acceleration_known);
     EXPECT_FALSE(motion.bodies[2].velocity_known);
-    expect_near(motion.acceleration(1, {1, 0}), -1, 1, 1e-14);
+    expect_near(motion.acceleration(BodyIndex(1), {1, 0}), -1, 1, 1e-14);
 }
 
 /// A parallelogram with a middle crank: one constraint too many, and consistent.

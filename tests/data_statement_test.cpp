@@ -23,7 +23,7 @@ using namespace kinegraph::pages;
 struct Element {
     pugi::xml_node node;
     std::string figure;  // id
-    int statement;
+    StatementIndex statement;
     bool own;
     bool is(const char* cls) const { return std::string(node.attribute("class").value()) == cls; }
     std::string label() const { return node.attribute("aria-label").value(); }
@@ -36,7 +36,7 @@ public:
         for (const std::string& text : to_svg(pages, fonts())) {
             documents_.emplace_back();
             EXPECT_TRUE(documents_.back().load_string(text.c_str()));
-            walk(documents_.back().document_element(), "", -1);
+            walk(documents_.back().document_element(), "", none);
         }
     }
     std::vector<Element> elements;
@@ -49,11 +49,11 @@ public:
     }
 
 private:
-    void walk(const pugi::xml_node& node, const std::string& figure, int statement) {
+    void walk(const pugi::xml_node& node, const std::string& figure, StatementIndex statement) {
         for (const pugi::xml_node child : node.children()) {
             if (child.type() != pugi::node_element || std::string(child.name()) == "defs") continue;
             const pugi::xml_attribute own = child.attribute("data-statement");
-            const int drawn_by = own ? own.as_int(-1) : statement;
+            const StatementIndex drawn_by = own ? StatementIndex(own.as_int(-1)) : statement;
             const bool is_figure = std::string(child.attribute("class").value()) == "figure";
             const std::string in = is_figure ? child.attribute("id").value() : figure;
             elements.push_back({child, in, drawn_by, !own.empty()});
@@ -69,8 +69,8 @@ Svg figure(const Solution& solution, const std::string& name) {
     if (!page) throw std::runtime_error("no figure " + name);
     return Svg({*page});
 }
-const Message& message_of(const Solution& solution, int statement) {
-    return solution.protocol.statements.at(static_cast<std::size_t>(statement)).message;
+const Message& message_of(const Solution& solution, StatementIndex statement) {
+    return solution.protocol.statements.at(at_index(statement)).message;
 }
 
 class DataStatement : public testing::TestWithParam<std::string> {};
@@ -81,8 +81,8 @@ TEST_P(DataStatement, IsAlwaysOneOfTheSolution) {
     for (const Element& each : sheet(solution).elements) {
         if (!each.own) continue;
         ++told;
-        EXPECT_GE(each.statement, 0);
-        EXPECT_LT(static_cast<std::size_t>(each.statement), solution.protocol.statements.size());
+        EXPECT_NE(each.statement, none);
+        EXPECT_LT(at_index(each.statement), solution.protocol.statements.size());
     }
     EXPECT_GT(told, solution.protocol.statements.size());
 }
@@ -93,28 +93,28 @@ TEST_P(DataStatement, StandsOnEveryVectorAndLineOfThePolygonsOfMotion) {
     for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
         const Polygon& polygon = solution.protocol.polygons[p];
         if (polygon.plane == Plane::force) continue;
-        std::set<int> vectors, lines;
+        std::set<StatementIndex> vectors, lines;
         for (const Element& each : svg.elements) {
             if (each.figure != legal_id(polygon.id)) continue;
             if (each.is("vector")) {
                 EXPECT_TRUE(each.own) << each.name();
                 vectors.insert(each.statement);
             }
-            if (std::string(each.node.name()) == "path" && each.statement >= 0) lines.insert(each.statement);
+            if (std::string(each.node.name()) == "path" && each.statement != none) lines.insert(each.statement);
         }
-        std::set<int> drawn;
+        std::set<StatementIndex> drawn;
         for (const int v : polygon.vectors) drawn.insert(solution.protocol.vectors[static_cast<std::size_t>(v)].statement);
         EXPECT_TRUE(std::includes(drawn.begin(), drawn.end(), vectors.begin(), vectors.end())) << polygon.id;
         for (const DrawnLine& line : solution.protocol.lines) {
             if (line.polygon != static_cast<int>(p) || solution.protocol.line(line.line).at_infinity()) continue;
-            EXPECT_TRUE(lines.contains(line.statement)) << polygon.id << ", statement " << line.statement;
+            EXPECT_TRUE(lines.contains(line.statement)) << polygon.id << ", statement " << line.statement.number();
         }
     }
 }
 
 TEST_P(DataStatement, StandsOnEverySentence) {
     const Solution solution = example(GetParam());
-    std::map<int, std::string> said;  // by statement, all that stands outside of the figures
+    std::map<StatementIndex, std::string> said;  // by statement, all that stands outside of the figures
     for (const Element& each : sheet(solution).elements)
         if (each.figure.empty() && each.own && each.is("text")) said[each.statement] += each.label() + " ";
     for (const auto& [statement, words] : said) {
@@ -122,7 +122,7 @@ TEST_P(DataStatement, StandsOnEverySentence) {
         if (message_of(solution, statement).sentence == Sentence::kennedy) continue;
         const std::string sentence = plain(say(message_of(solution, statement), Language::en));
         EXPECT_TRUE(words.find(sentence.substr(0, 20)) != std::string::npos ||
-                    solution.protocol.statements[static_cast<std::size_t>(statement)].section == Topic::centres)
+                    solution.protocol.statements[at_index(statement)].section == Topic::centres)
             << words << "\n  instead of\n"
             << sentence;
     }
@@ -144,8 +144,8 @@ TEST(DataStatement, NamesTheStatementOfEachVectorOfTheFourBar) {
     EXPECT_LT(svg.vector("velocity", "v_A").statement, svg.vector("velocity", "v_B").statement);
     for (const InstantCentre& centre : solution.centres) {
         const std::string label =
-            plain(typeset(Symbol{Symbol::Letter::centre, solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name,
-                                 solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name},
+            plain(typeset(Symbol{Symbol::Letter::centre, solution.mechanism.bodies[at_index(centre.first)].name,
+                                 solution.mechanism.bodies[at_index(centre.second)].name},
                           Language::en));
         const bool marked = std::any_of(svg.elements.begin(), svg.elements.end(), [&](const Element& each) {
             return each.is("centre") && each.statement == centre.statement && each.own;
@@ -181,11 +181,11 @@ TEST(DataStatement, NamesTheStatementsOfTheForcesOfTheGate) {
 
 TEST(DataStatement, LeavesOutWhatTheGroupRoundItSays) {
     Page page;
-    page.marks.emplace_back(GroupBegin{"vector", "a", "", {}, 3});
+    page.marks.emplace_back(GroupBegin{"vector", "a", "", {}, StatementIndex(3)});
     page.marks.emplace_back(line({0, 0}, {10, 0}, {}));
-    belong(page.marks, 1, 3);
+    belong(page.marks, 1, StatementIndex(3));
     page.marks.emplace_back(line({0, 0}, {10, 10}, {}));
-    belong(page.marks, 2, 4);
+    belong(page.marks, 2, StatementIndex(4));
     page.marks.emplace_back(GroupEnd{});
     const std::string svg = to_svg(page, fonts());
     EXPECT_NE(svg.find("<g class=\"vector\" id=\"a\" data-statement=\"3\">"), std::string::npos) << svg;

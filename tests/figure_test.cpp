@@ -135,9 +135,9 @@ TEST(MechanismFigure, has_a_group_for_each_link_joint_and_centre) {
         constexpr std::size_t bodies_with_all_centres_shown = 6;
         const bool all = solution.mechanism.bodies.size() <= bodies_with_all_centres_shown;
         for (const InstantCentre& centre : solution.centres)
-            if (centre.at && (all || centre.first == 0 || centre.how == InstantCentre::How::primary)) {
-                std::string id = "centre-" + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.first)].name);
-                id += "." + legal_id(solution.mechanism.bodies[static_cast<std::size_t>(centre.second)].name);
+            if (centre.at && (all || centre.first == frame || centre.how == InstantCentre::How::primary)) {
+                std::string id = "centre-" + legal_id(solution.mechanism.bodies[at_index(centre.first)].name);
+                id += "." + legal_id(solution.mechanism.bodies[at_index(centre.second)].name);
                 EXPECT_EQ(ids.count(id), 1U);
             }
     }

@@ -162,9 +162,9 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScale) {
                 }
         EXPECT_LE(scales.size(), 1u);
         for (const FreeBody& body : solution.free_bodies)
-            if (body.body > 0) {
+            if (body.body > frame) {
                 EXPECT_TRUE(
-                    bodies.contains(legal_id("body-" + solution.mechanism.bodies[static_cast<std::size_t>(body.body)].name)));
+                    bodies.contains(legal_id("body-" + solution.mechanism.bodies[at_index(body.body)].name)));
             }
     }
 }

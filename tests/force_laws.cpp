@@ -12,7 +12,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// Of the largest force. The construction is exact, the check a system in doubles: a mechanism that a draw brings near a dead
 /// point loses what its condition number takes (generation keeps dyads 5° away), and 1e-9 leaves three orders for several in a
@@ -65,7 +65,7 @@ public:
             EXPECT_TRUE(!solution_.efforts[e].value || numeric_.effort_known[e] || !numeric_.balanced)
                 << solution_.efforts[e].name;
         }
-        for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) balances_if_known(static_cast<BodyIndex>(b), scale);
+        for (const BodyIndex body : mechanism_.moving_bodies()) balances_if_known(body, scale);
     }
 
 private:
@@ -118,14 +118,14 @@ private:
 
     void action_is_reaction() const {
         for (const JointForce& action : solution_.forces) {
-            if (action.from < 0) continue;
+            if (action.from == none) continue;
             const JointForce* reaction = found(action.joint, action.from, action.on);
             ASSERT_TRUE(reaction) << name(action.from) << " on " << name(action.on);
             EXPECT_EQ(*action.force, -*reaction->force) << name(action.from) << " on " << name(action.on);
             EXPECT_EQ(*action.couple, -*reaction->couple) << name(action.from) << " on " << name(action.on);
         }
         for (const FreeBody& body : solution_.free_bodies) {
-            if (body.body < 0) continue;
+            if (body.body == none) continue;
             for (const AppliedForce& applied : body.forces) {
                 if (applied.kind != AppliedForce::Kind::reaction) continue;
                 const JointForce* action = found(applied.joint, body.body, applied.from);
@@ -142,14 +142,14 @@ private:
         for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
             Vector sum;
             for (const JointForce& action : solution_.forces)
-                if (action.joint == static_cast<JointIndex>(j) && action.from < 0) sum = sum + *action.force;
+                if (action.joint == JointIndex(j) && action.from == none) sum = sum + *action.force;
             expect_nothing(sum, largest_, "the pin of " + mechanism_.joints[j].name);
         }
     }
 
     /// Forces and moments of a free body, and its polygon side by side.
     void closes(const FreeBody& body) const {
-        const std::string who = body.body < 0 ? "pin" : "body " + name(body.body);
+        const std::string who = body.body == none ? "pin" : "body " + name(body.body);
         Vector sum;
         Exact moment;
         std::multiset<std::string> applied_names, drawn_names;
@@ -285,9 +285,9 @@ private:
     }
 
     // --- power -----------------------------------------------------------------------------------------------------------------
-    Exact omega(BodyIndex body) const { return body == 0 ? Exact() : solution_.bodies[at(body)].omega.value(); }
+    Exact omega(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].omega.value(); }
     Vector velocity(BodyIndex body, const Vector& place) const {
-        if (body == 0) return {};
+        if (body == frame) return {};
         for (const PointMotion& point : solution_.points) {
             if (std::count(point.bodies.begin(), point.bodies.end(), body) > 0)
                 return *point.velocity + omega(body) * quarter_turn(place - solution_.pose.at(point.point));

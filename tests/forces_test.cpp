@@ -17,7 +17,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
@@ -46,7 +46,7 @@ struct Statics {
     const std::string& body(BodyIndex index) const { return solution.mechanism.bodies[at(index)].name; }
     /// "A: 3 on 2", "A: pin on 2".
     std::string name(const JointForce& action) const {
-        return solution.mechanism.joints[at(action.joint)].name + ": " + (action.from < 0 ? "pin" : body(action.from)) + " on " +
+        return solution.mechanism.joints[at(action.joint)].name + ": " + (action.from == none ? "pin" : body(action.from)) + " on " +
                body(action.on);
     }
     const JointForce& action(const std::string& named) const {
@@ -59,7 +59,7 @@ struct Statics {
     const Exact& effort(std::size_t index = 0) const { return solution.efforts.at(index).value.value(); }
     const FreeBody& free_body(const std::string& named) const {
         for (const FreeBody& each : solution.free_bodies)
-            if (each.body >= 0 && body(each.body) == named) return each;
+            if (each.body != none && body(each.body) == named) return each;
         throw std::out_of_range("no free body " + named);
     }
 

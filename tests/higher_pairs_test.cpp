@@ -34,8 +34,8 @@ struct Reading {
     }
     Vector v(const char* point, const char* carrier) const { return motion(point, carrier).velocity.value(); }
     Vector a(const char* point, const char* carrier) const { return motion(point, carrier).acceleration.value(); }
-    Exact omega(const char* name) const { return solution.bodies.at(static_cast<std::size_t>(body(name))).omega.value(); }
-    Exact alpha(const char* name) const { return solution.bodies.at(static_cast<std::size_t>(body(name))).alpha.value(); }
+    Exact omega(const char* name) const { return solution.bodies.at(at_index(body(name))).omega.value(); }
+    Exact alpha(const char* name) const { return solution.bodies.at(at_index(body(name))).alpha.value(); }
 };
 
 /// Solved wholly, and as the check has it.
@@ -307,19 +307,19 @@ TEST(HigherPairs, ThreeCentresOfThreeBodiesLieOnALine) {
         R"({"contact": "P", "bodies": [3, 2], "profiles": {"3": {"line": [4, -3]}}}, {"revolute": "Q", "bodies": [1, 3]})");
     for (const std::string& text : {cam, planetary("gear", false, R"({"body": 2, "omega": 10})"), disc_on_line}) {
         const Solution solution = solved(text);
-        const auto bodies = static_cast<BodyIndex>(solution.mechanism.bodies.size());
+        const Mechanism& mechanism = solution.mechanism;
         const auto centre = [&](BodyIndex i, BodyIndex j) -> const ProjectivePoint& {
             for (const InstantCentre& c : solution.centres)
                 if (c.first == i && c.second == j) return c.at.value();
             throw std::out_of_range("centre");
         };
-        for (BodyIndex i = 0; i < bodies; ++i) {
-            for (BodyIndex j = i + 1; j < bodies; ++j) {
-                for (BodyIndex k = j + 1; k < bodies; ++k) {
+        for (const BodyIndex i : indices_of(mechanism.bodies)) {
+            for (const BodyIndex j : mechanism.bodies_after(i)) {
+                for (const BodyIndex k : mechanism.bodies_after(j)) {
                     const auto &a = centre(i, j), &b = centre(j, k), &c = centre(i, k);
                     const Exact determinant =
                         a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w) + a.w * (b.x * c.y - c.x * b.y);
-                    EXPECT_EQ(determinant, Exact(0)) << i << j << k;
+                    EXPECT_EQ(determinant, Exact(0)) << i.number() << j.number() << k.number();
                 }
             }
         }

@@ -159,7 +159,8 @@ void expect_moved(const Similarity& by, const Solution& original, const Solution
     }
     for (std::size_t i = 0; i < original.centres.size(); ++i) {
         const InstantCentre &a = original.centres[i], &b = image.centres[i];
-        const std::string what = "centre of bodies " + std::to_string(a.first) + " and " + std::to_string(a.second);
+        const std::string what =
+            "centre of bodies " + std::to_string(a.first.number()) + " and " + std::to_string(a.second.number());
         EXPECT_EQ(a.everywhere, b.everywhere) << what;
         ASSERT_EQ(a.at.has_value(), b.at.has_value()) << what;
         if (!a.at) continue;
@@ -279,7 +280,7 @@ struct Table {
     ProjectivePoint value(Drawing point) const {
         const Program& program = board.program();
         return std::get<ProjectivePoint>(
-            evaluate(program, givens_of(program, sketch.mechanism, pose), pose).values[static_cast<std::size_t>(point.element)]);
+            evaluate(program, givens_of(program, sketch.mechanism, pose), pose).values[at_index(point.element)]);
     }
 };
 
@@ -400,8 +401,10 @@ TEST(BoardLaw, ParallelogramTurnedBy17DegreesTranslatesItsCoupler) {
     EXPECT_NEAR(solution.bodies[2].omega->to_double(), 0, 1e-25);
     EXPECT_NEAR(solution.bodies[3].omega->to_double(), 3, 1e-25);
     for (const InstantCentre& centre : solution.centres) {
-        const bool of_coupler_or_cranks = (centre.first == 0 && centre.second == 2) || (centre.first == 1 && centre.second == 3);
-        EXPECT_EQ(centre.at && centre.at->at_infinity(), of_coupler_or_cranks) << centre.first << "," << centre.second;
+        const bool of_coupler_or_cranks = (centre.first == frame && centre.second == BodyIndex(2)) ||
+                                          (centre.first == BodyIndex(1) && centre.second == BodyIndex(3));
+        EXPECT_EQ(centre.at && centre.at->at_infinity(), of_coupler_or_cranks)
+            << centre.first.number() << "," << centre.second.number();
     }
 }
 
@@ -557,7 +560,7 @@ TEST(Drivers, OfASlideRepeatedInAgreementAreNoFault) {
     Sketch s;
     s.point("P", "0", "0").prismatic("P", {"2", "1"}, {at("3", "4")});
     s.slide(0, "5", "2");
-    s.mechanism.drivers.emplace_back(PointDriver{1, s["P"], {at("3", "4")}, 5, 2, "/drivers/1"});
+    s.mechanism.drivers.emplace_back(PointDriver{BodyIndex(1), s["P"], {at("3", "4")}, 5, 2, "/drivers/1"});
     const Solution solution = solved(s.mechanism);
     EXPECT_TRUE(solution.unsolved.empty()) << reasons(solution);
 }
@@ -566,7 +569,7 @@ TEST(Drivers, OfASlideThatContradictAreNamed) {
     Sketch s;
     s.point("P", "0", "0").prismatic("P", {"2", "1"}, {at("3", "4")});
     s.slide(0, "5", "2");
-    s.mechanism.drivers.emplace_back(PointDriver{1, s["P"], {at("3", "4")}, 4, 2, "/drivers/1"});
+    s.mechanism.drivers.emplace_back(PointDriver{BodyIndex(1), s["P"], {at("3", "4")}, 4, 2, "/drivers/1"});
     const Solution solution = solved(s.mechanism);
     EXPECT_TRUE(says(solution, "driver of body 2")) << reasons(solution);
     expect_no_nonsense(solution);

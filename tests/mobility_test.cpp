@@ -73,7 +73,7 @@ TEST(Mobility, ParallelCrankMoreMovesInSpiteOfTheCount) {
         EXPECT_EQ(found.gruebler, 0) << angle;
         EXPECT_EQ(found.effective, 1) << angle;
         ASSERT_EQ(found.redundant.size(), 1U) << angle;
-        EXPECT_EQ(found.redundant[0].joint, 5) << angle;
+        EXPECT_EQ(found.redundant[0].joint, JointIndex(5)) << angle;
         EXPECT_EQ(found.redundant[0].rows, 1) << angle;
         EXPECT_EQ(found.determined, (std::vector<bool>(5, true))) << angle;
     }
@@ -121,7 +121,7 @@ TEST(Mobility, ACoincidenceThroughRootsIsDecidedOnAFinerPose) {
     EXPECT_EQ(found.effective, 1);
     EXPECT_TRUE(found.decided_by_finer_pose);
     ASSERT_EQ(found.redundant.size(), 1U);
-    EXPECT_EQ(found.redundant[0].joint, 2);
+    EXPECT_EQ(found.redundant[0].joint, JointIndex(2));
 }
 
 TEST(Mobility, ANearCoincidenceThatStaysIsNone) {
@@ -176,8 +176,9 @@ TEST(Mobility, OfAnActOfMotionIsThree) {
     Sketch s;
     s.point("A", "0", "0").point("B", "2", "0");
     s.body("2");
-    s.mechanism.bodies[1].points = {0, 1};
-    s.mechanism.motion = ActOfMotion{1, {{0, Vector{1, 1}}, {1, at_angle("0")}}, {}, "/motion"};
+    s.mechanism.bodies[1].points = {PointIndex(0), PointIndex(1)};
+    s.mechanism.motion =
+        ActOfMotion{BodyIndex(1), {{PointIndex(0), Vector{1, 1}}, {PointIndex(1), at_angle("0")}}, {}, "/motion"};
     const Mobility found = mobility(s);
     EXPECT_EQ(found.effective, 3);
     EXPECT_EQ(found.driven, 3);

@@ -16,7 +16,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// The construction is exact and the check works in doubles. Each dyad's angle is at least 5°, so its 2×2 system loses at most a
 /// factor 1/sin² 5° ≈ 130 of the 2⁻⁵² of a double in its own quantity, and the refinement of the check takes most of that back;
@@ -54,9 +54,9 @@ private:
     using Pick = std::optional<Vector> PointMotion::*;
 
     const std::string& name(PointIndex point) const { return solution_.mechanism.points[at(point)].name; }
-    const std::string& body_name(int body) const { return solution_.mechanism.bodies[at(body)].name; }
-    Exact omega(BodyIndex body) const { return body == 0 ? Exact() : solution_.bodies[at(body)].omega.value(); }
-    Exact alpha(BodyIndex body) const { return body == 0 ? Exact() : solution_.bodies[at(body)].alpha.value(); }
+    const std::string& body_name(BodyIndex body) const { return solution_.mechanism.bodies[at(body)].name; }
+    Exact omega(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].omega.value(); }
+    Exact alpha(BodyIndex body) const { return body == frame ? Exact() : solution_.bodies[at(body)].alpha.value(); }
 
     // --- the numeric check -------------------------------------------------------------------------------------------------
     using Kind = Quantity::Kind;
@@ -136,7 +136,7 @@ private:
     /// Rivals' theorem between every two points of a body, and in it the law of projections.
     void bodies_are_rigid() {
         for (std::size_t b = 1; b < carried_.size(); ++b) {
-            const auto body = static_cast<BodyIndex>(b);
+            const BodyIndex body(b);
             for (const PointMotion* p : carried_[b]) {
                 for (const PointMotion* q : carried_[b]) {
                     if (p == q) break;
@@ -153,13 +153,13 @@ private:
 
     /// The velocity (acceleration) of the place that a body carries there.
     std::optional<Vector> velocity_on(BodyIndex body, const Vector& place) const {
-        if (body == 0) return Vector{};
+        if (body == frame) return Vector{};
         if (carried_[at(body)].empty()) return std::nullopt;
         const PointMotion& base = *carried_[at(body)].front();
         return *base.velocity + omega(body) * quarter_turn(place - solution_.pose.at(base.point));
     }
     std::optional<Vector> acceleration_on(BodyIndex body, const Vector& place) const {
-        if (body == 0) return Vector{};
+        if (body == frame) return Vector{};
         if (carried_[at(body)].empty()) return std::nullopt;
         const PointMotion& base = *carried_[at(body)].front();
         const Vector join = place - solution_.pose.at(base.point);
@@ -178,7 +178,7 @@ private:
             EXPECT_EQ(*sliding.velocity, *v_i - *v_j) << joint.name;
             EXPECT_EQ(*sliding.coriolis, 2 * omega(j) * quarter_turn(*sliding.velocity)) << joint.name;
             EXPECT_EQ(*sliding.acceleration, *a_i - *a_j - *sliding.coriolis) << joint.name;
-            if (joint.arc >= 0) {
+            if (joint.arc != none) {
                 const Vector radius = place - solution_.pose.at(joint.arc);
                 EXPECT_TRUE(dot(*sliding.velocity, radius).is_zero()) << joint.name << " runs off its slot";
                 EXPECT_EQ(dot(*sliding.acceleration, radius), -squared_length(*sliding.velocity)) << joint.name;
@@ -213,7 +213,7 @@ private:
 
     // --- polygons ----------------------------------------------------------------------------------------------------------
     /// A term's vector as drawn by this statement, else as drawn before in the same figure.
-    std::optional<Vector> drawn(const Symbol& symbol, int statement) const {
+    std::optional<Vector> drawn(const Symbol& symbol, StatementIndex statement) const {
         const Protocol& protocol = solution_.protocol;
         const Plane plane = protocol.statements[at(statement)].section == Topic::velocity ? Plane::velocity : Plane::acceleration;
         const auto is_of_it = [&](int polygon) {
@@ -244,7 +244,7 @@ private:
             for (const std::vector<Term>& side : statement.equation->sides) {
                 Vector sum;
                 for (const Term& term : side) {
-                    const auto vector = drawn(term.symbol, static_cast<int>(i));
+                    const auto vector = drawn(term.symbol, StatementIndex(i));
                     EXPECT_TRUE(vector) << name_of(term.symbol) << " stands in an equation and is drawn nowhere";
                     if (!vector) return;
                     sum = sum + *vector;
@@ -313,12 +313,12 @@ private:
     /// Aronhold and Kennedy, for all three bodies of which every two have a centre of their own. Those at relative rest have it
     /// everywhere, and those of translations relative to each other lie on the line at infinity, like any other.
     void three_centres_lie_on_a_line() {
-        const int count = static_cast<int>(solution_.mechanism.bodies.size());
-        std::map<std::pair<int, int>, const InstantCentre*> centres;
+        const Mechanism& mechanism = solution_.mechanism;
+        std::map<std::pair<BodyIndex, BodyIndex>, const InstantCentre*> centres;
         for (const InstantCentre& centre : solution_.centres) centres[{centre.first, centre.second}] = &centre;
-        for (int i = 0; i < count; ++i) {
-            for (int j = i + 1; j < count; ++j) {
-                for (int k = j + 1; k < count; ++k) {
+        for (const BodyIndex i : indices_of(mechanism.bodies)) {
+            for (const BodyIndex j : mechanism.bodies_after(i)) {
+                for (const BodyIndex k : mechanism.bodies_after(j)) {
                     const InstantCentre* three[] = {centres.at({i, j}), centres.at({i, k}), centres.at({j, k})};
                     if (std::any_of(std::begin(three), std::end(three), [](const auto* c) { return c->everywhere; })) continue;
                     std::array<ProjectivePoint, 3> p;

@@ -91,29 +91,30 @@ TEST(Pose, PolarPointsOfOneAngleLieOnOneRay) {
 TEST(Pose, PolarRelativeToALine) {
     Sketch s;
     s.point("P", "0", "0").point("Q", "3", "4");
-    s.point("R", Polar{0, 10, degrees("90"), Bearing::Between{0, 1}});
-    s.point("T", Polar{0, 2, degrees("45"), Bearing::Between{0, 1}});
+    s.point("R", Polar{PointIndex(0), 10, degrees("90"), Bearing::Between{PointIndex(0), PointIndex(1)}});
+    s.point("T", Polar{PointIndex(0), 2, degrees("45"), Bearing::Between{PointIndex(0), PointIndex(1)}});
     const Pose pose = drawn(s);
-    EXPECT_EQ(pose.at(2), (Vector{-8, 6}));
+    EXPECT_EQ(pose.at(PointIndex(2)), (Vector{-8, 6}));
     EXPECT_TRUE(pose.leftover[2].is_zero());
-    EXPECT_NEAR(pose.at(3).x.to_double(), 2 * std::cos(std::atan2(4, 3) + std::atan(1.0)), 1e-15);
-    EXPECT_LT(pose.at(3).x.bits(), 240U);
+    EXPECT_NEAR(pose.at(PointIndex(3)).x.to_double(), 2 * std::cos(std::atan2(4, 3) + std::atan(1.0)), 1e-15);
+    EXPECT_LT(pose.at(PointIndex(3)).x.bits(), 240U);
 }
 
 TEST(Pose, AlongByDistanceAndByRatio) {
     Sketch s;
     s.point("P", "1", "1").point("Q", "4", "5");
-    s.point("by_distance", Along{0, 1, decimal("-2.5"), false}).point("by_ratio", Along{0, 1, Exact::ratio(1, 3), true});
+    s.point("by_distance", Along{PointIndex(0), PointIndex(1), decimal("-2.5"), false})
+        .point("by_ratio", Along{PointIndex(0), PointIndex(1), Exact::ratio(1, 3), true});
     const Pose pose = drawn(s);
-    EXPECT_EQ(pose.at(2), (Vector{Exact::ratio(-1, 2), -1}));
-    EXPECT_EQ(pose.at(3), (Vector{2, Exact::ratio(7, 3)}));
+    EXPECT_EQ(pose.at(PointIndex(2)), (Vector{Exact::ratio(-1, 2), -1}));
+    EXPECT_EQ(pose.at(PointIndex(3)), (Vector{2, Exact::ratio(7, 3)}));
     EXPECT_TRUE(pose.exact);
 }
 
 TEST(Pose, PointsMayBeUsedBeforeTheyAreDefined) {
     Sketch s;
-    s.point("M", Along{1, 2, Exact::ratio(1, 2), true}).point("A", "0", "0").point("B", "2", "0");
-    EXPECT_EQ(drawn(s).at(0), (Vector{1, 0}));
+    s.point("M", Along{PointIndex(1), PointIndex(2), Exact::ratio(1, 2), true}).point("A", "0", "0").point("B", "2", "0");
+    EXPECT_EQ(drawn(s).at(PointIndex(0)), (Vector{1, 0}));
 }
 
 TEST(Pose, RationalParallelogramIsExact) {
@@ -121,7 +122,7 @@ TEST(Pose, RationalParallelogramIsExact) {
     s.point("O2", "0", "0").point("A", "0.03", "0.04").point("O4", "0.1", "0");
     s.meet("B", s.circle("A", "0.1"), s.circle("O4", "0.05"), Meet::Side::left);
     const Pose pose = drawn(s);
-    EXPECT_EQ(pose.at(3), at("0.13", "0.04"));
+    EXPECT_EQ(pose.at(PointIndex(3)), at("0.13", "0.04"));
     EXPECT_TRUE(pose.exact);
 }
 
@@ -130,7 +131,7 @@ TEST(Pose, IrrationalParallelogramHasParallelSides) {
     s.point("O2", "0", "0").point("O4", "0.1", "0").polar("A", "O2", "0.05", "60");
     s.meet("B", s.circle("A", "0.1"), s.circle("O4", "0.05"), Meet::Side::left);
     const Pose pose = drawn(s);
-    EXPECT_EQ(pose.at(3) - pose.at(2), at("0.1", "0"));
+    EXPECT_EQ(pose.at(PointIndex(3)) - pose.at(PointIndex(2)), at("0.1", "0"));
     EXPECT_FALSE(pose.exact);
 }
 
@@ -140,8 +141,8 @@ TEST(Pose, SideOfTwoCirclesIsSeenFromFirstToSecondCentre) {
         s.point("C", "0", "0").point("D", "6", "0");
         s.meet("P", s.circle("C", "5"), s.circle("D", "5"), left ? Meet::Side::left : Meet::Side::right);
         s.meet("Q", s.circle("D", "5"), s.circle("C", "5"), left ? Meet::Side::left : Meet::Side::right);
-        EXPECT_EQ(drawn(s).at(2), (Vector{3, left ? 4 : -4}));
-        EXPECT_EQ(drawn(s).at(3), (Vector{3, left ? -4 : 4}));
+        EXPECT_EQ(drawn(s).at(PointIndex(2)), (Vector{3, left ? 4 : -4}));
+        EXPECT_EQ(drawn(s).at(PointIndex(3)), (Vector{3, left ? -4 : 4}));
     }
 }
 
@@ -153,9 +154,9 @@ TEST(Pose, SideOnALineIsAlongItsDirectionWhereverTheCentreLies) {
         s.meet("Q", s.line("O", "0"), s.circle("C", "5"), Meet::Side::left);
         s.meet("R", s.line("O", "180"), s.circle("C", "5"), Meet::Side::right);
         const Pose pose = drawn(s);
-        EXPECT_EQ(pose.at(2).x.sign(), 1);
-        EXPECT_EQ(pose.at(3), -pose.at(2));
-        EXPECT_EQ(pose.at(4), -pose.at(2));
+        EXPECT_EQ(pose.at(PointIndex(2)).x.sign(), 1);
+        EXPECT_EQ(pose.at(PointIndex(3)), -pose.at(PointIndex(2)));
+        EXPECT_EQ(pose.at(PointIndex(4)), -pose.at(PointIndex(2)));
     }
 }
 
@@ -163,7 +164,7 @@ TEST(Pose, NearTakesTheNearerAndRefusesATie) {
     Sketch s;
     s.point("C", "0", "0").point("D", "6", "0");
     s.point("P", Meet{s.circle("C", "5"), s.circle("D", "5"), at("0", "1"), Meet::Side::none});
-    EXPECT_EQ(drawn(s).at(2), (Vector{3, 4}));
+    EXPECT_EQ(drawn(s).at(PointIndex(2)), (Vector{3, 4}));
     s.point("Q", Meet{s.circle("C", "5"), s.circle("D", "5"), at("1", "0"), Meet::Side::none});
     EXPECT_EQ(refused(s).where, "/points/Q");
     EXPECT_NE(refused(s).message.find("equally far"), std::string::npos);
@@ -182,17 +183,17 @@ TEST(Pose, TangentCirclesNeedNone) {
     s.meet("Q", s.circle("C", "13"), s.circle("D", "3"));
     s.point("S", "7", "2").meet("R", s.circle("C", "2"), s.line("S", "0"));
     const Pose pose = drawn(s);
-    EXPECT_EQ(pose.at(2), (Vector{Exact::ratio(12, 5), Exact::ratio(16, 5)}));
-    EXPECT_EQ(pose.at(3), (Vector{Exact::ratio(39, 5), Exact::ratio(52, 5)}));
-    EXPECT_EQ(pose.at(5), (Vector{0, 2}));
+    EXPECT_EQ(pose.at(PointIndex(2)), (Vector{Exact::ratio(12, 5), Exact::ratio(16, 5)}));
+    EXPECT_EQ(pose.at(PointIndex(3)), (Vector{Exact::ratio(39, 5), Exact::ratio(52, 5)}));
+    EXPECT_EQ(pose.at(PointIndex(5)), (Vector{0, 2}));
 }
 
 TEST(Pose, TangencyThroughARootIsTangency) {
     Sketch s;  // stretched out at 20°: the circle about A touches the one about O
     s.point("O", "0", "0").polar("A", "O", "1", "20").meet("B", s.circle("A", "2"), s.circle("O", "3"));
     const Pose pose = drawn(s);
-    EXPECT_TRUE(cross(pose.at(1), pose.at(2)).is_zero());
-    EXPECT_NEAR(length(pose.at(2)), 3, 1e-14);
+    EXPECT_TRUE(cross(pose.at(PointIndex(1)), pose.at(PointIndex(2))).is_zero());
+    EXPECT_NEAR(length(pose.at(PointIndex(2))), 3, 1e-14);
 }
 
 TEST(Pose, CurvesThatDoNotMeetSayByHowMuch) {
@@ -214,7 +215,7 @@ TEST(Pose, CurvesThatDoNotMeetSayByHowMuch) {
     EXPECT_NE(refused(line).message.find("passes 100 mm from the centre, 50 mm too far"), std::string::npos);
     Sketch parallel = s;
     parallel.mechanism.points.pop_back();
-    parallel.meet("B", s.line("A", "30"), LineCurve{at("0", "0.01"), LineCurve::By::angle, degrees("210"), -1, {}});
+    parallel.meet("B", s.line("A", "30"), LineCurve{at("0", "0.01"), LineCurve::By::angle, degrees("210"), none, {}});
     EXPECT_NE(refused(parallel).message.find("they are parallel"), std::string::npos);
 }
 
@@ -223,17 +224,17 @@ TEST(Pose, AMeetStaysOnItsLineExactly) {
     s.point("O", "0", "0").polar("A", "O", "0.05", "50").polar("G", "O", "1", "10");
     s.meet("B", s.circle("A", "0.2"), s.line("O", "10"), Meet::Side::right);
     const Pose pose = drawn(s);
-    EXPECT_TRUE(cross(pose.at(2), pose.at(3)).is_zero());
-    EXPECT_NEAR(far(pose.at(3), pose.at(1)), 0.2, 1e-15);
+    EXPECT_TRUE(cross(pose.at(PointIndex(2)), pose.at(PointIndex(3))).is_zero());
+    EXPECT_NEAR(far(pose.at(PointIndex(3)), pose.at(PointIndex(1))), 0.2, 1e-15);
 }
 
 TEST(Pose, AFinerPoseConvergesOnTheSameBranch) {
     Sketch s;
     s.point("O2", "0", "0").point("O4", "0.15", "0").polar("A", "O2", "0.04", "61");
     s.meet("B", s.circle("A", "0.15"), s.circle("O4", "0.08"), Meet::Side::left);
-    const Vector coarse = drawn(s).at(3);
-    const Vector fine = drawn(s, 200).at(3);
-    const Vector finest = drawn(s, 400).at(3);
+    const Vector coarse = drawn(s).at(PointIndex(3));
+    const Vector fine = drawn(s, 200).at(PointIndex(3));
+    const Vector finest = drawn(s, 400).at(PointIndex(3));
     EXPECT_LT(squared_length(coarse - fine), Exact::power_of_two(-180));
     EXPECT_GT(squared_length(coarse - fine), Exact::power_of_two(-300));
     EXPECT_LT(squared_length(finest - fine), Exact::power_of_two(-380));
@@ -243,15 +244,18 @@ TEST(Pose, AFinerPoseConvergesOnTheSameBranch) {
 TEST(Pose, ASmallDrawingOnALongRadiusKeepsItsBits) {
     Sketch s;  // drawn within a millimetre, on a circle of a thousand kilometres
     s.point("A", "0", "0").meet("B", CircleCurve{at("0", "-1e6"), decimal("1000000.0003")}, s.line("A", "77"), Meet::Side::right);
-    const auto miss = [&](int bits) { return length(drawn(s, bits).at(1) - drawn(s, 400).at(1)) / drawn(s).size.to_double(); };
+    const auto miss = [&](int bits) {
+        return length(drawn(s, bits).at(PointIndex(1)) - drawn(s, 400).at(PointIndex(1))) / drawn(s).size.to_double();
+    };
     EXPECT_LT(miss(100), std::ldexp(1, -98));
     EXPECT_LT(miss(200), std::ldexp(1, -198));
 }
 
 TEST(Pose, FaultsAreToldAtOnceInTheOrderOfTheFile) {
     Sketch s;
-    s.point("M", Along{2, 3, Exact::ratio(1, 2), true}).point("A", "0", "0");
-    s.meet("X", CircleCurve{1, 1}, CircleCurve{at("5", "0"), 1}).meet("Y", CircleCurve{1, 1}, CircleCurve{at("7", "0"), 1});
+    s.point("M", Along{PointIndex(2), PointIndex(3), Exact::ratio(1, 2), true}).point("A", "0", "0");
+    s.meet("X", CircleCurve{PointIndex(1), 1}, CircleCurve{at("5", "0"), 1})
+        .meet("Y", CircleCurve{PointIndex(1), 1}, CircleCurve{at("7", "0"), 1});
     const auto pose = draw_pose(s.mechanism);
     ASSERT_FALSE(pose);
     ASSERT_EQ(pose.error().size(), 2U);
@@ -276,7 +280,7 @@ TEST(Contact, ThatFitsHasItsNormalThroughTheCentre) {
 
 TEST(Contact, WithinItsFitIsMovedOntoTheCurveAndSaysSo) {
     const Pose pose = drawn(disc_on_ground("1e-11", "0.5"));
-    EXPECT_TRUE(pose.at(1).x.is_zero());
+    EXPECT_TRUE(pose.at(PointIndex(1)).x.is_zero());
     ASSERT_EQ(pose.remarks.size(), 1U);
     EXPECT_EQ(english(pose.remarks[0]), "P was moved by 1.00 × 10⁻¹¹ m to the foot of C on the line.");
 }
@@ -289,11 +293,11 @@ TEST(Contact, OffItsCurveIsRefusedWithTheMisfit) {
 
 TEST(Contact, GearsTouchOnTheLineOfCentres) {
     Sketch s;
-    s.point("O1", "0", "0").point("O2", "0.3", "0.4").point("P", Along{0, 1, Exact::ratio(2, 5), true});
-    s.touching(JointKind::gear, "P", {"2", "3"}, {CircleProfile{0}, CircleProfile{1}});
+    s.point("O1", "0", "0").point("O2", "0.3", "0.4").point("P", Along{PointIndex(0), PointIndex(1), Exact::ratio(2, 5), true});
+    s.touching(JointKind::gear, "P", {"2", "3"}, {CircleProfile{PointIndex(0)}, CircleProfile{PointIndex(1)}});
     s.mechanism.joints[0].pressure_angle = degrees("45");
     const Pose pose = drawn(s);
-    EXPECT_TRUE(dot(pose.tangents[0], pose.at(1)).is_zero());
+    EXPECT_TRUE(dot(pose.tangents[0], pose.at(PointIndex(1))).is_zero());
     EXPECT_EQ(cross(pose.tangents[0], pose.normals[0]), dot(pose.tangents[0], pose.normals[0]));
 }
 
@@ -302,7 +306,7 @@ TEST(Contact, ClaimedByTwoJointsKeepsItsPointAndSaysSo) {
     s.point("D", "1e-11", "-2");
     s.touching(JointKind::rolling, "P", {"3", "1"}, {CircleProfile{s["D"]}, LineProfile{at_angle("0")}});
     const Pose pose = drawn(s);
-    EXPECT_EQ(pose.at(1), at("1e-11", "0"));
+    EXPECT_EQ(pose.at(PointIndex(1)), at("1e-11", "0"));
     ASSERT_FALSE(pose.remarks.empty());
     EXPECT_NE(english(pose.remarks[0]).find("several joints claim it"), std::string::npos);
 }

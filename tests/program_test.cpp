@@ -16,7 +16,7 @@ namespace {
 using tests::example;
 using tests::example_names;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 std::string four_bar(const std::string& omega, const std::string& more = "") {
     return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"A0": [0, 0], "A": [30, 40], "B": [150, 90],
@@ -56,7 +56,7 @@ TEST(Program, GivensHaveTheirNames) {
 TEST(Program, KnowsWhatAResultHangsOn) {
     const Solution solution = tests::solved(four_bar("\"2 rad/s\""));
     const Program& program = solution.protocol.program;
-    const auto names = [&](int element) {
+    const auto names = [&](ElementIndex element) {
         std::vector<std::string> found;
         for (const int given : hangs_on(program, element)) found.push_back(program.givens[at(given)].name);
         return found;
@@ -73,7 +73,7 @@ TEST(Program, KnowsWhatAResultHangsOn) {
 TEST(Program, IsCutToWhatIsWanted) {
     const Solution solution = tests::solved(four_bar("\"2 rad/s\""));
     const Program& program = solution.protocol.program;
-    const int omega = solution.bodies[2].omega.element();
+    const ElementIndex omega = solution.bodies[2].omega.element();
     const Cut velocities = cut(program, {omega}, solution.settled.velocities);
     EXPECT_LT(velocities.program.strokes.size(), program.strokes.size());
     for (const Stroke& stroke : velocities.program.strokes) EXPECT_NE(stroke.plane, Plane::acceleration);
@@ -105,7 +105,7 @@ TEST(Program, IsReplayedWithOtherGivens) {
     const Program& program = solution.protocol.program;
     Replay replay(program, givens_of(program, solution.mechanism, solution.pose), solution.pose.size.to_double());
     ASSERT_FALSE(replay.run());
-    const int omega = solution.bodies[3].omega.element();
+    const ElementIndex omega = solution.bodies[3].omega.element();
     const double before = replay.scalar(omega);
     const auto driver = std::find_if(program.givens.begin(), program.givens.end(),
                                      [](const Given& given) { return given.name == "/drivers/0/omega"; });

@@ -111,7 +111,7 @@ TEST(CheckedNumbers, OfACoupleBetweenTwoMovingBodiesHaveOneSense) {
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (applied.kind == AppliedForce::Kind::effort) {
-                    EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12) << body.body;
+                    EXPECT_NEAR(applied.couple.to_double(), applied.numeric_couple.value(), 1e-12) << body.body.number();
                 }
     }
 }
@@ -144,16 +144,16 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
     const Solution solution = example(GetParam());
     ASSERT_FALSE(solution.free_bodies.empty());
     for (const FreeBody& body : solution.free_bodies) {
-        int last = -1;
+        StatementIndex last;
         for (const AppliedForce& applied : body.forces) {
             const bool sought = applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::effort;
-            ASSERT_EQ(applied.force_statement >= 0, sought) << name_of(applied.symbol);
+            ASSERT_EQ(applied.force_statement != none, sought) << name_of(applied.symbol);
             if (!sought) continue;
             last = std::max(last, applied.force_statement);
-            const Statement& statement = solution.protocol.statements[static_cast<std::size_t>(applied.force_statement)];
+            const Statement& statement = solution.protocol.statements[at_index(applied.force_statement)];
             EXPECT_EQ(statement.section, Topic::forces);
             if (applied.kind == AppliedForce::Kind::reaction) {
-                EXPECT_GE(applied.line_statement, 0);
+                EXPECT_NE(applied.line_statement, none);
                 EXPECT_LE(applied.line_statement, applied.force_statement) << name_of(applied.symbol);
             }
             if (body.in_parts) continue;
@@ -164,7 +164,7 @@ TEST_P(StatedForces, AreFoundByTheStatementThatSaysSo) {
             })) << name_of(applied.symbol);
         }
         EXPECT_GE(body.statement, last);
-        for (const FreeBody::Meet& meet : body.meets) EXPECT_GE(meet.statement, 0) << meet.name;
+        for (const FreeBody::Meet& meet : body.meets) EXPECT_NE(meet.statement, none) << meet.name;
     }
     for (const DrawnVector& vector : solution.protocol.vectors)
         if (solution.protocol.polygons[static_cast<std::size_t>(vector.polygon)].plane == Plane::force) {
@@ -277,7 +277,7 @@ TEST(Disagreements, AreMeasuredByWhatDrives) {
     solution.numeric_moduli.clear();
     const double driven = std::abs(std::get<SpinDriver>(solution.mechanism.drivers.front()).omega.to_double());
     for (const double numeric : {1e-16 * driven, 1e-3 * driven}) {
-        solution.checks = {{{.kind = Kind::omega, .body = 2}, 0, numeric, -numeric}};
+        solution.checks = {{{.kind = Kind::omega, .body = BodyIndex(2)}, 0, numeric, -numeric}};
         EXPECT_EQ(disagreements(solution, all_move(solution)).size(), numeric < 1e-9 * driven ? 0u : 1u);
     }
 }

@@ -10,7 +10,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// Adds loads, weights, springs and efforts of every kind to the file of a random mechanism.
 class Loading {
@@ -49,7 +49,7 @@ private:
     const std::string& name(BodyIndex body) const { return mechanism_.bodies[at(body)].name; }
     const std::string& point_name(PointIndex point) const { return mechanism_.points[at(point)].name; }
 
-    BodyIndex any_body() { return random_.whole(1, static_cast<int>(mechanism_.bodies.size()) - 1); }
+    BodyIndex any_body() { return BodyIndex(random_.whole(1, static_cast<int>(mechanism_.bodies.size()) - 1)); }
     BodyIndex body_with_points() {
         for (;;) {
             const BodyIndex body = any_body();
@@ -101,7 +101,7 @@ private:
     }
 
     void spring(const std::string& number, BodyIndex body, PointIndex point) {
-        const BodyIndex other = random_.chance(20) ? 0 : body_with_points();
+        const BodyIndex other = random_.chance(20) ? frame : body_with_points();
         if (other == body || mechanism_.bodies[at(other)].points.empty()) return;
         const PointIndex end = point_of(other);
         // Ends that coincide have no direction to pull in: a refusal, tested elsewhere.
@@ -121,9 +121,9 @@ private:
         if (kind == 2 && slides.empty()) kind = 0;
         if (kind == 0) {
             const BodyIndex body = any_body();
-            const BodyIndex from = random_.chance(20) ? any_body() : 0;
+            const BodyIndex from = random_.chance(20) ? any_body() : frame;
             efforts_.push_back("{\"couple\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +
-                               (from != 0 && from != body ? ", \"from\": " + quoted(name(from)) : "") + "}");
+                               (from != frame && from != body ? ", \"from\": " + quoted(name(from)) : "") + "}");
         } else if (kind == 1) {
             const BodyIndex body = body_with_points();
             efforts_.push_back("{\"force\": " + quoted(named) + ", \"body\": " + quoted(name(body)) +

@@ -18,7 +18,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 void hold(std::uint64_t seed) {
     const RandomMechanism random = random_mechanism(seed);
@@ -57,15 +57,16 @@ TEST(RandomMechanismsDrivenElsewhere, ObeyTheLawsOrSayWhyNot) {
         auto mechanism = read_mechanism(random.text, "seed " + std::to_string(seed));
         ASSERT_TRUE(mechanism);
         Random choice(seed);
-        const auto random_body = [&](int least) { return choice.whole(least, static_cast<int>(mechanism->bodies.size()) - 1); };
+        const auto random_body = [&](int least) {
+            return BodyIndex(choice.whole(least, static_cast<int>(mechanism->bodies.size()) - 1));
+        };
         const auto value = [&] { return Exact::ratio(choice.whole(1, 900), 100); };
         SpinDriver spin{random_body(1), random_body(0), value(), value(), "/drivers/0"};
-        if (spin.body == spin.relative_to) spin.relative_to = 0;
+        if (spin.body == spin.relative_to) spin.relative_to = frame;
         mechanism->drivers = {spin};
         std::vector<JointIndex> slides;
-        for (std::size_t j = 0; j < mechanism->joints.size(); ++j) {
-            if (mechanism->joints[j].along) slides.push_back(static_cast<JointIndex>(j));
-        }
+        for (const JointIndex joint : indices_of(mechanism->joints))
+            if (mechanism->joint(joint).along) slides.push_back(joint);
         if (!slides.empty() && choice.chance(50)) {
             const JointIndex slide = slides[at(choice.whole(0, static_cast<int>(slides.size()) - 1))];
             mechanism->drivers = {SlideDriver{slide, value(), value(), "/drivers/0"}};
@@ -98,7 +99,7 @@ TEST(RandomMechanismsDrivenElsewhere, NothingIsLeftOutInSilence) {
     ASSERT_TRUE(mechanism);
     const auto body = mechanism->body_named("9");
     ASSERT_TRUE(body);
-    mechanism->drivers = {SpinDriver{*body, 0, 2, 1, "/drivers/0"}};
+    mechanism->drivers = {SpinDriver{*body, frame, 2, 1, "/drivers/0"}};
     const auto solution = solve(*mechanism);
     ASSERT_TRUE(solution);
     expect_whole_motion(*solution);

@@ -118,16 +118,16 @@ TEST(Reader, ReadsTheFileOfTheDocumentation) {
     ASSERT_EQ(m.bodies.size(), 4U);
     EXPECT_EQ(m.bodies[0].name, "1");
     // The frame carries the points of its hinges.
-    EXPECT_EQ(m.bodies[0].points, (std::vector<PointIndex>{0, 2}));
-    EXPECT_EQ(m.bodies[1].points, (std::vector<PointIndex>{0, 1}));
-    EXPECT_EQ(m.joints[3].bodies, (std::vector<BodyIndex>{0, 3}));
+    EXPECT_EQ(m.bodies[0].points, (std::vector{PointIndex(0), PointIndex(2)}));
+    EXPECT_EQ(m.bodies[1].points, (std::vector{PointIndex(0), PointIndex(1)}));
+    EXPECT_EQ(m.joints[3].bodies, (std::vector{frame, BodyIndex(3)}));
     EXPECT_EQ(m.joints[3].name, "O4");
     EXPECT_FALSE(m.joints[3].named);
     EXPECT_EQ(std::get<SpinDriver>(m.drivers[0]).omega, Exact(-4) * pi());
     EXPECT_TRUE(m.find.stated && m.find.velocity && m.find.acceleration && m.find.instant_centres);
     EXPECT_FALSE(m.find.forces);
-    EXPECT_EQ(m.point_named("O4"), 2);
-    EXPECT_EQ(m.body_named("3"), 2);
+    EXPECT_EQ(m.point_named("O4"), PointIndex(2));
+    EXPECT_EQ(m.body_named("3"), BodyIndex(2));
     EXPECT_FALSE(m.point_named("C"));
     EXPECT_EQ(m.units.length.symbol, "mm");
     EXPECT_EQ(m.units.length.si, Exact::ratio(1, 1000));
@@ -145,7 +145,7 @@ TEST(Reader, DecimalsAreThoseOfTheText) {
 TEST(Reader, APointMayBeUsedBeforeItIsDefined) {
     const Mechanism m = read(with_points(R"("A": {"from": "Z", "to": "O", "ratio": -0.5}, "Z": [1, 1])"));
     const auto& along = std::get<Along>(m.points[2].placement);
-    EXPECT_EQ(along.from, 3);
+    EXPECT_EQ(along.from, PointIndex(3));
     EXPECT_TRUE(along.is_ratio);
     EXPECT_EQ(along.amount, Exact::ratio(-1, 2));
 }
@@ -158,14 +158,14 @@ TEST(Reader, PointsOfEveryForm) {
         "D": {"meet": [{"line": "O", "parallel": ["O", "Q"]}, {"line": "Q", "perpendicular": [1, 2]}]},
         "E": {"meet": [{"circle": [0, 0], "radius": "1 ft"}, {"line": "Q", "parallel": "45°"}], "near": [1, 2]})"));
     const auto& a = std::get<Polar>(m.points[2].placement);
-    EXPECT_EQ(a.relative_to->to, 1);
+    EXPECT_EQ(a.relative_to->to, PointIndex(1));
     EXPECT_FALSE(a.angle.in_degrees);
     EXPECT_EQ(std::get<Along>(m.points[3].placement).amount, Exact::ratio(-1, 50));
     const auto& c = std::get<Meet>(m.points[4].placement);
     EXPECT_EQ(std::get<Vector>(std::get<LineCurve>(c.first).through).x, Exact::ratio(1, 1000));
     EXPECT_EQ(std::get<LineCurve>(c.second).by, LineCurve::By::to);
     const auto& d = std::get<Meet>(m.points[5].placement);
-    EXPECT_EQ(std::get<Bearing::Between>(std::get<LineCurve>(d.first).bearing.form).to, 1);
+    EXPECT_EQ(std::get<Bearing::Between>(std::get<LineCurve>(d.first).bearing.form).to, PointIndex(1));
     // A direction has no unit: [1, 2] stays [1, 2], whatever the unit of length.
     EXPECT_EQ(std::get<Vector>(std::get<LineCurve>(d.second).bearing.form), (Vector{1, 2}));
     const auto& e = std::get<Meet>(m.points[6].placement);
@@ -176,7 +176,7 @@ TEST(Reader, PointsOfEveryForm) {
 TEST(Reader, FrameIsNoughtAndNeedsNoEntry) {
     const Mechanism m = read(with(""));
     EXPECT_EQ(m.bodies[0].name, "0");
-    EXPECT_EQ(m.joints[0].bodies, (std::vector<BodyIndex>{0, 1}));
+    EXPECT_EQ(m.joints[0].bodies, (std::vector{frame, BodyIndex(1)}));
 }
 
 TEST(Reader, FrameMayHaveAnEntryAnywhere) {
@@ -185,14 +185,14 @@ TEST(Reader, FrameMayHaveAnEntryAnywhere) {
     ASSERT_EQ(m.bodies.size(), 2U);
     EXPECT_EQ(m.bodies[0].name, "ground");
     EXPECT_EQ(m.bodies[0].label.it, "base");
-    EXPECT_EQ(m.bodies[0].points, (std::vector<PointIndex>{1, 0}));
+    EXPECT_EQ(m.bodies[0].points, (std::vector{PointIndex(1), PointIndex(0)}));
     EXPECT_EQ(m.bodies[0].where, "/bodies/ground");
 }
 
 TEST(Reader, IntegersNamePointsInArraysOnly) {
     const std::string head =
         R"({"kinegraph": 1, "points": {"1": [0, 0], "2": [1, 0]}, "bodies": {"7": [1, 2]}, "joints": [{"revolute": )";
-    EXPECT_EQ(read(head + R"("1", "bodies": [0, 7]}]})").bodies[1].points, (std::vector<PointIndex>{0, 1}));
+    EXPECT_EQ(read(head + R"("1", "bodies": [0, 7]}]})").bodies[1].points, (std::vector{PointIndex(0), PointIndex(1)}));
     EXPECT_EQ(refusal(head + R"(1, "bodies": [0, 7]}]})"),
               "/joints/0/revolute: a point's name is wanted here, not the number 1\n");
 }
@@ -200,27 +200,28 @@ TEST(Reader, IntegersNamePointsInArraysOnly) {
 TEST(Reader, JointsOfEveryKind) {
     EXPECT_EQ(read(with_joint(R"({"revolute": "A", "bodies": [0, 2, 3, 4]})")).joints[0].bodies.size(), 4U);
     const Mechanism slot = read(with_joint(R"({"pin-slot": "A", "bodies": [2, 3], "arc": "B", "name": "s"})"));
-    EXPECT_EQ(slot.joints[0].arc, 2);
+    EXPECT_EQ(slot.joints[0].arc, PointIndex(2));
     EXPECT_TRUE(slot.joints[0].named);
     EXPECT_EQ(slot.joints[0].name, "s");
     // A pin in a slot is two points: neither body is made to carry it.
-    EXPECT_EQ(slot.bodies[1].points, (std::vector<PointIndex>{0}));
-    EXPECT_EQ(read(with_joint(R"({"weld": "A", "bodies": [2, 4]})")).bodies[3].points, (std::vector<PointIndex>{2, 1}));
+    EXPECT_EQ(slot.bodies[1].points, (std::vector{PointIndex(0)}));
+    EXPECT_EQ(read(with_joint(R"({"weld": "A", "bodies": [2, 4]})")).bodies[3].points,
+              (std::vector{PointIndex(2), PointIndex(1)}));
     const Mechanism contact =
         read(with_joint(R"({"contact": "A", "bodies": [2, 3], "profiles": {"2": {"line": ["O", "A"]}}, "pushes": [0, -1]})"));
-    EXPECT_TRUE(std::holds_alternative<LineProfile>(contact.joints[0].profiles.at(1)));
+    EXPECT_TRUE(std::holds_alternative<LineProfile>(contact.joints[0].profiles.at(BodyIndex(1))));
     EXPECT_EQ(contact.joints[0].pushes->y, Exact(-1));
     // A body's own circle is its profile.
-    EXPECT_EQ(std::get<CircleProfile>(contact.joints[0].profiles.at(2)).centre, 2);
+    EXPECT_EQ(std::get<CircleProfile>(contact.joints[0].profiles.at(BodyIndex(2))).centre, PointIndex(2));
     const Mechanism gear = read(with_joint(R"({"gear": "A", "bodies": [2, 3], "tangent": 90, "pressure angle": 20, "arm": 4})"));
-    EXPECT_EQ(gear.joints[0].arm, 3);
+    EXPECT_EQ(gear.joints[0].arm, BodyIndex(3));
     EXPECT_EQ(gear.joints[0].pressure_angle->value, Exact(20));
     EXPECT_TRUE(gear.joints[0].tangent);
     EXPECT_TRUE(gear.joints[0].profiles.empty());
     const Mechanism rolling =
         read(with_joint(R"({"rolling": "A", "bodies": [2, 3], "profiles": {"2": {"tip": true}, "3": {"circle": "O"}}})"));
     // What the joint says goes before the body's circle.
-    EXPECT_EQ(std::get<CircleProfile>(rolling.joints[0].profiles.at(2)).centre, 0);
+    EXPECT_EQ(std::get<CircleProfile>(rolling.joints[0].profiles.at(BodyIndex(2))).centre, PointIndex(0));
 }
 
 TEST(Reader, DriversOfEveryKind) {
@@ -229,11 +230,11 @@ TEST(Reader, DriversOfEveryKind) {
         {"joint": "B", "speed": 5},
         {"body": "3", "at": "B", "along": ["O", "B"], "acceleration": "1 m/s^2"}])"));
     const auto& spin = std::get<SpinDriver>(m.drivers[0]);
-    EXPECT_EQ(spin.relative_to, 1);
+    EXPECT_EQ(spin.relative_to, BodyIndex(1));
     EXPECT_EQ(spin.omega, pi());
     EXPECT_EQ(spin.alpha, Exact(2));
     const auto& slide = std::get<SlideDriver>(m.drivers[1]);
-    EXPECT_EQ(slide.joint, 2);
+    EXPECT_EQ(slide.joint, JointIndex(2));
     EXPECT_EQ(slide.speed, Exact::ratio(1, 200));
     EXPECT_TRUE(slide.acceleration.is_zero());
     const auto& point = std::get<PointDriver>(m.drivers[2]);
@@ -254,9 +255,9 @@ TEST(Reader, ForcesOfEveryKind) {
     EXPECT_EQ(std::get<ForceLoad>(m.loads[0]).value->x, Exact(1000));
     EXPECT_EQ(std::get<ForceLoad>(m.loads[1]).magnitude->first, Exact(3));
     EXPECT_EQ(std::get<CoupleLoad>(m.loads[2]).value, exact("4.4482216152605") * exact("0.0254"));
-    EXPECT_EQ(std::get<SpringLoad>(m.loads[3]).between, (std::array<PointIndex, 2>{0, 2}));
-    EXPECT_EQ(std::get<CoupleEffort>(m.efforts[0]).from, 2);
-    EXPECT_EQ(std::get<ActuatorEffort>(m.efforts[2]).joint, 2);
+    EXPECT_EQ(std::get<SpringLoad>(m.loads[3]).between, (std::array<PointIndex, 2>{PointIndex(0), PointIndex(2)}));
+    EXPECT_EQ(std::get<CoupleEffort>(m.efforts[0]).from, BodyIndex(2));
+    EXPECT_EQ(std::get<ActuatorEffort>(m.efforts[2]).joint, JointIndex(2));
 }
 
 TEST(Reader, OneEffortMayStandAlone) { EXPECT_EQ(read(with(R"("effort": {"couple": "C", "body": 2})")).efforts.size(), 1U); }
@@ -275,9 +276,9 @@ TEST(Reader, WishesAndScales) {
         R"("find": ["forces", {"relative motion": "B", "observer": 2}, {"relative motion": "B", "observer": {"translating with": "A"}}],
         "scales": {"forces": "14 mm = 16.28 MN", "mechanism": "1:5", "velocity": "1 mm ≙ 0.01 m/s", "centres": "1 mm=5mm"})"));
     EXPECT_TRUE(m.find.forces);
-    EXPECT_EQ(m.find.relative_motion[0].observer, 1);
-    EXPECT_EQ(m.find.relative_motion[0].translating_with, -1);
-    EXPECT_EQ(m.find.relative_motion[1].translating_with, 1);
+    EXPECT_EQ(m.find.relative_motion[0].observer, BodyIndex(1));
+    EXPECT_EQ(m.find.relative_motion[0].translating_with, none);
+    EXPECT_EQ(m.find.relative_motion[1].translating_with, PointIndex(1));
     ASSERT_EQ(m.scales.size(), 4U);
     EXPECT_EQ(m.scales[0].figure, "forces");
     EXPECT_EQ(m.scales[0].per_millimetre, exact("16280000") / 14);

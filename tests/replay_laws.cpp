@@ -16,11 +16,11 @@
 namespace kinegraph::tests {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
-std::vector<int> results_of(Solution solution) {
-    std::vector<int> elements;
-    for_each_found(solution, [&](int& element, auto&) { elements.push_back(element); });
+std::vector<ElementIndex> results_of(Solution solution) {
+    std::vector<ElementIndex> elements;
+    for_each_found(solution, [&](ElementIndex& element, auto&) { elements.push_back(element); });
     return elements;
 }
 
@@ -35,7 +35,7 @@ std::vector<double> numbers(const ValueOf<double>& value) {
     const auto& l = std::get<LineOf<double>>(value);
     return {l.a, l.b, l.c};
 }
-std::vector<double> replayed(const Replay& replay, int element, const Value& like) {
+std::vector<double> replayed(const Replay& replay, ElementIndex element, const Value& like) {
     if (std::holds_alternative<ProjectivePoint>(like)) return numbers(replay.point(element));
     if (std::holds_alternative<Vector>(like)) return numbers(replay.vector(element));
     return numbers(replay.scalar(element));
@@ -51,7 +51,7 @@ public:
             for (const double number : numbers(to_double(protocol.values[i]))) largest = std::max(largest, std::abs(number));
         }
     }
-    double of(int element) const { return largest_.at(kind_of(at(element))); }
+    double of(ElementIndex element) const { return largest_.at(kind_of(at(element))); }
 
 private:
     std::pair<Plane, bool> kind_of(std::size_t i) const {
@@ -64,8 +64,8 @@ private:
 std::string told(const Guard& guard) {
     static constexpr std::array names{"coincide", "parallel", "zero vector", "zero scalar", "on line",
                                       "sign",     "turn",     "along",       "longer"};
-    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0]) + " " +
-           std::to_string(guard.inputs[1]) + ": " + std::to_string(guard.verdict);
+    return std::string(names[static_cast<std::size_t>(guard.question)]) + " " + std::to_string(guard.inputs[0].number()) + " " +
+           std::to_string(guard.inputs[1].number()) + ": " + std::to_string(guard.verdict);
 }
 
 /// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of concurrency, is a
@@ -90,14 +90,14 @@ int idle_strokes(const Solution& solution) {
     const Program& program = solution.protocol.program;
     std::vector<bool> needed(program.strokes.size(), false);
     Protocol drawn = solution.protocol;
-    for_each_drawn(drawn, [&](int& element) { needed[at(element)] = true; });
-    for (const int element : results_of(solution)) needed[at(element)] = true;
+    for_each_drawn(drawn, [&](ElementIndex& element) { needed[at(element)] = true; });
+    for (const ElementIndex element : results_of(solution)) needed[at(element)] = true;
     for (const Guard& guard : program.guards)
-        for (const int input : guard.inputs)
-            if (input >= 0) needed[at(input)] = true;
+        for (const ElementIndex input : guard.inputs)
+            if (input != none) needed[at(input)] = true;
     for (std::size_t i = needed.size(); i-- > 0;)
-        for (const int input : program.strokes[i].inputs)
-            if (input >= 0 && needed[i]) needed[at(input)] = true;
+        for (const ElementIndex input : program.strokes[i].inputs)
+            if (input != none && needed[i]) needed[at(input)] = true;
     return static_cast<int>(std::count(needed.begin(), needed.end(), false));
 }
 
@@ -119,7 +119,7 @@ double difference_in_doubles(const Solution& solution) {
     if (replay.run()) return std::numeric_limits<double>::infinity();
     const LargestOfKind largest(protocol);
     double worst = 0;
-    for (const int element : results_of(solution)) {
+    for (const ElementIndex element : results_of(solution)) {
         const std::vector<double> exact = numbers(to_double(protocol.values[at(element)]));
         const std::vector<double> found = replayed(replay, element, protocol.values[at(element)]);
         for (std::size_t c = 0; c < exact.size(); ++c)
@@ -180,8 +180,8 @@ bool expect_fresh_solution(const Solution& solution) {
     put_in_order(as_solved);
 
     std::vector<Value> exact_one, exact_two;
-    for_each_found(as_replayed, [&](int&, auto& value) { exact_one.emplace_back(value); });
-    for_each_found(as_solved, [&](int&, auto& value) { exact_two.emplace_back(value); });
+    for_each_found(as_replayed, [&](ElementIndex&, auto& value) { exact_one.emplace_back(value); });
+    for_each_found(as_solved, [&](ElementIndex&, auto& value) { exact_two.emplace_back(value); });
     EXPECT_EQ(exact_one.size(), exact_two.size());
     if (exact_one.size() != exact_two.size()) return true;
     for (std::size_t i = 0; i < exact_one.size(); ++i) {

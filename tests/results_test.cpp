@@ -28,36 +28,36 @@ Solution sample() {
     Joint slide;
     slide.kind = JointKind::prismatic;
     slide.name = "D";
-    slide.point = 1;
-    slide.bodies = {1, 2};
+    slide.point = PointIndex(1);
+    slide.bodies = {BodyIndex(1), BodyIndex(2)};
     solution.mechanism.joints = {slide};
     solution.pose.points = {{0, 0}, {decimal("0.1"), decimal("-0.7")}, {1, 2}};
     solution.pose.leftover = {0, 0, 0};
     solution.mobility.gruebler = 1;
     solution.mobility.effective = 2;
-    solution.points = {{0, {0, 1}, "O", Vector{}, Vector{}},
-                       {1, {1}, "A", Vector{decimal("0.55"), 0}, std::nullopt},
-                       {1, {2}, "A*", Vector{0, Exact::ratio(1, 3)}, Vector{1, 2}}};
+    solution.points = {{PointIndex(0), {frame, BodyIndex(1)}, "O", Vector{}, Vector{}},
+                       {PointIndex(1), {BodyIndex(1)}, "A", Vector{decimal("0.55"), 0}, std::nullopt},
+                       {PointIndex(1), {BodyIndex(2)}, "A*", Vector{0, Exact::ratio(1, 3)}, Vector{1, 2}}};
     solution.bodies = {{Exact(0), Exact(0)}, {Exact::ratio(-1, 2), std::nullopt}, {}};
-    solution.sliding = {{0, Vector{1, 2}, std::nullopt, Vector{3, 4}}};
+    solution.sliding = {{JointIndex(0), Vector{1, 2}, std::nullopt, Vector{3, 4}}};
     return solution;
 }
 
 TEST(Results, AreWrittenAsTheFormatSays) {
     Solution solution = sample();
     InstantCentre finite;
-    finite.first = 0;
-    finite.second = 1;
+    finite.first = frame;
+    finite.second = BodyIndex(1);
     finite.at = ProjectivePoint{decimal("0.25"), -2, 1};
     InstantCentre far = finite;
-    far.second = 2;
+    far.second = BodyIndex(2);
     far.at = ProjectivePoint{-3, 4, 0};
     InstantCentre everywhere;
-    everywhere.first = 1;
-    everywhere.second = 2;
+    everywhere.first = BodyIndex(1);
+    everywhere.second = BodyIndex(2);
     everywhere.everywhere = true;
     solution.centres = {finite, far, everywhere};
-    solution.checks = {{{.kind = Quantity::Kind::omega, .body = 1}, -0.5, -0.5, -0.0}};
+    solution.checks = {{{.kind = Quantity::Kind::omega, .body = BodyIndex(1)}, -0.5, -0.5, -0.0}};
     solution.unsolved = {{{Sentence::motion_of_body, {BodyName{"\"3\""}}}, {Sentence::stands_still, {}}}};
     EXPECT_EQ(results_json(solution, false, english), R"({
   "mobility": {"gruebler": 1, "effective": 2, "verdict": "mechanism"},
@@ -110,7 +110,7 @@ TEST(Results, APointAtInfinityHasNoSense) {
     Solution solution = sample();
     const auto towards = [&solution](const Exact& x, const Exact& y) {
         InstantCentre centre;
-        centre.second = 1;
+        centre.second = BodyIndex(1);
         centre.at = ProjectivePoint{x, y, 0};
         solution.centres = {centre};
         return Json::parse(results_json(solution, false, english))["instant centres"]["1,2"]["towards"];
@@ -128,7 +128,8 @@ TEST(Results, APointAtInfinityHasNoSense) {
 TEST(Results, NoNumberIsNoJson) {
     Solution solution = sample();
     solution.bodies[1].omega = decimal("1e400");
-    solution.checks = {{{.kind = Quantity::Kind::omega, .body = 1}, std::numeric_limits<double>::infinity(), std::nan(""), -0.0}};
+    solution.checks = {
+        {{.kind = Quantity::Kind::omega, .body = BodyIndex(1)}, std::numeric_limits<double>::infinity(), std::nan(""), -0.0}};
     const Json json = Json::parse(results_json(solution, false, english));
     EXPECT_TRUE(json["bodies"]["2"]["omega"].is_null());
     EXPECT_TRUE(json["checks"][0]["numeric"].is_null());
@@ -157,10 +158,10 @@ TEST(Results, ForcesAreThereWhereTheyAreAskedFor) {
 TEST(Results, RelativeMotionNamesItsObserver) {
     Solution solution = sample();
     RelativeMotion seen;
-    seen.query = {1, 1, -1, ""};
+    seen.query = {PointIndex(1), BodyIndex(1), none, ""};
     seen.coriolis = Vector{0, 2};
     RelativeMotion translating;
-    translating.query = {1, 0, 0, ""};
+    translating.query = {PointIndex(1), frame, PointIndex(0), ""};
     translating.relative_velocity = Vector{1, 0};
     solution.relative_motion = {seen, translating};
     const Json json = Json::parse(results_json(solution, false, english))["relative motion"];

@@ -341,7 +341,8 @@ TEST(Tables, AnEquationKeepsToItsWidthAsFarAsItCan) {
     const DrawingContext context{solution, theme, fonts(), Language::en};
     Equation equation;
     const auto term = [](const char* about, const char* up) {
-        return Term{{Symbol::Letter::a, about, up}, true, true, {LineReason::Kind::perpendicular_to_segment, "O4", "B"}, 1};
+        return Term{
+            {Symbol::Letter::a, about, up}, true, true, {LineReason::Kind::perpendicular_to_segment, "O4", "B"}, BodyIndex(1)};
     };
     equation.sides = {{term("B", "n"), term("B", "t")}, {term("A", "n"), term("A", "t"), term("BA", "n"), term("BA", "t")}};
     EXPECT_LE(equation_block(context, equation, 80).width, 80);

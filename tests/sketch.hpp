@@ -24,17 +24,17 @@ struct Sketch {
 
     PointIndex operator[](const std::string& name) const {
         for (std::size_t i = 0; i < mechanism.points.size(); ++i) {
-            if (mechanism.points[i].name == name) return static_cast<int>(i);
+            if (mechanism.points[i].name == name) return PointIndex(i);
         }
         ADD_FAILURE() << "no point " << name;
-        return -1;
+        return none;
     }
     BodyIndex body(const std::string& name) {
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-            if (mechanism.bodies[i].name == name) return static_cast<int>(i);
+            if (mechanism.bodies[i].name == name) return BodyIndex(i);
         }
         mechanism.bodies.push_back({name, {}, {}, {}, "/bodies/" + name});
-        return static_cast<int>(mechanism.bodies.size()) - 1;
+        return BodyIndex(mechanism.bodies.size() - 1);
     }
     Bearing between(const std::string& from, const std::string& to) const {
         return {Bearing::Between{(*this)[from], (*this)[to]}};
@@ -50,7 +50,7 @@ struct Sketch {
     }
     CircleCurve circle(const std::string& centre, const char* radius) const { return {(*this)[centre], decimal(radius)}; }
     LineCurve line(const std::string& through, const char* angle) const {
-        return {(*this)[through], LineCurve::By::angle, degrees(angle), -1, {}};
+        return {(*this)[through], LineCurve::By::angle, degrees(angle), none, {}};
     }
     LineCurve line_to(const std::string& through, const std::string& to) const {
         return {(*this)[through], LineCurve::By::to, {}, (*this)[to], {}};
@@ -67,7 +67,7 @@ struct Sketch {
         for (const std::string& name : names) joint.bodies.push_back(body(name));
         joint.where = "/joints/" + std::to_string(mechanism.joints.size());
         for (const BodyIndex each : joint.bodies) {
-            auto& points = mechanism.bodies[static_cast<std::size_t>(each)].points;
+            auto& points = mechanism.bodies[at_index(each)].points;
             points.push_back(joint.point);
         }
         mechanism.joints.push_back(std::move(joint));
@@ -100,7 +100,7 @@ struct Sketch {
         return *this;
     }
     Sketch& slide(int joint_index, const char* speed, const char* acceleration = "0") {
-        mechanism.drivers.push_back(SlideDriver{joint_index, decimal(speed), decimal(acceleration), "/drivers/0"});
+        mechanism.drivers.push_back(SlideDriver{JointIndex(joint_index), decimal(speed), decimal(acceleration), "/drivers/0"});
         return *this;
     }
 };

@@ -268,15 +268,15 @@ TEST(Revealed, DropsWhatComesLaterWithItsGroup) {
     path.stroked = true;
     path.segments = {MoveTo{{0, 0}}, LineTo{{1, 1}}};
     Path old = path, next = path;
-    old.statement = 0;
-    next.statement = 2;
+    old.statement = StatementIndex(0);
+    next.statement = StatementIndex(2);
     std::vector<Mark> marks{GroupBegin{"figure", "f", "", {}},
                             path,
                             old,
-                            GroupBegin{"vector", "v", "", {}, 1},
+                            GroupBegin{"vector", "v", "", {}, StatementIndex(1)},
                             path,
                             GroupEnd{},
-                            GroupBegin{"vector", "w", "", {}, 2},
+                            GroupBegin{"vector", "w", "", {}, StatementIndex(2)},
                             path,
                             Axis{},
                             GroupEnd{},
@@ -296,7 +296,7 @@ TEST(Revealed, PutsWhatWasGivenBackWhereThereIsOneInk) {
     Path given, found;
     given.stroked = found.stroked = true;
     given.pen.colour = found.pen.colour = theme.text;
-    found.statement = 0;
+    found.statement = StatementIndex(0);
     TextMark name;
     name.colour = theme.text;
     const auto shown = revealed({given, found, name}, {0}, 0, theme);
@@ -311,8 +311,9 @@ TEST(Revealed, PutsWhatIsCitedInTheAccent) {
     path.stroked = true;
     TextMark label;
     label.names = {"v_A"};
-    const std::vector<Mark> marks{GroupBegin{"vector", "velocity-v_A", "", {{"data-name", "v_A"}}, 0}, path, GroupEnd{}, label,
-                                  GroupBegin{"vector", "velocity-v_B", "", {{"data-name", "v_B"}}, 0}, path, GroupEnd{}};
+    const std::vector<Mark> marks{
+        GroupBegin{"vector", "velocity-v_A", "", {{"data-name", "v_A"}}, StatementIndex(0)}, path, GroupEnd{}, label,
+        GroupBegin{"vector", "velocity-v_B", "", {{"data-name", "v_B"}}, StatementIndex(0)}, path, GroupEnd{}};
     const auto shown = revealed(marks, {0, 1}, 1, theme, {"v_A"});
     EXPECT_EQ(std::get<Path>(shown[1]).pen.colour, theme.accent);
     EXPECT_EQ(std::get<TextMark>(shown[3]).colour, theme.accent);

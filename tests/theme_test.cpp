@@ -222,7 +222,7 @@ TEST(Theme, ALinkOfALineKindIsOutlinedWithItsDashesInside) {
     const Pen ground = std::get<Path>(marks[2]).pen, inside = std::get<Path>(marks[3]).pen;
     EXPECT_EQ(ground, (Pen{2 - 2 * look.outline, body.tint, {}, true}));
     EXPECT_EQ(inside, (Pen{2 - 2 * look.outline, body.line, {3, 1}, false}));
-    draw_line_kind(marks, 0, 1, look.body(1), look);
+    draw_line_kind(marks, 0, 1, look.body(kinegraph::BodyIndex(1)), look);
     EXPECT_EQ(marks.size(), 4U) << "a full line stays as it is";
 }
 
@@ -242,7 +242,7 @@ TEST(ThemeFile, ChangesWhatItNames) {
     EXPECT_EQ(read->bodies[0].letter, base.bodies[0].letter);
     EXPECT_EQ(read->bodies[1].line, base.bodies[1].line);
     EXPECT_EQ(read->bodies[1].dashes, (std::vector<double>{3, 1, 0.5, 1}));
-    EXPECT_EQ(&read->body(3), &read->bodies[0]) << "they begin again";
+    EXPECT_EQ(&read->body(kinegraph::BodyIndex(3)), &read->bodies[0]) << "they begin again";
     EXPECT_EQ(read_theme("{}").value().text, Theme{}.text);
 }
 

@@ -14,7 +14,7 @@
 namespace kinegraph {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 Solution solved(const std::string& text) {
     auto mechanism = read_mechanism(text, "trials");

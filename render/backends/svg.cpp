@@ -156,9 +156,9 @@ private:
     }
 
     /// Of the solution, that draws it; left out where it is that of the group round it.
-    void statement(pugi::xml_node node, int index, bool repeated) {
-        if (index < 0 || (!repeated && !statements_.empty() && statements_.back() == index)) return;
-        set(node, "data-statement", std::to_string(index).c_str());
+    void statement(pugi::xml_node node, StatementIndex index, bool repeated) {
+        if (index == none || (!repeated && !statements_.empty() && statements_.back() == index)) return;
+        set(node, "data-statement", std::to_string(index.number()).c_str());
     }
 
     void write(const Path& path) {
@@ -257,7 +257,7 @@ private:
         if (!group.id.empty()) set(at_, "id", well_formed(group.id).c_str());
         for (const auto& [name, value] : group.attributes) set(at_, name.c_str(), well_formed(value).c_str());
         statement(at_, group.statement, true);
-        statements_.push_back(group.statement >= 0 || statements_.empty() ? group.statement : statements_.back());
+        statements_.push_back(group.statement != none || statements_.empty() ? group.statement : statements_.back());
         title(at_, group.title);
     }
 
@@ -335,8 +335,8 @@ private:
     Outlines& outlines_;
     pugi::xml_document document_;
     pugi::xml_node at_, defs_;
-    std::vector<int> statements_;  // of the open groups, their own or that round them
-    std::string text_;             // of the attribute at hand, one memory for all
+    std::vector<StatementIndex> statements_;  // of the open groups, their own or that round them
+    std::string text_;                        // of the attribute at hand, one memory for all
     std::unordered_map<std::uint64_t, std::string> references_;
 };
 

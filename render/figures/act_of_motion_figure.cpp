@@ -22,7 +22,7 @@ constexpr double shortest_drawn = 0.2;   // mm: a velocity that nobody would see
 
 /// A velocity as an arrow at its point.
 struct Shown {
-    PointIndex point = -1;
+    PointIndex point = none;
     std::string name;
     Spot tip;  ///< from the point, in the unit of velocity, y downwards
     double value = 0;
@@ -38,7 +38,7 @@ public:
           act_(*context.solution.act_of_motion),
           unit_(context.solution.mechanism.units.velocity) {
         for (const InstantCentre& centre : solution_.centres)
-            if (centre.first == 0 && centre.second == act_.body) centre_ = &centre;
+            if (centre.first == frame && centre.second == act_.body) centre_ = &centre;
         const auto add = [&](PointIndex point, const Vector& velocity, bool given) {
             const std::string& name = solution_.mechanism.points[at_index(point)].name;
             const Vector in_unit{velocity.x / unit_.si, velocity.y / unit_.si};
@@ -57,7 +57,7 @@ public:
         for (const PointMotion& motion : solution_.points) {
             const bool already =
                 std::any_of(shown_.begin(), shown_.end(), [&](const Shown& shown) { return shown.point == motion.point; });
-            if (motion.point >= 0 && motion.velocity && !already) add(motion.point, *motion.velocity, false);
+            if (motion.point != none && motion.velocity && !already) add(motion.point, *motion.velocity, false);
         }
     }
 
@@ -113,9 +113,9 @@ private:
     }
 
     // --- the statements that find what is drawn ------------------------------------------------------------------------------
-    /// −1: the velocity is given, or none finds it.
-    int statement_of(const Shown& shown) const {
-        return shown.given ? -1 : statement_of_velocity(solution_, act_.body, shown.point);
+    /// None: the velocity is given, or none finds it.
+    StatementIndex statement_of(const Shown& shown) const {
+        return shown.given ? none : statement_of_velocity(solution_, act_.body, shown.point);
     }
 
     void draw_velocities(Sketch& sketch, double scale) const {
@@ -163,7 +163,7 @@ private:
         if (act_.found == Found::tips) draw_join_of_tips(sketch, at, near, scale);
         belong(sketch.construction, join, act_.centre_statement);
         std::vector<Spot> far_ends;
-        for (PointIndex point = 0; at_index(point) < solution_.pose.points.size(); ++point) {
+        for (const PointIndex point : indices_of(solution_.mechanism.points)) {
             const bool by = std::find(act_.points.begin(), act_.points.end(), point) != act_.points.end();
             const bool carried = std::any_of(solution_.points.begin(), solution_.points.end(),
                                              [&](const PointMotion& motion) { return motion.point == point && motion.velocity; });
@@ -172,7 +172,7 @@ private:
             if (act_.found != Found::tips || !by) draw_ray(sketch, point, at, near, by, far_ends);
             // The rays that found the centre come with it, each other one with the velocity that is normal to it.
             const Shown* const shown = by ? nullptr : shown_at(point);
-            belong(sketch.construction, ray, std::max(act_.centre_statement, shown ? statement_of(*shown) : -1));
+            belong(sketch.construction, ray, std::max(act_.centre_statement, shown ? statement_of(*shown) : none));
         }
         if (!near) return name_far_centre(sketch, at, far_ends);
         draw_dot(sketch, at);
@@ -288,9 +288,9 @@ private:
 
     /// "P_02  (A P_02 = 3.4 m)": the segment that the drawing cannot hold.
     void name_far_centre(Sketch& sketch, Spot centre, const std::vector<Spot>& ends) const {
-        const PointIndex from = act_.points.empty() ? -1 : act_.points.front();
+        const PointIndex from = act_.points.empty() ? none : act_.points.front();
         LabelRequest label = name_of_centre(sketch);
-        if (from < 0) return;
+        if (from == none) return;
         const Unit& length_unit = solution_.mechanism.units.length;
         const double metres = length(centre - sketch.spot(from)) * sketch.scale();
         const RichText name = label.text;
@@ -318,7 +318,7 @@ private:
         const double turn = omega->sign() > 0 ? -half : half;
         const BodyColour body = context_.theme.body(act_.body);
         const Symbol symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(act_.body)].name, ""};
-        const int statement =
+        const StatementIndex statement =
             std::max(act_.centre_statement, statement_of_turning(solution_, {.kind = Quantity::Kind::omega, .body = act_.body}));
         const std::size_t first = sketch.arrows.size();
         draw_arc_arrow(sketch.arrows, at, radius, middle - turn, middle + turn, context_.theme.outline, body.letter);

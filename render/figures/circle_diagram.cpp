@@ -46,7 +46,7 @@ private:
         return -std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(body) / static_cast<double>(count_);
     }
     Spot at(double angle) const { return radius_ * Spot{std::cos(angle), std::sin(angle)}; }
-    Spot place(int body) const { return at(angle_of(static_cast<std::size_t>(body))); }
+    Spot place(BodyIndex body) const { return at(angle_of(at_index(body))); }
 
     void draw_circle(std::vector<Mark>& marks) const {
         for (std::size_t b = 0; b < count_; ++b) {
@@ -72,7 +72,7 @@ private:
     }
     void draw_bodies(std::vector<Mark>& marks) const {
         for (std::size_t b = 0; b < count_; ++b) {
-            const int body = static_cast<int>(b);
+            const BodyIndex body(b);
             const BodyColour colour = theme_.colour_of(body);
             marks.emplace_back(
                 ring(place(body), node, theme_.paper,

@@ -52,7 +52,7 @@ Meets all_shown_meets(const Solution& solution) {
 
 /// The points of a body, and those of the joints that hold it; of a free pin its own.
 std::vector<PointIndex> points_of(const Mechanism& mechanism, const FreeBody& body) {
-    if (body.body < 0) return {body.pin};
+    if (body.body == none) return {body.pin};
     std::vector<PointIndex> points = mechanism.body(body.body).points;
     for (const Joint& joint : mechanism.joints)
         if (joint.connects(body.body)) points.push_back(joint.point);
@@ -68,7 +68,7 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
     Box box;
     if (!points.empty()) box = {subject.points[at_index(points.front())], subject.points[at_index(points.front())]};
     for (const PointIndex point : points) box.include(subject.points[at_index(point)]);
-    if (body.body >= 0)
+    if (body.body != none)
         if (const auto& circle = subject.mechanism.body(body.body).circle) {
             const Spot centre = subject.points[at_index(circle->centre)];
             const Box around = grown({centre, centre}, circle->radius.to_double());
@@ -93,14 +93,14 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
 struct ActionLine {
     Spot at, along;
     std::vector<Spot> marks;
-    int statement = -1;                  // that knows it first
+    StatementIndex statement = none;     // that knows it first
     std::vector<std::string> far_meets;  // points of concurrency outside of the drawing that it leads to
 
     /// Whether it leads from its own place to another.
     bool joins() const { return marks.size() > 1 || !far_meets.empty(); }
 };
 
-LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance, int statement) {
+LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance, StatementIndex statement) {
     return {.text = typeset(Symbol{Symbol::Letter::point, name, ""}, sketch.context.language),
             .size = sketch.theme.label,
             .colour = sketch.theme.text,
@@ -110,7 +110,7 @@ LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot a
             .names = {name}};
 }
 
-void draw_meet(Sketch& sketch, const std::string& name, Spot at, int statement) {
+void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex statement) {
     LabelRequest own = label_of_meet(sketch, name, at, 2.0, statement);
     for (LabelRequest& label : sketch.labels) {
         if (label.balloon > 0 || label.toward || length(label.anchor - at) > 0.3) continue;
@@ -171,7 +171,7 @@ public:
 private:
     /// A point of concurrency outside of the drawing: the lines that meet there run to the edge of the view and point to it, and
     /// one says how far it is.
-    void draw_far_meet(const std::string& name, Spot meet, int statement) {
+    void draw_far_meet(const std::string& name, Spot meet, StatementIndex statement) {
         constexpr double broken_end = 9;
         if (!std::isfinite(meet.x) || !std::isfinite(meet.y)) return;  // past the range of doubles
         bool named = false;
@@ -216,7 +216,7 @@ private:
 
 /// About the place where the couple acts, where the least is in the way.
 void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive, const BodyColour& colour,
-                 int statement) {
+                 StatementIndex statement) {
     constexpr double sweep = 2.4;
     // On paper y runs down: counter-clockwise is the negative turn.
     const double by = positive ? -sweep : sweep;
@@ -268,7 +268,7 @@ public:
           lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3)) {}
 
     void draw() {
-        if (body_.body >= 0)
+        if (body_.body != none)
             draw_alone(sketch_, body_.body);
         else
             sketch_.pins.emplace_back(ring(sketch_.spot(body_.pin), 1.8, sketch_.theme.paper, sketch_.outline()));
@@ -295,13 +295,13 @@ private:
         clutter_.add(arrow.from, arrow.to);
         draw_arrow_of(applied, arrow, value, to_scale);
         add_line_of(applied);
-        if (applied.joint >= 0 && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
+        if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
     }
 
     /// Tail or tip at its place; slid along its line where another arrow is there already.
     Bar free_stand(const AppliedForce& applied, double size) const {
         const Spot at = sketch_.spot(applied.at), along = paper_direction(applied.force), d = size * along;
-        const Spot middle = body_.body >= 0 ? sketch_.shape(body_.body).middle : sketch_.spot(body_.pin);
+        const Spot middle = body_.body != none ? sketch_.shape(body_.body).middle : sketch_.spot(body_.pin);
         const bool outwards = acts_at_centre(applied) || dot(along, at - middle) >= -1e-6;
         Cheapest<Bar> best;
         for (const bool slid : {false, true})
@@ -351,7 +351,7 @@ private:
     }
     void draw_arrow_of(const AppliedForce& applied, const Bar& arrow, double value, bool to_scale) {
         const Theme& theme = sketch_.theme;
-        const int statement = applied.force_statement;
+        const StatementIndex statement = applied.force_statement;
         const std::string unique = unique_name(name_of(applied.symbol));
         sketch_.arrows.emplace_back(GroupBegin{to_scale ? "vector" : "sense",
                                                sketch_.id("", unique),
@@ -376,7 +376,7 @@ private:
     }
     void add_line_of(const AppliedForce& applied) {
         ActionLine action = lines_.line_of(applied, meets_);
-        if (action.joins() || carries_two_forces() || (applied.joint >= 0 && applied.line_by_construction))
+        if (action.joins() || carries_two_forces() || (applied.joint != none && applied.line_by_construction))
             lines_.add(std::move(action));
     }
 
@@ -403,17 +403,17 @@ private:
 void show_only(Subject& subject, const FreeBody& body) {
     std::fill(subject.shown.begin(), subject.shown.end(), false);
     const auto show = [&](PointIndex point) {
-        if (point >= 0) subject.shown[at_index(point)] = true;
+        if (point != none) subject.shown[at_index(point)] = true;
     };
     for (const PointIndex point : points_of(subject.mechanism, body)) show(point);
     for (const Mass& mass : subject.mechanism.masses)
-        if (body.body >= 0 && mass.body == body.body) show(mass.centre);
+        if (body.body != none && mass.body == body.body) show(mass.centre);
 }
 
 /// Of a free body: "2", "2: connecting rod", "pin B".
 RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name) {
-    RichText caption = one_piece(word(body.body >= 0 ? "free body" : "free pin", context.language) + " " + name);
-    if (body.body >= 0)
+    RichText caption = one_piece(word(body.body != none ? "free body" : "free pin", context.language) + " " + name);
+    if (body.body != none)
         if (const std::string& label = in(context.solution.mechanism.body(body.body).label, context.language); !label.empty())
             caption.back().text += ": " + label;
     return caption;
@@ -423,8 +423,8 @@ RichText caption_of(const DrawingContext& context, const FreeBody& body, const s
 
 /// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once.
 bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied) {
-    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != 0;
-    const bool again = applied.kind == AppliedForce::Kind::effort && applied.from > 0 && applied.from < body.body;
+    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != frame;
+    const bool again = applied.kind == AppliedForce::Kind::effort && applied.from > frame && applied.from < body.body;
     return !inner_reaction && !again;
 }
 
@@ -447,7 +447,8 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at) {
 }
 
 /// Its sense only.
-void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour, int statement) {
+void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour,
+                StatementIndex statement) {
     const Spot at = sketch.spot(applied.at);
     if (!applied.couple.is_zero())
         draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at, applied.couple.sign() > 0,
@@ -488,8 +489,8 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = solution.free_bodies[index];
-    const std::string& name = body.body >= 0 ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
-    const std::string id = legal_id(body.body >= 0 ? "body-" + name : "pin-" + name);
+    const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
+    const std::string id = legal_id(body.body != none ? "body-" + name : "pin-" + name);
     Subject subject(solution);
     const auto [own_box, box] = extent_of(subject, body);
     subject.box = box;

@@ -89,7 +89,7 @@ public:
             for (const SceneFace& face : scene_.faces) {
                 std::vector<Spot> corners;
                 for (const Place corner : face.corners) corners.push_back(spot(figure.scale, corner));
-                if (face.body > 0 && corners.size() > 2)
+                if (face.body > frame && corners.size() > 2)
                     figure.marks.emplace_back(tinted(filled(corners, context_.theme.body(face.body).tint)));
             }
         draw_parts(figure, context_, parts, details);
@@ -278,7 +278,7 @@ private:
                 const Spot at{x + 0.5 * (cells[i].size.x - table.width), y + head + tallest + above_table};
                 set_table(all, table, at, items_[i].body->statement);
                 // What the rows are stands before the first of them.
-                if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, -1);
+                if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, none);
                 named = all.has_table = true;
             }
             x += cells[i].size.x + spread;
@@ -288,7 +288,7 @@ private:
     /// Its name, and the polygon in the middle of what it takes and of the row.
     void set_cell(Figure& all, const Item& item, Cell& cell, Spot at, double tallest) const {
         Figure& figure = cell.figure;
-        const std::string words = word(item.body->body >= 0 ? "body" : "pin", context_.language) + " " + body_name(*item.body);
+        const std::string words = word(item.body->body != none ? "body" : "pin", context_.language) + " " + body_name(*item.body);
         const std::size_t first = all.marks.size();
         set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
                  {at.x, at.y + 3.2}, context_.theme.colour_of(item.body->body).letter, "text");
@@ -299,7 +299,7 @@ private:
         all.details.insert(all.details.end(), figure.details.begin(), figure.details.end());
         belong(all.marks, first, item.body->statement);
     }
-    static void set_table(Figure& all, const Block& table, Spot at, int statement) {
+    static void set_table(Figure& all, const Block& table, Spot at, StatementIndex statement) {
         std::vector<Mark> marks = table.marks;
         render::move(marks, at.x, at.y);
         belong(marks, 0, statement);
@@ -312,7 +312,7 @@ private:
     }
     const std::string& body_name(const FreeBody& body) const {
         const Mechanism& m = context_.solution.mechanism;
-        return body.body >= 0 ? m.body(body.body).name : m.point(body.pin).name;
+        return body.body != none ? m.body(body.body).name : m.point(body.pin).name;
     }
     static Spot size_of(const Item& item, const Figure& figure, double reach) {
         return {std::max({figure.box.width() + 2 * reach, item.table.width, 16.0}), head + figure.box.height() + 2 * reach};

@@ -34,8 +34,8 @@ struct Placed {
     const VirtualWork::Entry* entry;
     Spot turned_velocity, force;
     double value;
-    int statement;  // after which the force is known; −1: it is given
-    int motion;     // that draws the velocity of the point it acts at
+    StatementIndex statement;  // after which the force is known; none: it is given
+    StatementIndex motion;     // that draws the velocity of the point it acts at
 };
 
 class Lever {
@@ -95,15 +95,15 @@ private:
         Spot tail, tip;
     };
 
-    /// The body's point that a force acts at; −1: it has none.
+    /// The body's point that a force acts at; none: it has none.
     PointIndex point_of(const VirtualWork::Entry& entry) const {
         for (const PointIndex p : context_.solution.mechanism.bodies[at_index(entry.body)].points)
             if ((context_.solution.pose.at(p) - entry.at).is_zero()) return p;
-        return -1;
+        return none;
     }
-    int statement_of_motion(const VirtualWork::Entry& entry) const {
+    StatementIndex statement_of_motion(const VirtualWork::Entry& entry) const {
         const PointIndex point = point_of(entry);
-        return point < 0 ? -1 : statement_of_velocity(context_.solution, entry.body, point);
+        return point == none ? none : statement_of_velocity(context_.solution, entry.body, point);
     }
 
     static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }
@@ -231,7 +231,7 @@ private:
         std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}}};
         for (const Placed& each : placed_) {
             const PointIndex point = point_of(*each.entry);
-            if (point < 0) continue;
+            if (point == none) continue;
             const Symbol image{Symbol::Letter::image, context_.solution.mechanism.points[at_index(point)].name, ""};
             const Spot at = tip_of(each, figure.scale);
             const auto same =

@@ -106,16 +106,16 @@ struct ShownVelocity {
 BodyIndex body_of(const Solution& solution, const PointMotion& motion, const std::string& name) {
     for (const DrawnVector& drawn : solution.protocol.vectors)
         if (drawn.role == DrawnVector::Role::absolute && drawn.symbol.letter == Symbol::Letter::v && drawn.symbol.about == name &&
-            drawn.body >= 0)
+            drawn.body != none)
             return drawn.body;
-    const auto moving = std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex body) { return body > 0; });
-    return moving == motion.bodies.end() ? -1 : *moving;
+    const auto moving = std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex body) { return body > frame; });
+    return moving == motion.bodies.end() ? none : *moving;
 }
 
 std::vector<ShownVelocity> shown_velocities(const Solution& solution) {
     std::vector<ShownVelocity> shown;
     for (const PointMotion& motion : solution.points) {
-        if (motion.point < 0 || !motion.velocity || motion.velocity->is_zero()) continue;
+        if (motion.point == none || !motion.velocity || motion.velocity->is_zero()) continue;
         const std::string name = motion.label.empty() ? solution.mechanism.point(motion.point).name : motion.label;
         shown.push_back({&motion, name, body_of(solution, motion, name), length(*motion.velocity)});
     }
@@ -124,7 +124,7 @@ std::vector<ShownVelocity> shown_velocities(const Solution& solution) {
 
 struct Ray {
     Bar bar;
-    int statement;
+    StatementIndex statement;
 };
 /// From a point towards a centre: as far as the view shows, with the centre where that is within.
 Ray draw_ray(Sketch& sketch, const InstantCentre& centre, Spot at, Spot pole, const Box& view) {
@@ -139,7 +139,7 @@ void draw_rays(Sketch& sketch, const PointMotion& motion, Spot tip, const Box& v
     const Spot at = sketch.spot(motion.point);
     bool squared_off = false;
     for (const InstantCentre& centre : sketch.subject.solution.centres) {
-        if (!centre.at || centre.first != 0 || centre.everywhere || centre.at->at_infinity()) continue;
+        if (!centre.at || centre.first != frame || centre.everywhere || centre.at->at_infinity()) continue;
         if (std::find(motion.bodies.begin(), motion.bodies.end(), centre.second) == motion.bodies.end()) continue;
         const Spot pole = sketch.spot(centre.at->place());
         const double whole = length(pole - at);
@@ -159,7 +159,8 @@ void draw_velocity(Sketch& sketch, const ShownVelocity& shown, const Bar& arrow)
     const BodyColour colour = sketch.theme.colour_of(shown.body);
     const std::string name = name_of(symbol);
     const RichText text = typeset(symbol, sketch.context.language);
-    const int statement = statement_of_velocity(sketch.subject.solution, shown.motion->bodies.front(), shown.motion->point);
+    const StatementIndex statement =
+        statement_of_velocity(sketch.subject.solution, shown.motion->bodies.front(), shown.motion->point);
     sketch.arrows.emplace_back(GroupBegin{
         "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(shown.value)}}, statement});
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);

@@ -133,7 +133,7 @@ private:
 
     /// A line that is drawn ⟂ to a known vector through its tip, as a^t to a^n, or through its tail, as a^rel to a Coriolis term
     /// that is set off last.
-    static void add_corner(PolygonParts& parts, int statement, Spot support, Spot along, double reach) {
+    static void add_corner(PolygonParts& parts, StatementIndex statement, Spot support, Spot along, double reach) {
         for (const PolygonVector& vector : parts.vectors) {
             if (!vector.has_right_angles) continue;
             const bool at_tip = length(vector.tip - support) < coincident;

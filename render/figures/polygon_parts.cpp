@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    LabelRequest& ask_label(RichText text, double size, Colour colour, Spot anchor, double clearance, int statement) {
+    LabelRequest& ask_label(RichText text, double size, Colour colour, Spot anchor, double clearance, StatementIndex statement) {
         LabelRequest& label = figure_.labels.emplace_back();
         label.text = std::move(text);
         label.size = size;
@@ -144,7 +144,7 @@ private:
     }
 
     void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
-                    int statement, double width) const {
+                    StatementIndex statement, double width) const {
         const std::size_t first = marks.size();
         if (internal)
             marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
@@ -250,7 +250,7 @@ private:
         Spot at;
         RichText text;
         std::set<std::string> names;
-        int statement = -1;
+        StatementIndex statement = none;
         bool pole = false;
     };
     void draw_images() {
@@ -299,9 +299,9 @@ private:
     void draw_circles() {
         for (const Detail& detail : details_) {
             const double radius = std::max(detail.radius, least_circle);
-            int statement = -1;
+            StatementIndex statement = none;
             for (const PolygonVector& vector : parts_.vectors)
-                if (is_in(detail, vector) && (statement < 0 || vector.statement < statement)) statement = vector.statement;
+                if (is_in(detail, vector) && (statement == none || vector.statement < statement)) statement = vector.statement;
             const std::size_t first = figure_.marks.size();
             figure_.marks.emplace_back(
                 GroupBegin{"detail", "", word("detail", context_.language) + " " + detail.letter, {}, statement});
@@ -434,9 +434,9 @@ private:
         inset.caption = one_piece(word("detail", context_.language) + " " + detail.letter);
         inset.scale = detail.scale;
         inset.unit = figure_.unit;
-        int statement = -1;
+        StatementIndex statement = none;
         for (const PolygonVector& vector : parts.vectors)
-            if (statement < 0 || vector.statement < statement) statement = vector.statement;
+            if (statement == none || vector.statement < statement) statement = vector.statement;
         open_group(inset, statement);
         inset.marks.emplace_back(circle({0, 0}, radius, {theme.thin, theme.text, {}, false}));
         draw_parts(inset, context_, parts, inner);
@@ -662,7 +662,7 @@ private:
         set_text(marks, now, at, text.colour, text.cls);
         belong(marks, marks.size() - 1, text.statement);
     }
-    void ask_letter(std::size_t detail, int statement) {
+    void ask_letter(std::size_t detail, StatementIndex statement) {
         LabelRequest& letter = letters_.emplace_back();
         letter.text = one_piece(is_[detail].letter);
         letter.size = context_.theme.label;
@@ -681,7 +681,7 @@ private:
 
 }  // namespace
 
-void open_group(Figure& figure, int statement) {
+void open_group(Figure& figure, StatementIndex statement) {
     figure.marks.emplace_back(
         GroupBegin{"figure",
                    figure.id,

@@ -18,7 +18,7 @@ struct PolygonLine {
     Pen pen;
     RichText mark;  ///< empty: none
     Spot mark_at, mark_toward;
-    int statement = -1;
+    StatementIndex statement = none;
 };
 struct PolygonVector {
     Spot tail, tip;
@@ -28,10 +28,10 @@ struct PolygonVector {
     BodyColour colour;
     bool internal = false;          ///< a broken line without a head: it falls out of the sum
     bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
-    int statement = -1;
+    StatementIndex statement = none;
 };
 /// Begins the group of a polygon, once it has its kind, caption, scale and unit; drawn by a statement where one is named.
-void open_group(Figure& figure, int statement = -1);
+void open_group(Figure& figure, StatementIndex statement = none);
 
 /// What a detail shows of a vector that leaves it.
 struct PolygonPiece {
@@ -39,7 +39,7 @@ struct PolygonPiece {
     bool has_tip = false;
     BodyColour colour;
     bool internal = false;
-    int statement = -1;
+    StatementIndex statement = none;
 };
 struct PolygonImage {
     using Kind = SceneImage::Kind;
@@ -47,14 +47,14 @@ struct PolygonImage {
     Spot at;
     std::string name;
     RichText text;
-    int statement = -1;
+    StatementIndex statement = none;
 };
 /// A right angle of the construction: at an end of a known vector the line of the next one begins.
 struct PolygonCorner {
     Spot at;
     Spot first, second;  ///< unit vectors of its legs
     double shorter_leg = 0;
-    int statement = -1;
+    StatementIndex statement = none;
 };
 struct PolygonParts {
     std::vector<PolygonLine> lines;

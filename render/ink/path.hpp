@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/index.hpp"
 #include "render/ink/spot.hpp"
 
 namespace kinegraph::render {
@@ -52,8 +53,8 @@ struct Path {
     Colour fill;
     bool stroked = false;
     Pen pen;
-    int statement = -1;   ///< of the solution, that it is drawn by; −1: it is there from the beginning
-    bool tinted = false;  ///< the fill is a body's tint or the paper: no ink, letters may stand on it
+    StatementIndex statement = none;  ///< of the solution, that it is drawn by; none: it is there from the beginning
+    bool tinted = false;              ///< the fill is a body's tint or the paper: no ink, letters may stand on it
 };
 
 /// Round ends go with round corners; and a dash that runs round a sharp corner must leave no spike there.

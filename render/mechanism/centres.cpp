@@ -52,7 +52,7 @@ private:
     struct Ray {
         Spot at, along;
         double from, to;
-        int statement;  // that draws it first
+        StatementIndex statement;  // that draws it first
     };
     struct Arrow {
         Spot base, along;
@@ -105,7 +105,7 @@ private:
         drawn_.assign(all_.size(), false);
         std::vector<std::size_t> wanted;
         for (std::size_t c = 0; c < all_.size(); ++c)
-            if (all_[c].first == 0 || is_primary(c)) wanted.push_back(c);
+            if (all_[c].first == frame || is_primary(c)) wanted.push_back(c);
         while (!wanted.empty()) {
             const std::size_t c = wanted.back();
             wanted.pop_back();
@@ -312,7 +312,7 @@ private:
             marks.emplace_back(GroupEnd{});
         }
         LabelRequest label = label_of(cluster, false);
-        if (where_[c] == Where::far && counted_from_[c] && all_[c].first == 0) {
+        if (where_[c] == Where::far && counted_from_[c] && all_[c].first == frame) {
             // "P_13 (O4 P_13 = 1.84 m)": the segment that the drawing cannot hold.
             append(label.text,
                    how_far(sketch_, counted_from_[c]->name, name_of_centre(c), length(place_[c] - counted_from_[c]->at)));

@@ -34,7 +34,7 @@ std::optional<double> farthest_on_axis(const Layout& layout, const Joint& slide,
 
 std::optional<Cylinder> cylinder_at(const Layout& layout, const Joint& joint) {
     const JointIndex index = layout.mechanism.index_of(joint);
-    if (!is_slide(joint) || joint.connects(0) || !is_driven(layout.mechanism, index)) return std::nullopt;
+    if (!is_slide(joint) || joint.connects(frame) || !is_driven(layout.mechanism, index)) return std::nullopt;
     const auto rod = farthest_on_axis(layout, joint, joint.bodies[0]), barrel = farthest_on_axis(layout, joint, joint.bodies[1]);
     if (!rod || !barrel) return std::nullopt;
     const double shrink = layout.measures.shrink;

@@ -121,10 +121,9 @@ private:
     }
 
     void gather() {
-        for (std::size_t p = 0; p < sketch_.mechanism.points.size(); ++p) {
-            const auto point = static_cast<PointIndex>(p);
+        for (const PointIndex point : indices_of(sketch_.mechanism.points)) {
             if (!sketch_.subject.shows(point)) continue;
-            const Placement& placement = sketch_.mechanism.points[p].placement;
+            const Placement& placement = sketch_.mechanism.point(point).placement;
             if (const auto* polar = std::get_if<Polar>(&placement)) {
                 add_length(polar->from, point, polar->distance.to_double());
                 if (!polar->relative_to)

@@ -24,11 +24,11 @@ std::string without_filling_zeros(double value, Language language, int digits) {
 
 /// ω or α of a body as an arc about a place, with its name.
 struct Turning {
-    BodyIndex body = -1;
+    BodyIndex body = none;
     Spot pivot;
     bool counter_clockwise = true;
     RichText text;
-    int statement = -1;
+    StatementIndex statement = none;
 };
 
 /// Where an arc has room: towards the body's first corner, which says how far out.
@@ -104,9 +104,9 @@ void draw_driver(Sketch& sketch, const SpinDriver& spin) {
     const std::optional<Spot> pivot = pivot_of_driver(sketch, spin);
     if (omega == 0 || !pivot) return;
     Symbol symbol{Symbol::Letter::omega, sketch.mechanism.body(spin.body).name, ""};
-    if (spin.relative_to != 0) symbol.about += sketch.mechanism.body(spin.relative_to).name;
+    if (spin.relative_to != frame) symbol.about += sketch.mechanism.body(spin.relative_to).name;
     const RichText text = given_value(sketch, symbol, omega, sketch.mechanism.units.angular_velocity);
-    draw_turning(sketch, {spin.body, *pivot, omega > 0, text, -1}, nullptr);
+    draw_turning(sketch, {spin.body, *pivot, omega > 0, text, none}, nullptr);
 }
 
 /// The speed of a driven slide or point, as an arrow about `start`.
@@ -149,13 +149,13 @@ std::string given_number(double value, Language language) {
     return four.size() + 1 < six.size() ? four : six;
 }
 
-int statement_of_turning(const Solution& solution, const Quantity& sought) {
+StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought) {
     const std::vector<Statement>& statements = solution.protocol.statements;
     const auto finds_it = [&](const Statement& statement) {
         return std::find(statement.finds.begin(), statement.finds.end(), sought) != statement.finds.end();
     };
     const auto found = std::find_if(statements.begin(), statements.end(), finds_it);
-    return found == statements.end() ? -1 : static_cast<int>(found - statements.begin());
+    return found == statements.end() ? none : StatementIndex(found - statements.begin());
 }
 
 void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
@@ -163,14 +163,14 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
     Clutter clutter;
     clutter.add(sketch.ground);
     clutter.add(sketch.arrows);
-    for (BodyIndex body = 1; at_index(body) < std::min(sketch.mechanism.bodies.size(), solution.bodies.size()); ++body) {
+    for (const BodyIndex body : indices(std::min(sketch.mechanism.bodies.size(), solution.bodies.size()), frame.next())) {
         const BodyMotion& motion = solution.bodies[at_index(body)];
         const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
         if (!value || value->is_zero()) continue;
         const Symbol symbol{letter, sketch.mechanism.body(body).name, ""};
         const auto kind = letter == Symbol::Letter::omega ? Quantity::Kind::omega : Quantity::Kind::alpha;
-        const int statement = statement_of_turning(solution, {.kind = kind, .body = body});
-        if (statement < 0) continue;
+        const StatementIndex statement = statement_of_turning(solution, {.kind = kind, .body = body});
+        if (statement == none) continue;
         const RichText text = typeset(symbol, sketch.context.language);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
     }

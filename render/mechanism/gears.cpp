@@ -116,7 +116,7 @@ void draw_gear(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>
     const double module = sketch.module(), outwards = rim.hollow ? -1 : 1;
     const double tip = rim.radius + outwards * module, root = rim.radius - outwards * dedendum * module;
     const double back = rim.radius + dedendum * module + 2.2;  // outer edge of an internal gear
-    const bool fixed = body == 0;
+    const bool fixed = body == frame;
     Path contour = contour_of(sketch, rim, body, tip, root);
     if (!fixed && !rim.hollow) {
         Path tint = tinted(contour);
@@ -144,7 +144,7 @@ void draw_rack(Sketch& sketch, const Flat& flat, BodyIndex body, std::vector<Mar
     sketch.construction.emplace_back(line(start - 3.0 * along, end + 3.0 * along, sketch.axis()));
     std::vector<Spot> contour = teeth_of_rack(sketch, flat, body);
     const Bar behind{start + depth * flat.inward, end + depth * flat.inward};
-    if (body == 0) {
+    if (body == frame) {
         sketch.ground.emplace_back(polyline(contour, sketch.outline()));
         draw_wall(sketch, behind, flat.inward);
         sketch.ground.emplace_back(line(contour.front(), behind.from, sketch.outline()));

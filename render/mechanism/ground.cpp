@@ -128,12 +128,12 @@ void draw_guides(Sketch& sketch) {
     const Measures& measures = sketch.measures;
     for (const Joint& joint : sketch.mechanism.joints) {
         if (joint.bodies.size() != 2 || length(sketch.guide(joint)) == 0) continue;
-        const bool on_frame = joint.bodies[1] == 0;
+        const bool on_frame = joint.bodies[1] == frame;
         if (joint.pair().is_sleeve() && on_frame) {
             draw_axis_of_guide(sketch, joint);
             draw_walls(sketch, joint, measures.slider_side + theme.vector / 2 + theme.outline / 2, reach_of_wall(sketch, joint),
                        true);
-        } else if (joint.pair().is_sleeve() && joint.bodies[0] == 0) {
+        } else if (joint.pair().is_sleeve() && joint.bodies[0] == frame) {
             draw_walls(sketch, joint, theme.link / 2 + 0.5, measures.sleeve_half, false);
         } else if (joint.pair().is_slot() && on_frame) {
             draw_axis_of_guide(sketch, joint);

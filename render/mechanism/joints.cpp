@@ -11,7 +11,7 @@ namespace {
 /// A pin of the body that a block slides on, not of the block itself: the block hides it.
 bool covered_by_block(const Layout& layout, const Joint& hinge) {
     for (const Joint& joint : layout.mechanism.joints) {
-        if (!is_slide(joint) || joint.bodies[0] == 0 || layout.cylinder_of(joint)) continue;
+        if (!is_slide(joint) || joint.bodies[0] == frame || layout.cylinder_of(joint)) continue;
         if (coincide(layout.spot(joint), layout.spot(hinge)) && !hinge.connects(joint.bodies[0]) &&
             hinge.connects(joint.bodies[1]))
             return true;
@@ -75,7 +75,7 @@ void draw_clamp(Sketch& sketch, const Joint& joint) {
     const Spot at = sketch.spot(joint);
     const std::vector<Spot> links = sketch.leaving(joint.point);
     const Spot along = links.empty() ? Spot{1, 0} : links.front();
-    if (joint.connects(0)) {
+    if (joint.connects(frame)) {
         const Spot half = sketch.measures.base_half * turned(along);
         draw_wall(sketch, {at + half, at - half}, -1.0 * along);
         return;
@@ -115,7 +115,7 @@ void draw_spring(Sketch& sketch, const SpringLoad& spring) {
             return is_fixed_pin(joint) && coincide(sketch.spot(joint), at);
         });
         const Spot half = sketch.measures.base_half * turned(away);
-        if (spring.bodies[end] == 0 && !pinned) draw_wall(sketch, {at + half, at - half}, away);
+        if (spring.bodies[end] == frame && !pinned) draw_wall(sketch, {at + half, at - half}, away);
     }
 }
 

@@ -14,7 +14,7 @@ Layout::Layout(const Subject& of, const Theme& look, double metres_per_millimetr
     for (const Spot point : subject.points) spots_.push_back((1 / scale_) * point);
     module_ = gear_module(*this);
     cylinders_ = cylinders_in(*this);
-    for (BodyIndex body = 0; at_index(body) < mechanism.bodies.size(); ++body) shapes_.push_back(shape_of(*this, body));
+    for (const BodyIndex body : indices_of(mechanism.bodies)) shapes_.push_back(shape_of(*this, body));
 }
 
 const Cylinder* Layout::cylinder_of(const Joint& joint) const {
@@ -24,8 +24,8 @@ const Cylinder* Layout::cylinder_of(const Joint& joint) const {
 }
 
 BlockSize Layout::block(const Joint& slide) const {
-    return slide.bodies[1] == 0 ? BlockSize{measures.slider_half, measures.slider_side}
-                                : BlockSize{measures.sleeve_half, measures.sleeve_side};
+    return slide.bodies[1] == frame ? BlockSize{measures.slider_half, measures.slider_side}
+                                    : BlockSize{measures.sleeve_half, measures.sleeve_side};
 }
 
 std::vector<Spot> Layout::corners_of_block(const Joint& slide) const {
@@ -75,7 +75,7 @@ double Layout::crowding(Spot spot, Spot besides) const {
 double Layout::crowding_of_joint(const Joint& joint, Spot spot, Spot besides) const {
     const Spot at = this->spot(joint), d = spot - at;
     if (joint.pair().is_sleeve()) {
-        const bool on_frame = joint.bodies[1] == 0;
+        const bool on_frame = joint.bodies[1] == frame;
         const double half = on_frame ? measures.slider_half + measures.wall_beyond : measures.sleeve_half;
         const double side = on_frame ? measures.slider_side + measures.hatch_depth : measures.sleeve_side;
         return std::abs(dot(d, guide(joint))) < half + 1 && std::abs(cross(d, guide(joint))) < side + 1 ? 1 : 0;

@@ -35,7 +35,7 @@ std::vector<std::vector<bool>> stacking(const Layout& layout) {
     }
     for (std::size_t a = 1; a < n; ++a)
         for (std::size_t b = 1; b < n; ++b)
-            if (layout.lies_on(static_cast<int>(a), static_cast<int>(b)) && !above[b][a]) above[a][b] = true;
+            if (layout.lies_on(BodyIndex(a), BodyIndex(b)) && !above[b][a]) above[a][b] = true;
     return above;
 }
 
@@ -88,7 +88,7 @@ void draw_crossings(Sketch& sketch, BodyIndex body, const std::vector<BodyIndex>
 
 /// Of two links in line (a dead point) the shorter one lies on top, narrower, so that both are seen.
 double width_of(const Sketch& sketch, BodyIndex body) {
-    for (BodyIndex other = 1; at_index(other) < sketch.mechanism.bodies.size(); ++other)
+    for (const BodyIndex other : sketch.mechanism.moving_bodies())
         if (sketch.lies_on(body, other)) return 0.5 * sketch.theme.link;
     return sketch.theme.link;
 }
@@ -111,7 +111,7 @@ std::vector<BodyIndex> drawing_order(const Layout& layout) {
         if (next == n)  // the orders contradict each other: take the first
             next = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
         done[next] = true;
-        order.push_back(static_cast<int>(next));
+        order.emplace_back(next);
     }
     return order;
 }

@@ -7,20 +7,20 @@
 namespace kinegraph::render::drawing {
 
 std::optional<RichText> name_of_point_at(const Sketch& sketch, Spot at) {
-    for (PointIndex point = 0; at_index(point) < sketch.mechanism.points.size(); ++point)
+    for (const PointIndex point : indices_of(sketch.mechanism.points))
         if (sketch.subject.shows(point) && coincide(sketch.spot(point), at)) return sketch.name_of_point(point);
     return std::nullopt;
 }
 
 void name_points(Sketch& sketch) {
-    const auto count = static_cast<PointIndex>(sketch.mechanism.points.size());
-    std::vector<bool> named(at_index(count), false);
-    for (PointIndex p = 0; p < count; ++p) {
+    const std::size_t count = sketch.mechanism.points.size();
+    std::vector<bool> named(count, false);
+    for (const PointIndex p : indices_of(sketch.mechanism.points)) {
         if (!sketch.subject.shows(p) || named[at_index(p)]) continue;
         const Spot at = sketch.spot(p);
         const double clearance = sketch.measures.pin_radius + 0.8;
         RichText text;
-        for (PointIndex q = p; q < count; ++q) {
+        for (const PointIndex q : indices(count, p)) {
             if (!sketch.subject.shows(q) || named[at_index(q)] || length(sketch.spot(q) - at) > same_place) continue;
             named[at_index(q)] = true;
             if (!text.empty()) append(text, one_piece(" ≡ "));
@@ -53,7 +53,7 @@ RichText how_far(const Sketch& sketch, const RichText& from, const RichText& to,
 
 void draw_compass(Sketch& sketch) {
     for (const PositionStep& step : sketch.subject.solution.pose.steps) {
-        if (step.point < 0 || !sketch.subject.shows(step.point)) continue;
+        if (step.point == none || !sketch.subject.shows(step.point)) continue;
         const Spot at = sketch.spot(step.point);
         for (const PositionStep::Arc& found_by : step.arcs) {
             const Spot centre = sketch.spot(found_by.centre);

@@ -248,7 +248,7 @@ Shape shape_of(const Layout& layout, BodyIndex body) {
     Shape shape;
     shape.rims = rims_of(layout, body);
     shape.flats = flats_of(layout, body);
-    if (body == 0) return shape;
+    if (body == frame) return shape;
     shape = Modelling(layout, body).shape(std::move(shape));
     shape.strokes = shape.bars;
     const std::vector<Spot>& plate = shape.plate;

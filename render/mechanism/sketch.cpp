@@ -14,7 +14,7 @@ RichText Sketch::name_of_point(PointIndex point) const {
     return typeset(Symbol{Symbol::Letter::point, mechanism.point(point).name, ""}, context.language);
 }
 
-LabelRequest& Sketch::add_label(RichText text, Colour colour, Spot at, double clearance, int statement) {
+LabelRequest& Sketch::add_label(RichText text, Colour colour, Spot at, double clearance, StatementIndex statement) {
     labels.push_back({.text = std::move(text),
                       .size = theme.label,
                       .colour = colour,

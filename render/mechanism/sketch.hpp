@@ -36,7 +36,7 @@ public:
     std::string id(std::string_view kind, std::string_view name);
     RichText name_of_point(PointIndex point) const;
     /// Beside a place, in the usual size; what it is told further is set in the label.
-    LabelRequest& add_label(RichText text, Colour colour, Spot at, double clearance, int statement = -1);
+    LabelRequest& add_label(RichText text, Colour colour, Spot at, double clearance, StatementIndex statement = none);
 
     Pen thin() const { return {theme.thin, theme.secondary, {}, false}; }  ///< of construction
     Pen axis() const { return {theme.thin, theme.secondary, dash_dot(), false}; }
@@ -79,8 +79,8 @@ void draw_compass(Sketch& sketch);
 void draw_drivers(Sketch& sketch);
 /// What turns, as the solution finds it: ω or α of the bodies as arcs, each with the statement that ends with it.
 void draw_turnings(Sketch& sketch, Symbol::Letter letter);
-/// The statement that ends with the angular velocity (or acceleration) of a body; −1: none does.
-int statement_of_turning(const Solution& solution, const Quantity& sought);
+/// The statement that ends with the angular velocity (or acceleration) of a body; none: no one does.
+StatementIndex statement_of_turning(const Solution& solution, const Quantity& sought);
 void draw_centres(Sketch& sketch);
 /// An absolute centre under the velocities: a dot and its name, once; none where a pin stands.
 void draw_pole(Sketch& sketch, const InstantCentre& centre);

@@ -38,14 +38,14 @@ void draw_curved_slot(Sketch& sketch, const Joint& joint, std::vector<Mark>& mar
     const Arc outer{slot.centre, slot.radius + side, slot.from, slot.to};
     const Arc inner{slot.centre, slot.radius - side, slot.from, slot.to};
     const BodyIndex body = joint.bodies[1];
-    Path path = panel({}, sketch.theme.paper, sketch.pen_of(body, body == 0 ? sketch.theme.outline : sketch.theme.vector));
+    Path path = panel({}, sketch.theme.paper, sketch.pen_of(body, body == frame ? sketch.theme.outline : sketch.theme.vector));
     path.segments = {MoveTo{outer.at(slot.from)},
                      ArcTo{slot.centre, outer.radius, slot.from, slot.to},
                      ArcTo{slot.at(slot.to), side, slot.to, slot.to + pi_number},
                      ArcTo{slot.centre, inner.radius, slot.to, slot.from},
                      ArcTo{slot.at(slot.from), side, slot.from + pi_number, slot.from + 2 * pi_number},
                      Close{}};
-    if (body == 0) {
+    if (body == frame) {
         hatch_arc(sketch, outer, true);
         if (slot.radius > 3 * side) hatch_arc(sketch, inner, false);
     }
@@ -63,7 +63,7 @@ void draw_barrel(const Sketch& sketch, const Cylinder& cylinder, std::vector<Mar
 
 void draw_sliding_parts(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {
     for (const Joint& joint : sketch.mechanism.joints)
-        if (body != 0 && is_slide(joint) && joint.bodies[0] == body) draw_block(sketch, joint, marks);
+        if (body != frame && is_slide(joint) && joint.bodies[0] == body) draw_block(sketch, joint, marks);
     for (const Bar& slot : sketch.shape(body).slots) draw_slot(sketch, slot, body, marks);
     for (const Joint& joint : sketch.mechanism.joints)
         if (is_curved_slot(joint) && joint.bodies[1] == body) draw_curved_slot(sketch, joint, marks);

@@ -35,14 +35,14 @@ Subject::Subject(const Solution& s)
 
 void Subject::show_points() {
     for (const Mass& mass : mechanism.masses)
-        if (mass.centre >= 0) mass_centre[at_index(mass.centre)] = shown[at_index(mass.centre)] = true;
+        if (mass.centre != none) mass_centre[at_index(mass.centre)] = shown[at_index(mass.centre)] = true;
     for (const Load& load : mechanism.loads)
         if (const auto* spring = std::get_if<SpringLoad>(&load))
             for (const PointIndex end : spring->between) shown[at_index(end)] = true;
     for (const Body& body : mechanism.bodies)
         for (const PointIndex point : body.points) shown[at_index(point)] = true;
     for (const Joint& joint : mechanism.joints)
-        if (joint.point >= 0) shown[at_index(joint.point)] = true;
+        if (joint.point != none) shown[at_index(joint.point)] = true;
 }
 
 void Subject::add_corner(BodyIndex body, PointIndex point) {
@@ -51,12 +51,12 @@ void Subject::add_corner(BodyIndex body, PointIndex point) {
 }
 
 void Subject::join_corners() {
-    for (BodyIndex body = 0; at_index(body) < mechanism.bodies.size(); ++body)
+    for (const BodyIndex body : indices_of(mechanism.bodies))
         for (const PointIndex point : mechanism.body(body).points)
             if (!touches_there(body, point)) add_corner(body, point);
     for (const Joint& joint : mechanism.joints)
         for (const BodyIndex body : joint.bodies)
-            if (joint.point >= 0 && holds(joint, body)) add_corner(body, joint.point);
+            if (joint.point != none && holds(joint, body)) add_corner(body, joint.point);
 }
 
 void Subject::measure() {

@@ -9,10 +9,10 @@
 
 namespace kinegraph::render::drawing {
 
-inline bool is_fixed_pin(const Joint& joint) { return joint.pair().is_hinge() && joint.connects(0); }
+inline bool is_fixed_pin(const Joint& joint) { return joint.pair().is_hinge() && joint.connects(frame); }
 inline bool is_slide(const Joint& joint) { return joint.pair().is_sleeve() && joint.bodies.size() == 2; }
 /// A pin-slot curved about a point, its pin on the first body.
-inline bool is_curved_slot(const Joint& joint) { return joint.pair().is_slot() && joint.arc >= 0 && joint.bodies.size() == 2; }
+inline bool is_curved_slot(const Joint& joint) { return joint.pair().is_slot() && joint.arc != none && joint.bodies.size() == 2; }
 /// The profile of a body at a contact, where it is of that form.
 template <class Form>
 const Form* profile_of(const Joint& joint, BodyIndex body) {

@@ -30,7 +30,7 @@ bool turns_about(const Layout& layout, Spot centre, BodyIndex body) {
     for (const Joint& joint : layout.mechanism.joints) {
         if (!joint.pair().is_hinge() || !joint.connects(body)) continue;
         if (coincide(layout.spot(joint), centre)) return true;
-        elsewhere = elsewhere || joint.connects(0);
+        elsewhere = elsewhere || joint.connects(frame);
     }
     return !elsewhere;
 }
@@ -79,7 +79,7 @@ std::optional<Spot> nearest_hold(const Layout& layout, BodyIndex body, Spot crow
 /// The arc on which another body slides, held by the body's nearest point: a sector, or a bow where the material lies outside.
 void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>& marks) {
     Arc profile = touched_arc(sketch, rim);
-    if (body == 0) {
+    if (body == frame) {
         sketch.ground.emplace_back(arc(profile, sketch.outline()));
         hatch_arc(sketch, profile, rim.hollow);
         return;
@@ -110,7 +110,7 @@ void draw_arc_profile(Sketch& sketch, const Rim& rim, BodyIndex body, std::vecto
 
 /// A cross where the centre of curvature is that the file names and nothing marks.
 void mark_centre(Sketch& sketch, const Rim& rim) {
-    for (PointIndex point = 0; at_index(point) < sketch.mechanism.points.size(); ++point)
+    for (const PointIndex point : indices_of(sketch.mechanism.points))
         if (sketch.subject.shows(point) && coincide(sketch.spot(point), rim.centre)) return;
     const double arm = std::min(2.2, 0.5 * rim.radius);
     for (const Spot along : {Spot{arm, 0}, Spot{0, arm}})
@@ -120,7 +120,7 @@ void mark_centre(Sketch& sketch, const Rim& rim) {
 void draw_rim(Sketch& sketch, const Rim& rim, BodyIndex body, std::vector<Mark>& marks) {
     if (rim.form == Rim::Form::gear) return draw_gear(sketch, rim, body, marks);
     if (rim.form == Rim::Form::arc) return draw_arc_profile(sketch, rim, body, marks);
-    if (body == 0) return draw_fixed_rim(sketch, rim, rim.radius, rim.hollow);
+    if (body == frame) return draw_fixed_rim(sketch, rim, rim.radius, rim.hollow);
     const Pen edge = sketch.pen_of(body, sketch.theme.vector);
     const Colour tint = sketch.theme.colour_of(body).tint;
     if (rim.hollow) {
@@ -147,11 +147,11 @@ void draw_rollers(Sketch& sketch, Spot at, Spot tangent, Spot away) {
 
 /// On the frame: a wall where what rolls or slides is round, else a support on rollers.
 void draw_bearing(Sketch& sketch, const Joint& joint, Spot tangent) {
-    const BodyIndex other = joint.other_than(0);
+    const BodyIndex other = joint.other_than(frame);
     const Spot at = sketch.spot(joint);
     Spot away = turned(tangent);
     if (joint.pushes)
-        away = (joint.bodies[0] == 0 ? 1.0 : -1.0) * paper_direction(*joint.pushes);
+        away = (joint.bodies[0] == frame ? 1.0 : -1.0) * paper_direction(*joint.pushes);
     else if (dot(bulk_of(sketch, other, joint) - at, away) > 0)
         away = -1.0 * away;
     const bool rounded = joint.profiles.count(other) != 0 && !is_tip(joint, other);
@@ -184,7 +184,7 @@ void draw_profiles(Sketch& sketch, BodyIndex body, std::vector<Mark>& marks) {
         const Spot in = flat.depth * flat.inward;
         if (flat.rack)
             draw_rack(sketch, flat, body, marks);
-        else if (body == 0)
+        else if (body == frame)
             draw_wall(sketch, flat.bar, flat.inward);
         else
             marks.emplace_back(
@@ -201,9 +201,9 @@ void draw_bare_contacts(Sketch& sketch, BodyIndex body) {
         if (!joint.connects(body) || joint.profiles.count(body) != 0 || sketch.mechanism.body(body).circle) continue;
         const bool is_gear = joint.pair().meshes(), first = joint.bodies[0] == body;
         const Spot at = sketch.spot(joint), tangent = sketch.subject.tangent(joint);
-        if (body == 0 && !is_gear)
+        if (body == frame && !is_gear)
             draw_bearing(sketch, joint, tangent);
-        else if (first && (is_gear || joint.bodies[1] != 0))
+        else if (first && (is_gear || joint.bodies[1] != frame))
             sketch.construction.emplace_back(line(at - 10.0 * tangent, at + 10.0 * tangent, sketch.axis()));
     }
 }

@@ -11,17 +11,17 @@ void draw_frame(Sketch& sketch) {
     for (const Joint& joint : sketch.mechanism.joints) {
         if (is_fixed_pin(joint)) draw_fixed_pin(sketch, joint.point);
         if (joint.pair().is_clamp()) draw_clamp(sketch, joint);
-        if (is_curved_slot(joint) && joint.bodies[1] == 0) draw_curved_slot(sketch, joint, sketch.ground);
+        if (is_curved_slot(joint) && joint.bodies[1] == frame) draw_curved_slot(sketch, joint, sketch.ground);
     }
     draw_guides(sketch);
     std::vector<Mark> none;  // all that the frame has is ground
-    draw_profiles(sketch, 0, none);
+    draw_profiles(sketch, frame, none);
 }
 
 /// What is no joint's: mass centres and points that a body only carries.
 void draw_free_points(Sketch& sketch) {
     const std::vector<Joint>& joints = sketch.mechanism.joints;
-    for (PointIndex point = 0; at_index(point) < sketch.mechanism.points.size(); ++point) {
+    for (const PointIndex point : indices_of(sketch.mechanism.points)) {
         const bool taken = std::any_of(joints.begin(), joints.end(), [&](const Joint& joint) {
             return coincide(sketch.spot(joint), sketch.spot(point)) && !joint.pair().is_sleeve();
         });
@@ -69,11 +69,11 @@ void draw_in_colour(Sketch& sketch) {
         if (const auto* spring = std::get_if<SpringLoad>(&load)) draw_spring(sketch, *spring);
     std::vector<BodyIndex> below;
     for (const BodyIndex body : drawing_order(sketch)) {
-        if (body == 0) continue;
+        if (body == frame) continue;
         draw_link(sketch, body, below);
         below.push_back(body);
     }
-    for (BodyIndex body = 1; at_index(body) < sketch.mechanism.bodies.size(); ++body) draw_balloon(sketch, body);
+    for (const BodyIndex body : sketch.mechanism.moving_bodies()) draw_balloon(sketch, body);
     draw_joints(sketch);
     draw_free_points(sketch);
 }
@@ -81,10 +81,10 @@ void draw_in_colour(Sketch& sketch) {
 void draw_in_grey(Sketch& sketch) {
     const Pen thin{sketch.theme.outline, sketch.theme.skeleton, {}, true};
     std::vector<Mark> none;  // all that the frame has is ground
-    draw_profiles(sketch, 0, none);
+    draw_profiles(sketch, frame, none);
     sketch.construction.clear();
     for (const BodyIndex body : drawing_order(sketch)) {
-        if (body == 0) continue;
+        if (body == frame) continue;
         const std::string& name = sketch.mechanism.body(body).name;
         sketch.bodies.emplace_back(GroupBegin{"link", sketch.id("link", name), name, {}});
         draw_skeleton_of(sketch, body, thin);
@@ -128,7 +128,7 @@ void draw_alone(Sketch& sketch, BodyIndex body) {
         else
             draw_dot(sketch, at);
     }
-    for (PointIndex point = 0; at_index(point) < sketch.mechanism.points.size(); ++point)
+    for (const PointIndex point : indices_of(sketch.mechanism.points))
         if (sketch.subject.shows(point) && once(sketch.spot(point))) draw_point(sketch, point);
 }
 

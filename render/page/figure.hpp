@@ -23,7 +23,7 @@ struct LabelRequest {
     bool along = false;      ///< set along the line (turned with it), as direction marks are
     std::string id{};        ///< empty, or the SVG id of the label's group
     double balloon = 0;      ///< radius of a circle round the text (body numbers), mm; 0: none
-    int statement = -1;      ///< of the solution, that what it names is drawn by; −1: it is there from the beginning
+    StatementIndex statement = none;   ///< of the solution, that what it names is drawn by; none: it is there from the beginning
     std::vector<std::string> names{};  ///< as TextMark's
     std::vector<double> dashes{};      ///< line kind of the balloon, mm
 };

@@ -36,7 +36,7 @@ struct TextMark {
     double angle = 0;
     Spot pivot;
     std::vector<Path> extras;          ///< dots over letters, fraction bars
-    int statement = -1;                ///< as a Path's
+    StatementIndex statement = none;   ///< as a Path's
     std::vector<std::string> names{};  ///< of the quantities that a label names, as `data-name` has them
 };
 
@@ -46,7 +46,7 @@ struct GroupBegin {
     std::string id;
     std::string title;
     std::vector<std::pair<std::string, std::string>> attributes;
-    int statement = -1;  ///< as a Path's; of all that is in the group and has none of its own
+    StatementIndex statement = none;  ///< as a Path's; of all that is in the group and has none of its own
 
     /// The value of the attribute of that name, if there is one.
     const std::string* attribute(std::string_view name) const {

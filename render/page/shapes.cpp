@@ -297,9 +297,9 @@ Box box_of(const std::vector<Mark>& marks) {
     return bounds.box;
 }
 
-void belong(std::vector<Mark>& marks, std::size_t first, int statement) {
-    const auto take = [&](int& own) {
-        if (own < 0) own = statement;
+void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statement) {
+    const auto take = [&](StatementIndex& own) {
+        if (own == none) own = statement;
     };
     for (std::size_t i = first; i < marks.size(); ++i)
         std::visit(Overloaded{[&](Path& path) { take(path.statement); }, [&](TextMark& text) { take(text.statement); },

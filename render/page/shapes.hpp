@@ -56,7 +56,7 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
                     double unit_in_si, const std::string& unit, Language language);
 
 /// Marks from index `first` on are drawn by a statement of the solution, where they have none yet.
-void belong(std::vector<Mark>& marks, std::size_t first, int statement);
+void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statement);
 /// Everything drawn, strokes with their width, text with its ink; an empty list gives an empty box at the origin.
 Box box_of(const std::vector<Mark>& marks);
 /// Moves marks, or one spot; coordinates are snapped to 1e-8 mm.

@@ -134,7 +134,7 @@ private:
         // What a body does not say it has from the theme that this one is based on.
         std::vector<BodyColour> bodies;
         for (const JsonValue each : list) {
-            bodies.push_back(theme_.body(static_cast<int>(bodies.size()) + 1));
+            bodies.push_back(theme_.body(BodyIndex(bodies.size() + 1)));
             if (!is_object(each, "a body's look")) continue;
             check_keys(each, {"line", "tint", "letter", "dashes"}, "the keys of a body's look");
             read(each["line"], bodies.back().line);

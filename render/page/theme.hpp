@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/error.hpp"
+#include "engine/index.hpp"
 #include "render/ink/path.hpp"
 
 namespace kinegraph::render {
@@ -36,11 +37,9 @@ struct Theme {
                                                       {{0x0B, 0x44, 0x84}, {0xDC, 0xE8, 0xF4}, {0x0B, 0x44, 0x84}},
                                                       {{0x25, 0x9B, 0x7A}, {0xDC, 0xF1, 0xEA}, {0x15, 0x73, 0x57}},
                                                       {{0x3A, 0x0F, 0x2C}, {0xED, 0xE1, 0xE8}, {0x3A, 0x0F, 0x2C}}});
-    const BodyColour& body(int index) const {
-        return bodies[index > 0 ? (static_cast<std::size_t>(index) - 1) % bodies.size() : 0];
-    }
+    const BodyColour& body(BodyIndex index) const { return bodies[index > frame ? (at_index(index) - 1) % bodies.size() : 0]; }
     /// The same; what is the frame's, a pin's or no body's looks like text.
-    BodyColour colour_of(int index) const { return index > 0 ? body(index) : BodyColour{text, paper, text, {}}; }
+    BodyColour colour_of(BodyIndex index) const { return index > frame ? body(index) : BodyColour{text, paper, text, {}}; }
 
     // Four weights of line, mm.
     double link = 2.0, vector = 0.7, outline = 0.35, thin = 0.18;

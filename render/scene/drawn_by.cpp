@@ -18,21 +18,21 @@ std::vector<BodyIndex> pinned_to(const Solution& solution, BodyIndex body, Point
 
 }  // namespace
 
-int statement_of_velocity(const Solution& solution, BodyIndex body, PointIndex point) {
+StatementIndex statement_of_velocity(const Solution& solution, BodyIndex body, PointIndex point) {
     const std::vector<BodyIndex> bodies = pinned_to(solution, body, point);
     for (const DrawnVector& vector : solution.protocol.vectors) {
         const Quantity& drawn = vector.quantity;
         if (drawn == Quantity{.kind = Quantity::Kind::velocity, .body = drawn.body, .point = point} && holds(bodies, drawn.body))
             return vector.statement;
     }
-    return -1;
+    return none;
 }
 
-int statement_of_force(const Solution& solution, const Quantity& force) {
+StatementIndex statement_of_force(const Solution& solution, const Quantity& force) {
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& applied : body.forces)
             if (quantity_of(body, applied) == force) return applied.force_statement;
-    return -1;
+    return none;
 }
 
 }  // namespace kinegraph::render

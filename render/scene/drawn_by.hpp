@@ -5,10 +5,10 @@
 
 namespace kinegraph::render {
 
-/// The statement that draws the velocity of a point as a body carries it, or another that is pinned to it there; −1: it is given,
-/// or no polygon has it.
-int statement_of_velocity(const Solution& solution, BodyIndex body, PointIndex point);
-/// The statement after which a force or couple on a free body is known; −1: it is given.
-int statement_of_force(const Solution& solution, const Quantity& force);
+/// The statement that draws the velocity of a point as a body carries it, or another that is pinned to it there; none: it is
+/// given, or no polygon has it.
+StatementIndex statement_of_velocity(const Solution& solution, BodyIndex body, PointIndex point);
+/// The statement after which a force or couple on a free body is known; none: it is given.
+StatementIndex statement_of_force(const Solution& solution, const Quantity& force);
 
 }  // namespace kinegraph::render

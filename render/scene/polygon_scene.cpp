@@ -15,7 +15,7 @@
 namespace kinegraph::render {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t at(auto index) { return at_index(index); }
 
 /// A direction as a unit, whatever the size of its coordinates.
 Place direction(const Vector& vector) {
@@ -64,7 +64,7 @@ public:
 private:
     bool of_motion() const { return polygon_.plane != Plane::force; }
     double in_unit(const Exact& si_value) const { return (si_is_one_ ? si_value : si_value / scene_.unit.si).to_double(); }
-    Place place(int element) {
+    Place place(ElementIndex element) {
         const auto [found, fresh] = places_.try_emplace(element);
         if (fresh) {
             const ProjectivePoint& point = protocol_.point(element);
@@ -72,7 +72,7 @@ private:
         }
         return found->second;
     }
-    Place direction_of(int line) {
+    Place direction_of(ElementIndex line) {
         const auto [found, fresh] = directions_.try_emplace(line);
         if (fresh) found->second = direction(protocol_.line(line).direction());
         return found->second;
@@ -81,7 +81,7 @@ private:
     /// Of a polygon of motion the pole, at the origin, belongs to it.
     void measure() {
         bool any = of_motion();
-        const auto add = [&](int element) {
+        const auto add = [&](ElementIndex element) {
             if (protocol_.point(element).at_infinity()) return;
             const Place p = place(element);
             if (!any) scene_.least = scene_.most = p;
@@ -99,7 +99,7 @@ private:
 
     void add_vectors() {
         std::set<std::string> names;
-        std::set<std::tuple<int, int, std::string>> seen;
+        std::set<std::tuple<ElementIndex, ElementIndex, std::string>> seen;
         std::optional<Vector> longest;
         Exact square;
         for (const int index : polygon_.vectors) {
@@ -127,28 +127,28 @@ private:
         if (longest) scene_.along = direction(*longest);
     }
     /// A force is drawn by what finds it; the polygon of one body by what closes it, with all its sides.
-    int statement_of(const DrawnVector& vector) const {
+    StatementIndex statement_of(const DrawnVector& vector) const {
         if (of_motion()) return vector.statement;
         if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, vector.quantity);
         for (const FreeBody& body : solution_.free_bodies)
             if (body.polygon == index_) return body.statement;
-        return -1;
+        return none;
     }
 
     void add_faces() {
         for (const kinegraph::Face& face : polygon_.faces) {
             SceneFace& shown = scene_.faces.emplace_back();
             shown.body = face.body;
-            for (const int corner : face.corners) shown.corners.push_back(place(corner));
+            for (const ElementIndex corner : face.corners) shown.corners.push_back(place(corner));
         }
     }
 
     void add_lines() {
         for (const DrawnLine& each : protocol_.lines) {
-            if (each.polygon != index_ || each.line < 0 || protocol_.line(each.line).at_infinity()) continue;
-            std::vector<int> finite;
+            if (each.polygon != index_ || each.line == none || protocol_.line(each.line).at_infinity()) continue;
+            std::vector<ElementIndex> finite;
             std::copy_if(each.points.begin(), each.points.end(), std::back_inserter(finite),
-                         [&](int element) { return !protocol_.point(element).at_infinity(); });
+                         [&](ElementIndex element) { return !protocol_.point(element).at_infinity(); });
             if (finite.empty()) continue;
             scene_.lines.push_back(
                 {each.reason, place(finite.front()), place(finite.back()), direction_of(each.line), each.statement});
@@ -159,13 +159,13 @@ private:
     void add_trials() {
         const Trials& trials = protocol_.trials;
         const double near = 0.5 * scene_.size();
-        const auto is_near = [&](int element) {
+        const auto is_near = [&](ElementIndex element) {
             if (protocol_.point(element).at_infinity()) return false;
             const Place p = place(element);
             return p.x > scene_.least.x - near && p.x < scene_.most.x + near && p.y > scene_.least.y - near &&
                    p.y < scene_.most.y + near;
         };
-        const auto add = [&](int from, int to, bool is_line, int statement) {
+        const auto add = [&](ElementIndex from, ElementIndex to, bool is_line, StatementIndex statement) {
             if (is_near(from) && is_near(to)) scene_.trials.push_back({place(from), place(to), is_line, statement});
         };
         for (const DrawnVector& vector : trials.vectors)
@@ -194,7 +194,7 @@ private:
         }
     }
     /// An image stands once a vector ends in it; where none does, once its point is found.
-    int statement_of(const Image& image) const {
+    StatementIndex statement_of(const Image& image) const {
         for (const int index : polygon_.vectors) {
             const DrawnVector& vector = protocol_.vectors[at(index)];
             if (vector.tip == image.point || vector.tail == image.point) return vector.statement;
@@ -207,8 +207,7 @@ private:
     int index_;
     const Polygon& polygon_;
     bool si_is_one_ = true;
-    std::map<int, Place> places_;      // by element
-    std::map<int, Place> directions_;  // by element
+    std::map<ElementIndex, Place> places_, directions_;
     PolygonScene scene_;
 };
 

@@ -20,33 +20,33 @@ struct SceneVector {
     std::string name;  ///< unique in the polygon
     Place tail, tip;
     double value = 0;  ///< the double nearest to its exact length
-    BodyIndex body = -1;
-    bool falls_out = false;         ///< an inner side of joined polygons
-    bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
-    int statement = -1;             ///< −1: it is given
+    BodyIndex body = none;
+    bool falls_out = false;           ///< an inner side of joined polygons
+    bool has_right_angles = false;    ///< a line ⟂ to it through one of its ends is so by construction
+    StatementIndex statement = none;  ///< none: it is given
 };
 /// A line of the construction: through a support, as far as the meet that it is drawn for.
 struct SceneLine {
     LineReason reason;
     Place support, meet, along;
-    int statement = -1;
+    StatementIndex statement = none;
 };
 /// What was drawn from a trial value on the way.
 struct SceneTrial {
     Place from, to;
     bool is_line = false;  ///< it runs on; else a vector
-    int statement = -1;
+    StatementIndex statement = none;
 };
 struct SceneImage {
     enum class Kind { pole, image, trial } kind = Kind::image;
     Symbol symbol;
     Place at;
     int trial = 0;  ///< 1, 2: of which trial value
-    int statement = -1;
+    StatementIndex statement = none;
 };
 /// The polygon of one body within a force polygon.
 struct SceneFace {
-    BodyIndex body = -1;
+    BodyIndex body = none;
     std::vector<Place> corners;
 };
 

@@ -91,7 +91,7 @@ private:
         for (std::size_t b = 1; b < solution_.bodies.size(); ++b) {
             const BodyMotion& motion = solution_.bodies[b];
             if (!motion.omega && !motion.alpha) continue;
-            rows.push_back({body(static_cast<BodyIndex>(b)), motion.omega ? value(*motion.omega, units.angular_velocity) : "–"});
+            rows.push_back({body(BodyIndex(b)), motion.omega ? value(*motion.omega, units.angular_velocity) : "–"});
             if (has_alpha) rows.back().push_back(motion.alpha ? value(*motion.alpha, Unit{"rad/s²", 1}) : "–");
         }
         return table(word("bodies", language_), rows);
@@ -103,7 +103,7 @@ private:
         std::vector<Cells> rows{{word("point", language_), v + "x" + in_unit, v + "y" + in_unit, "|" + v + "|" + in_unit}};
         for (const PointMotion& motion : solution_.points) {
             const auto& vector = velocity ? motion.velocity : motion.acceleration;
-            if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), 0) != motion.bodies.end()) continue;
+            if (!vector || std::find(motion.bodies.begin(), motion.bodies.end(), frame) != motion.bodies.end()) continue;
             const std::string& name = solution_.mechanism.point(motion.point).name;
             std::string label = name;
             const auto twins = std::count_if(solution_.points.begin(), solution_.points.end(),
@@ -141,7 +141,7 @@ private:
         for (const RelativeMotion& each : solution_.relative_motion) {
             const auto point = [&](PointIndex p) { return solution_.mechanism.point(p).name; };
             const std::string observer =
-                each.query.translating_with >= 0
+                each.query.translating_with != none
                     ? word("seen from axes translating with", language_) + " " + point(each.query.translating_with)
                     : word("seen from body", language_) + " " + body(each.query.observer);
             rows.push_back({point(each.query.point) + " " + observer,
@@ -159,8 +159,8 @@ private:
         std::vector<Cells> rows{{word("joint", language_), "Fx" + in_force, "Fy" + in_force, "|F|" + in_force}};
         if (couples) rows[0].push_back("M [" + moment.symbol + "]");
         for (const JointForce& each : solution_.forces) {
-            const std::string from = each.from < 0 ? word("pin", language_) : body(each.from);
-            const std::string on = each.on < 0 ? word("pin", language_) : body(each.on);
+            const std::string from = each.from == none ? word("pin", language_) : body(each.from);
+            const std::string on = each.on == none ? word("pin", language_) : body(each.on);
             rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
                             each.force ? value(each.force->x, force) : "–", each.force ? value(each.force->y, force) : "–",
                             each.force ? length_of(*each.force, force) : "–"});

@@ -111,20 +111,20 @@ private:
                                                                                          : Topic::velocity;
                 if (part == explained_by) section.home = static_cast<int>(p) + 1;
             }
-            for (std::size_t i = 0; i < s.protocol.statements.size(); ++i) {
-                const Statement& statement = s.protocol.statements[i];
+            for (const StatementIndex i : indices_of(s.protocol.statements)) {
+                const Statement& statement = s.protocol.statements[at_index(i)];
                 if (statement.section != part || told_by_list(statement.message.sentence)) continue;
                 if (section.rows.empty())
                     set_heading(section, word(!of_forces || is_mixed(solution_) ? "steps " + std::string(name_of(part)) : "steps",
                                               context_.language));
                 section.rows.push_back(paragraph(say(statement.message, context_.language), 6, std::to_string(++step)));
-                belong(section.rows.back().marks, 0, static_cast<int>(i));
+                belong(section.rows.back().marks, 0, i);
                 if (of_forces) add_force_equations(section, i);
                 const auto placed = wanted_.equation_polygon.find(i);
                 if (statement.equation &&
                     (placed == wanted_.equation_polygon.end() || pages_.unplaced.contains(placed->second))) {
                     Block block = equation_block(context_, *statement.equation, format_.measure - 6);
-                    belong(block.marks, 0, static_cast<int>(i));
+                    belong(block.marks, 0, i);
                     move(block.marks, 6, 0.5);
                     block.height += 2.5;
                     section.rows.push_back(std::move(block));
@@ -198,13 +198,13 @@ private:
     }
 
     /// What is known of a body's forces stands with the step that closes its polygon, unless the figure has it.
-    void add_force_equations(Section& section, std::size_t statement) const {
+    void add_force_equations(Section& section, StatementIndex statement) const {
         const std::vector<const FreeBody*> closed = closed_by(solution_, statement);
         if (closed.empty() || figures_have_force_equations()) return;
         for (const FreeBody* body : closed) {
             Block block = force_equation_block(context_, *body, true);
             if (block.width == 0 || block.width > format_.measure - 6) continue;
-            belong(block.marks, 0, static_cast<int>(statement));
+            belong(block.marks, 0, statement);
             move(block.marks, 6, 0.5);
             block.height += 2.5;
             section.spare_rows.push_back(section.rows.size());

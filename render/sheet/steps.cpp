@@ -38,14 +38,14 @@ struct Recolour {
     void operator()(const Other& /*unseen*/) const {}
 };
 
-/// Its own; −1: none.
-int statement_of(const Mark& mark) {
+/// Its own.
+StatementIndex statement_of(const Mark& mark) {
     return std::visit(
         [](const auto& each) {
             if constexpr (requires { each.statement; })
                 return each.statement;
             else
-                return -1;
+                return StatementIndex();
         },
         mark);
 }
@@ -53,34 +53,34 @@ int statement_of(const Mark& mark) {
 /// What holds for the marks of a figure one after the other: the statement, their own or that of the group they are in.
 class Nesting {
 public:
-    /// The mark's statement; −1: none. Marks are told in their order.
-    int enter(const Mark& mark) {
+    /// The mark's statement. Marks are told in their order.
+    StatementIndex enter(const Mark& mark) {
         if (std::holds_alternative<GroupEnd>(mark)) {
             groups_.pop_back();
-            return -1;
+            return none;
         }
-        const int own = statement_of(mark);
-        const int statement = own >= 0 || groups_.empty() ? own : groups_.back();
+        const StatementIndex own = statement_of(mark);
+        const StatementIndex statement = own != none || groups_.empty() ? own : groups_.back();
         if (std::holds_alternative<GroupBegin>(mark)) groups_.push_back(statement);
         return statement;
     }
 
 private:
-    std::vector<int> groups_;  // open
+    std::vector<StatementIndex> groups_;  // open
 };
 
 /// All statements by which a figure's strokes and letters are drawn, and all names that its labels carry.
 struct Contents {
-    std::set<int> statements;
+    std::set<StatementIndex> statements;
     std::vector<std::vector<std::string>> names;  // by label
 
     explicit Contents(const std::vector<Mark>& marks) {
         Nesting nesting;
         for (const Mark& mark : marks) {
-            const int statement = nesting.enter(mark);
+            const StatementIndex statement = nesting.enter(mark);
             const auto* text = std::get_if<TextMark>(&mark);
             const auto* path = std::get_if<Path>(&mark);
-            if (statement >= 0 && (text || (path && inks(*path)))) statements.insert(statement);
+            if (statement != none && (text || (path && inks(*path)))) statements.insert(statement);
             if (text && !text->names.empty()) names.push_back(text->names);
         }
     }
@@ -138,7 +138,7 @@ private:
     struct Step {
         std::string figure;  ///< name in wanted_, or "mechanism"
         Topic section = Topic::none;
-        std::vector<std::size_t> statements;
+        std::vector<StatementIndex> statements;
         std::vector<Block> rows;
         double height = 0;
         bool only_pairs = false;  ///< names pairs, and nothing else
@@ -150,6 +150,7 @@ private:
         std::vector<Mark> caption;
     };
 
+    const Statement& statement(StatementIndex index) const { return statements()[at_index(index)]; }
     const std::vector<Statement>& statements() const { return solution_.protocol.statements; }
     bool is_wanted(const std::string& name) const {
         return std::any_of(wanted_.list.begin(), wanted_.list.end(), [&](const Wanted& each) { return each.name == name; });
@@ -159,19 +160,19 @@ private:
 
     void collect() {
         page_of_.assign(statements().size(), 0);
-        std::map<std::size_t, int> polygon_of;  // by statement
-        const auto note = [&](int statement, int polygon) {
-            if (statement >= 0 && polygon >= 0) polygon_of.emplace(static_cast<std::size_t>(statement), polygon);
+        std::map<StatementIndex, int> polygon_of;
+        const auto note = [&](StatementIndex statement, int polygon) {
+            if (statement != none && polygon >= 0) polygon_of.emplace(statement, polygon);
         };
         for (const DrawnVector& vector : solution_.protocol.vectors) note(vector.statement, vector.polygon);
         for (const DrawnLine& line : solution_.protocol.lines) note(line.statement, line.polygon);
         std::map<Topic, std::string> last_in;  // figure by section
-        for (const std::size_t i : in_order()) {
-            const Statement& statement = statements()[i];
+        for (const StatementIndex i : in_order()) {
+            const Statement& statement = this->statement(i);
             std::string figure;
             const auto found = polygon_of.find(i);
             if (statement.section == Topic::forces)
-                figure = completes_a_polygon(static_cast<int>(i)) ? "forces" : "lines-of-action";
+                figure = completes_a_polygon(i) ? "forces" : "lines-of-action";
             else if (found != polygon_of.end() && is_plane_of_motion(found->second))
                 figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
             else if (statement.section == Topic::centres || statement.message.sentence == Sentence::second_way)
@@ -184,7 +185,7 @@ private:
             add(i, figure);
         }
         for (std::size_t s = 0; s < steps_.size(); ++s)
-            for (const std::size_t statement : steps_[s].statements) page_of_[statement] = s;
+            for (const StatementIndex statement : steps_[s].statements) page_of_[at_index(statement)] = s;
         for (const Wanted& wanted : wanted_.list) {
             if (!wanted.name.starts_with("closure")) continue;
             Step joined{wanted.name, Topic::forces, {}, {}, 0, false, true};
@@ -195,20 +196,20 @@ private:
     }
     /// Statements section by section, as each section is opened: a sliding told after the centres stands with its polygon. What
     /// is found a second time comes after the section that has found it.
-    std::vector<std::size_t> in_order() const {
+    std::vector<StatementIndex> in_order() const {
         std::vector<Topic> sections;
         for (const Statement& statement : statements())
             if (std::find(sections.begin(), sections.end(), statement.section) == sections.end())
                 sections.push_back(statement.section);
-        std::vector<std::size_t> order;
+        std::vector<StatementIndex> order;
         for (const Topic section : sections)
             for (const bool again : {false, true})
-                for (std::size_t i = 0; i < statements().size(); ++i)
-                    if (statements()[i].section == section && (statements()[i].message.sentence == Sentence::second_way) == again)
+                for (const StatementIndex i : indices_of(statements()))
+                    if (statement(i).section == section && (statement(i).message.sentence == Sentence::second_way) == again)
                         order.push_back(i);
         return order;
     }
-    bool completes_a_polygon(int statement) const {
+    bool completes_a_polygon(StatementIndex statement) const {
         return is_wanted("forces") &&
                std::any_of(solution_.free_bodies.begin(), solution_.free_bodies.end(), [&](const FreeBody& body) {
                    return has_force_polygon(solution_, body) && body.statement == statement;
@@ -225,18 +226,18 @@ private:
 
     /// A statement has a page of its own where it draws or points at something; else it stands with the one before it in its
     /// section, or, where it opens the section, with the one after it.
-    void add(std::size_t index, const std::string& figure) {
-        const Statement& statement = statements()[index];
+    void add(StatementIndex index, const std::string& figure) {
+        const Statement& statement = this->statement(index);
         std::vector<Block> rows{paragraph(say(statement.message, context_.language))};
         for (Block& equation : equations_of(index)) rows.push_back(std::move(equation));
         for (const RichText& found : values_found(index)) rows.push_back(paragraph(found, 4));
-        for (Block& row : rows) belong(row.marks, 0, static_cast<int>(index));
+        for (Block& row : rows) belong(row.marks, 0, index);
         double height = 0;
         for (const Block& row : rows) height += row.height;
         Step step{figure, statement.section, {index}, std::move(rows), height, names_a_pair(statement.message.sentence), false};
         const Contents contents(large(figure).figure.marks), beside(small(step).marks);
-        step.draws = contents.statements.contains(static_cast<int>(index)) ||
-                     beside.statements.contains(static_cast<int>(index)) || !contents.found(cited({index})).empty();
+        step.draws =
+            contents.statements.contains(index) || beside.statements.contains(index) || !contents.found(cited({index})).empty();
         // Loads that act alone begin anew.
         const bool begins = statement.message.sentence == Sentence::superposition;
         if (steps_.empty() || begins || steps_.back().section != step.section ||
@@ -266,8 +267,8 @@ private:
         return block;
     }
 
-    std::vector<Block> equations_of(std::size_t index) const {
-        const Statement& statement = statements()[index];
+    std::vector<Block> equations_of(StatementIndex index) const {
+        const Statement& statement = this->statement(index);
         std::vector<Block> found;
         if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
         for (const FreeBody* body : closed_by(solution_, index)) found.push_back(force_equation_block(context_, *body, true));
@@ -282,8 +283,8 @@ private:
     // --- what a statement finds ----------------------------------------------------------------------------------------------
 
     /// "v_B = 0.375 m/s": what its equation sought and what it names, as far as it ends with it.
-    std::vector<RichText> values_found(std::size_t index) const {
-        const Statement& statement = statements()[index];
+    std::vector<RichText> values_found(StatementIndex index) const {
+        const Statement& statement = this->statement(index);
         std::vector<Symbol> symbols;
         if (statement.equation)
             for (const std::vector<Term>& side : statement.equation->sides)
@@ -293,7 +294,7 @@ private:
             if (const auto* symbol = std::get_if<Symbol>(&argument)) symbols.push_back(*symbol);
         std::vector<RichText> found;
         for (const Quantity& quantity : statement.finds)
-            if (auto value = value_of(quantity, static_cast<int>(index))) found.push_back(std::move(*value));
+            if (auto value = value_of(quantity, index)) found.push_back(std::move(*value));
         std::set<std::string> told;
         for (const Symbol& symbol : symbols)
             if (told.insert(name_of(symbol)).second)
@@ -305,7 +306,7 @@ private:
         std::string unit;
     };
     static Value in_unit(double si, const Unit& unit) { return {si / unit.si.to_double(), unit.symbol}; }
-    std::optional<RichText> value_of(const Quantity& quantity, int statement) const {
+    std::optional<RichText> value_of(const Quantity& quantity, StatementIndex statement) const {
         switch (quantity.kind) {
             case Quantity::Kind::omega:
             case Quantity::Kind::alpha:
@@ -316,15 +317,15 @@ private:
     }
     std::optional<RichText> turning_found(const Quantity& quantity) const {
         const bool omega = quantity.kind == Quantity::Kind::omega;
-        const BodyMotion& motion = solution_.bodies[static_cast<std::size_t>(quantity.body)];
+        const BodyMotion& motion = solution_.bodies[at_index(quantity.body)];
         const auto& value = omega ? motion.omega : motion.alpha;
         if (!value) return std::nullopt;
         const Symbol symbol{omega ? Symbol::Letter::omega : Symbol::Letter::alpha,
-                            solution_.mechanism.bodies[static_cast<std::size_t>(quantity.body)].name, ""};
+                            solution_.mechanism.bodies[at_index(quantity.body)].name, ""};
         return with_value(symbol, omega ? in_unit(value->to_double(), solution_.mechanism.units.angular_velocity)
                                         : Value{value->to_double(), "rad/s²"});
     }
-    std::optional<RichText> force_found(const Quantity& quantity, int statement) const {
+    std::optional<RichText> force_found(const Quantity& quantity, StatementIndex statement) const {
         const Units& units = solution_.mechanism.units;
         for (const FreeBody& body : solution_.free_bodies)
             for (const AppliedForce& applied : body.forces) {
@@ -335,11 +336,11 @@ private:
             }
         return std::nullopt;
     }
-    std::optional<Value> vector_drawn(std::size_t index, const Symbol& symbol) const {
+    std::optional<Value> vector_drawn(StatementIndex index, const Symbol& symbol) const {
         const Units& units = solution_.mechanism.units;
         if (symbol.letter != Symbol::Letter::v && symbol.letter != Symbol::Letter::a) return std::nullopt;
         for (const DrawnVector& vector : solution_.protocol.vectors)
-            if (vector.statement == static_cast<int>(index) && vector.symbol == symbol)
+            if (vector.statement == index && vector.symbol == symbol)
                 return in_unit(length(solution_.protocol.value_of(vector)),
                                symbol.letter == Symbol::Letter::v ? units.velocity : units.acceleration);
         return std::nullopt;
@@ -351,10 +352,10 @@ private:
     }
 
     /// What the statements name, as `data-name` has it and as the figures write it.
-    std::set<std::string> cited(const std::vector<std::size_t>& indices) const {
+    std::set<std::string> cited(const std::vector<StatementIndex>& indices) const {
         std::set<std::string> names;
-        for (const std::size_t index : indices)
-            for (const Argument& argument : statements()[index].message.arguments)
+        for (const StatementIndex index : indices)
+            for (const Argument& argument : statement(index).message.arguments)
                 if (const auto* symbol = std::get_if<Symbol>(&argument)) {
                     names.insert(name_of(*symbol));
                     names.insert(plain(typeset(*symbol, context_.language)));
@@ -424,9 +425,8 @@ private:
         const Placed& placed = large(step.figure);
         const Figure& beside = small(step);
         const Contents contents(placed.figure.marks);
-        const bool adds = std::any_of(step.statements.begin(), step.statements.end(), [&](std::size_t statement) {
-            return contents.statements.contains(static_cast<int>(statement));
-        });
+        const bool adds = std::any_of(step.statements.begin(), step.statements.end(),
+                                      [&](StatementIndex statement) { return contents.statements.contains(statement); });
         // A page that adds no line shows what it is read off, or at least of what it speaks.
         std::set<std::string> names;
         std::vector<Mark> segments;
@@ -468,8 +468,8 @@ private:
             const Vector& at = solution_.pose.at(point);
             return mechanism.origin + (1 / mechanism.scale) * Spot{at.x.to_double(), -at.y.to_double()};
         };
-        for (const std::size_t index : step.statements)
-            for (const Argument& argument : statements()[index].message.arguments) {
+        for (const StatementIndex index : step.statements)
+            for (const Argument& argument : statement(index).message.arguments) {
                 const auto* segment = std::get_if<kinegraph::Segment>(&argument);
                 const auto from = segment ? solution_.mechanism.point_named(segment->from) : std::nullopt;
                 const auto to = segment ? solution_.mechanism.point_named(segment->to) : std::nullopt;
@@ -484,13 +484,13 @@ private:
         return marks;
     }
     /// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
-    std::set<std::string> groups_spoken_of(const std::vector<std::size_t>& indices) const {
+    std::set<std::string> groups_spoken_of(const std::vector<StatementIndex>& indices) const {
         std::set<std::string> links, joints;
         const Mechanism& mechanism = solution_.mechanism;
-        for (const std::size_t index : indices) {
-            const Message& message = statements()[index].message;
-            for (const BodyIndex body : statements()[index].bodies)
-                links.insert("link-" + legal_id(mechanism.bodies[static_cast<std::size_t>(body)].name));
+        for (const StatementIndex index : indices) {
+            const Message& message = statement(index).message;
+            for (const BodyIndex body : statement(index).bodies)
+                links.insert("link-" + legal_id(mechanism.bodies[at_index(body)].name));
             for (const Argument& argument : message.arguments) {
                 if (const auto* body = std::get_if<BodyName>(&argument)) links.insert("link-" + legal_id(body->name));
                 const auto* symbol = std::get_if<Symbol>(&argument);
@@ -498,7 +498,7 @@ private:
                     links.insert("link-" + legal_id(symbol->about));
                 const auto* point = std::get_if<PointName>(&argument);
                 for (const Joint& joint : mechanism.joints)
-                    if (point && mechanism.points[static_cast<std::size_t>(joint.point)].name == point->name)
+                    if (point && mechanism.points[at_index(joint.point)].name == point->name)
                         joints.insert("joint-" + legal_id(joint.name));
             }
         }
@@ -541,9 +541,9 @@ bool is_cited(const Mark& mark, const std::set<std::string>& names) {
 
 std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std::size_t>& page_of, std::size_t page,
                            const Theme& theme, const std::set<std::string>& cited) {
-    const auto page_of_statement = [&](int statement) -> std::optional<std::size_t> {
-        if (statement < 0 || static_cast<std::size_t>(statement) >= page_of.size()) return std::nullopt;
-        return page_of[static_cast<std::size_t>(statement)];
+    const auto page_of_statement = [&](StatementIndex statement) -> std::optional<std::size_t> {
+        if (statement == none || at_index(statement) >= page_of.size()) return std::nullopt;
+        return page_of[at_index(statement)];
     };
     // Where the accent is the ink of all, what was given must step back too.
     const bool one_ink = theme.accent == theme.text;
@@ -552,7 +552,7 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
     std::vector<bool> cited_groups;  // by open group: whether it is cited, or within one that is
     std::size_t hidden = 0;          // groups open since one that is not shown yet
     for (const Mark& mark : marks) {
-        const int statement = nesting.enter(mark);
+        const StatementIndex statement = nesting.enter(mark);
         if (std::holds_alternative<GroupEnd>(mark)) {
             if (hidden == 0) shown.push_back(mark);
             if (hidden > 0) --hidden;

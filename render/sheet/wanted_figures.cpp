@@ -89,7 +89,7 @@ bool has_circle(const Solution& solution) {
 bool has_velocities(const Solution& solution) {
     // An act of motion has them in its own figure.
     return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
-        return m.point >= 0 && m.velocity && !m.velocity->is_zero();
+        return m.point != none && m.velocity && !m.velocity->is_zero();
     });
 }
 
@@ -199,14 +199,14 @@ void WantedFigures::add_free_bodies() {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < s.free_bodies.size(); ++i) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t i) { return s.free_bodies[i].body < 0 ? 1 << 20 : s.free_bodies[i].body; };
+        const auto rank = [&](std::size_t i) { return std::pair{s.free_bodies[i].body == none, s.free_bodies[i].body}; };
         return rank(a) < rank(b);
     });
     for (const std::size_t i : order) {
         Wanted body;
         const FreeBody& free = s.free_bodies[i];
-        body.name = free.body >= 0 ? "body-" + s.mechanism.bodies[static_cast<std::size_t>(free.body)].name
-                                   : "pin-" + s.mechanism.points[static_cast<std::size_t>(free.pin)].name;
+        body.name = free.body != none ? "body-" + s.mechanism.bodies[at_index(free.body)].name
+                                      : "pin-" + s.mechanism.points[at_index(free.pin)].name;
         const Box box = extent_of_free_body(s, i);
         body.extent_x = std::max(box.width(), 0.3 * box.height());
         body.extent_y = std::max(box.height(), 0.3 * box.width());
@@ -280,7 +280,7 @@ const DrawingContext& WantedFigures::unscaled() {
 void WantedFigures::collect_motion() {
     add_mechanism();
     const Protocol& protocol = context_.solution.protocol;
-    std::map<int, int> polygon_of;  // by statement
+    std::map<StatementIndex, int> polygon_of;
     for (const DrawnVector& vector : protocol.vectors) polygon_of.emplace(vector.statement, vector.polygon);
     for (const DrawnLine& drawn : protocol.lines)
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
@@ -316,7 +316,7 @@ void WantedFigures::add_mechanism() {
 }
 
 /// `polygon_of`: by statement, the polygon that it draws in.
-void WantedFigures::add_polygon(int polygon, const std::map<int, int>& polygon_of) {
+void WantedFigures::add_polygon(int polygon, const std::map<StatementIndex, int>& polygon_of) {
     const Protocol& protocol = context_.solution.protocol;
     const PolygonScene& scene = scenes_.emplace_back(polygon_scene(context_.solution, polygon));
     Wanted wanted;
@@ -329,12 +329,12 @@ void WantedFigures::add_polygon(int polygon, const std::map<int, int>& polygon_o
     if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
     wanted.draw = [this, &scene](double x, double y, double coarsest) { return polygon_figure(context_, scene, x, y, coarsest); };
     std::vector<Block> equations;
-    for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
-        const auto& equation = protocol.statements[i].equation;
-        const auto found = polygon_of.find(static_cast<int>(i));
+    for (const StatementIndex i : indices_of(protocol.statements)) {
+        const auto& equation = protocol.statements[at_index(i)].equation;
+        const auto found = polygon_of.find(i);
         if (!equation || found == polygon_of.end() || found->second != polygon) continue;
         equations.push_back(equation_block(context_, *equation, 1.25 * measure_));
-        belong(equations.back().marks, 0, static_cast<int>(i));
+        belong(equations.back().marks, 0, i);
         equation_polygon[i] = list.size();
     }
     wanted.has_equations = !equations.empty();

@@ -85,7 +85,7 @@ public:
     std::size_t first_of_forces = 0;   ///< index into list
     std::optional<std::size_t> lever;  ///< index into list
     Block lever_table;
-    std::map<std::size_t, std::size_t> equation_polygon;  ///< statement → index into list
+    std::map<StatementIndex, std::size_t> equation_polygon;  ///< statement → index into list
     std::optional<double> force_scale;  ///< common to triangles and closed polygon, once one could not be drawn larger
 
 private:
@@ -93,7 +93,7 @@ private:
 
     void collect_motion();
     void add_mechanism();
-    void add_polygon(int polygon, const std::map<int, int>& polygon_of);
+    void add_polygon(int polygon, const std::map<StatementIndex, int>& polygon_of);
     void collect_forces(bool joukowsky);
     void add_lines_of_action();
     void add_force_polygons(const std::string& kind, const std::string& name, double extent_x, double extent_y, DrawForces draw);

@@ -30,8 +30,8 @@ const FreeBody* opposite(const Solution& solution, const FreeBody& body, const A
     for (const FreeBody& other : solution.free_bodies) {
         if (&other == &body) continue;
         for (const AppliedForce& its : other.forces)
-            if (its.joint >= 0 && its.joint == applied.joint && its.from == body.body &&
-                (applied.from == other.body || (applied.from < 0 && other.body < 0)))
+            if (its.joint != none && its.joint == applied.joint && its.from == body.body &&
+                (applied.from == other.body || (applied.from == none && other.body == none)))
                 return &other;
     }
     return nullptr;
@@ -51,7 +51,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Language language = context.language;
     if (applied.kind == Kind::weight && applied.force.x.is_zero()) return one_piece(word("vertical", language));
     if (is_load(applied.kind)) return one_piece(word("given", language));
-    if (applied.joint < 0) return one_piece(word("given", language));
+    if (applied.joint == none) return one_piece(word("given", language));
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (applied.kind == Kind::effort) return one_piece("∥ " + word("guide", language));
     if (joint.pair().is_sleeve()) return one_piece("⟂ " + word("guide", language));
@@ -59,7 +59,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     const Vector& own = solution.pose.at(joint.point);
     RichText text = point(mechanism, joint.point, language);
     // Along a two-force body: its other joint lies on the line.
-    if (applied.from > 0)
+    if (applied.from > frame)
         for (const Joint& other : mechanism.joints) {
             if (other.point == joint.point || (solution.pose.at(other.point) - own).is_zero()) continue;
             if (std::find(other.bodies.begin(), other.bodies.end(), applied.from) == other.bodies.end()) continue;
@@ -70,7 +70,7 @@ std::optional<RichText> line_of(const DrawingContext& context, const FreeBody& b
     // Its own concurrency, or that of the body it comes from.
     std::vector<FreeBody::Meet> meets = body.meets;
     for (const FreeBody& other : solution.free_bodies)
-        if (other.body == applied.from && applied.from > 0) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
+        if (other.body == applied.from && applied.from > frame) meets.insert(meets.end(), other.meets.begin(), other.meets.end());
     for (const FreeBody::Meet& meet : meets)
         if (on_line(applied, meet.place, solution.pose.size) && !(meet.place - own).is_zero()) {
             append(text, typeset(Symbol{Symbol::Letter::point, meet.name, ""}, language));
@@ -195,7 +195,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
-    if (applied.joint < 0 || body.body < 0 || applied.kind != Kind::reaction || applied.force.is_zero()) return {};
+    if (applied.joint == none || body.body == none || applied.kind != Kind::reaction || applied.force.is_zero()) return {};
     const Joint& joint = mechanism.joints[at_index(applied.joint)];
     if (!joint.pair().is_sleeve()) return {};
     const Vector own = solution.pose.at(joint.point), guide = solution.pose.guides[at_index(applied.joint)];
@@ -309,10 +309,10 @@ std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vect
     return ForceRows(context, figures).rows();
 }
 
-std::vector<const FreeBody*> closed_by(const Solution& solution, std::size_t statement) {
+std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex statement) {
     std::vector<const FreeBody*> closed;
     for (const FreeBody& body : solution.free_bodies)
-        if (!body.in_parts && body.statement == static_cast<int>(statement)) closed.push_back(&body);
+        if (!body.in_parts && body.statement == statement) closed.push_back(&body);
     return closed;
 }
 
@@ -338,20 +338,20 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
     double name_width = context.fonts.shape(one_piece(word("body", language)), theme.small).width,
            active_width = context.fonts.shape(one_piece(word("active forces", language)), theme.small).width;
     for (const FreeBody& body : solution.free_bodies) {
-        const std::string name = body.body >= 0 ? body_name(mechanism, body.body)
-                                                : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
+        const std::string name = body.body != none ? body_name(mechanism, body.body)
+                                                   : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
         name_width = std::max(name_width, context.fonts.shape(one_piece(name), theme.body_text).width);
         std::vector<RichText> active;
         for (const AppliedForce& applied : body.forces)
             if (applied.kind != Kind::reaction) {
                 active.push_back(symbol_of(applied));
-                if (applied.joint >= 0) append(active.back(), " (M)");
+                if (applied.joint != none) append(active.back(), " (M)");
             }
         active_width = std::max(active_width, context.fonts.shape(joined(active), theme.body_text).width);
     }
-    name_width =
-        std::max(name_width,
-                 context.fonts.shape(one_piece(body_name(mechanism, 0) + " " + word("frame", language)), theme.body_text).width);
+    name_width = std::max(
+        name_width,
+        context.fonts.shape(one_piece(body_name(mechanism, frame) + " " + word("frame", language)), theme.body_text).width);
     const double active_left = name_width + 4, active_room = std::min(active_width + 0.5, 0.4 * width);
     const double reactions_left = active_left + active_room + 4;
     const auto add = [&](const std::string& name, Colour colour, const RichText& active, const RichText& reactions,
@@ -394,12 +394,12 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         const auto rank = [&](std::size_t i) {
             const BodyIndex body = solution.free_bodies[i].body;
-            return body < 0 ? 1 << 20 : body;
+            return std::pair{body == none, body};
         };
         return rank(a) < rank(b);
     });
     const RichText* example = nullptr;
-    std::pair<BodyIndex, BodyIndex> example_bodies{-1, -1};
+    std::pair<BodyIndex, BodyIndex> example_bodies{none, none};
     std::vector<RichText> kept;
     kept.reserve(solution.free_bodies.size() * 8);
     for (const std::size_t i : order) {
@@ -407,34 +407,34 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         std::vector<RichText> active, reactions;
         for (const AppliedForce& applied : body.forces) {
             RichText text = symbol_of(applied);
-            if (applied.kind == Kind::reaction && !example && applied.from >= 0 && body.body >= 0) {
+            if (applied.kind == Kind::reaction && !example && applied.from != none && body.body != none) {
                 kept.push_back(text);
                 example = &kept.back();
                 example_bodies = {applied.from, body.body};
             }
-            if (applied.joint >= 0) {
+            if (applied.joint != none) {
                 append(text, " (");
                 append(text, point(mechanism, mechanism.joints[at_index(applied.joint)].point, language));
                 append(text, ")");
             }
             (applied.kind == Kind::reaction ? reactions : active).push_back(std::move(text));
-            if (applied.kind == Kind::reaction && applied.from == 0 && body.body > 0) {
+            if (applied.kind == Kind::reaction && applied.from == frame && body.body > frame) {
                 const std::string& own = body_name(mechanism, body.body);
-                const std::string& frame = body_name(mechanism, 0);
+                const std::string& fixed = body_name(mechanism, frame);
                 Symbol back{applied.force.is_zero() ? Symbol::Letter::M : Symbol::Letter::F,
-                            own.size() == 1 && frame.size() == 1 ? own + frame : own + "," + frame, applied.symbol.term};
+                            own.size() == 1 && fixed.size() == 1 ? own + fixed : own + "," + fixed, applied.symbol.term};
                 RichText action = typeset(back, language);
                 append(action, " = −");
                 append(action, symbol_of(applied));
                 on_frame.push_back(std::move(action));
             }
         }
-        const std::string name = body.body >= 0 ? body_name(mechanism, body.body)
-                                                : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
+        const std::string name = body.body != none ? body_name(mechanism, body.body)
+                                                   : word("pin", language) + " " + mechanism.points[at_index(body.pin)].name;
         add(name, theme.colour_of(body.body).letter, joined(active), joined(reactions), false);
     }
     if (!on_frame.empty())
-        add(body_name(mechanism, 0) + " " + word("frame", language), theme.secondary, one_piece("–"), joined(on_frame), true);
+        add(body_name(mechanism, frame) + " " + word("frame", language), theme.secondary, one_piece("–"), joined(on_frame), true);
     lines.back().marks.emplace_back(
         line({0, lines.back().height + 0.3}, {width, lines.back().height + 0.3}, {theme.outline, theme.text, {}, false}));
     lines.back().height += 0.6;

@@ -13,7 +13,7 @@ namespace kinegraph::render {
 Symbol couple_symbol(const AppliedForce& applied);
 
 /// The bodies whose polygons a statement closes: nothing of theirs is left to be found by a later one.
-std::vector<const FreeBody*> closed_by(const Solution& solution, std::size_t statement);
+std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex statement);
 
 /// F_g + F_01 + F_21 = 0 above its table: magnitude and direction known or sought, and the line. Empty (no width) where the
 /// forces were not found by closing this polygon alone.

@@ -134,7 +134,7 @@ private:
         couples_ = true;
         Symbol symbol = entry.symbol;
         symbol.letter = Symbol::Letter::M;
-        const std::string& body = context_.solution.mechanism.bodies[static_cast<std::size_t>(entry.body)].name;
+        const std::string& body = context_.solution.mechanism.bodies[at_index(entry.body)].name;
         RichText omega = typeset(Symbol{Symbol::Letter::omega, body, ""}, context_.language);
         append(omega, with_powers(" = " + amount(entry.omega.to_double(), units_.angular_velocity)));
         lines_.push_back({{quantity(symbol), shape(amount(entry.couple.to_double(), units_.moment), theme_.body_text),

@@ -167,7 +167,7 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
         std::vector<std::string> names;
         std::string bodies;
         for (const BodyIndex body : joint.bodies) {
-            names.push_back(mechanism.bodies[static_cast<std::size_t>(body)].name);
+            names.push_back(mechanism.bodies[at_index(body)].name);
             bodies += (bodies.empty() ? "" : ", ") + names.back();
         }
         rows.push_back({joint.name, say_word("pair " + std::string(pair.key)), bodies,

@@ -220,7 +220,7 @@ private:
             const auto& value = is_omega ? solution_.bodies[b].omega : solution_.bodies[b].alpha;
             if (!value) continue;
             ResultRow row;
-            row.quantity = {.kind = kind, .body = static_cast<BodyIndex>(b)};
+            row.quantity = {.kind = kind, .body = BodyIndex(b)};
             row.symbol = {is_omega ? Symbol::Letter::omega : Symbol::Letter::alpha, solution_.mechanism.bodies[b].name, ""};
             row.name = name_of(row.symbol);
             row.drawing = value->to_double() / si;
@@ -381,8 +381,8 @@ Block results_block(const DrawingContext& context, const std::vector<ResultRow>&
 namespace {
 
 Symbol symbol_of(const InstantCentre& centre, const Mechanism& mechanism) {
-    const std::string& i = mechanism.bodies[static_cast<std::size_t>(centre.first)].name;
-    const std::string& j = mechanism.bodies[static_cast<std::size_t>(centre.second)].name;
+    const std::string& i = mechanism.bodies[at_index(centre.first)].name;
+    const std::string& j = mechanism.bodies[at_index(centre.second)].name;
     const bool infinite = centre.at && centre.at->at_infinity();
     return {Symbol::Letter::centre, i.size() == 1 && j.size() == 1 ? i + j : i + "," + j, infinite ? "∞" : ""};
 }
@@ -397,9 +397,7 @@ const Joint* joint_of(const InstantCentre& centre, const Mechanism& mechanism) {
     return nullptr;
 }
 
-const std::string& point_name(const Mechanism& mechanism, PointIndex point) {
-    return mechanism.points[static_cast<std::size_t>(point)].name;
-}
+const std::string& point_name(const Mechanism& mechanism, PointIndex point) { return mechanism.points[at_index(point)].name; }
 
 /// A centre inside the name of a line: its hinge where it has one, else its symbol.
 RichText in_a_line(const InstantCentre& centre, const Mechanism& mechanism, Language language) {
@@ -432,7 +430,7 @@ RichText how_found(const InstantCentre& centre, const Solution& solution, Langua
         append(text, in_a_line(solution.centres[static_cast<std::size_t>(first)], mechanism, language));
         append(text, in_a_line(solution.centres[static_cast<std::size_t>(second)], mechanism, language));
     }
-    const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != 0;
+    const bool to_relative_velocities = centre.how == InstantCentre::How::velocities && centre.first != frame;
     for (const PointIndex p : to_relative_velocities ? std::vector<PointIndex>{} : centre.normals) {
         join();
         append(text, word("normal at", language) + " ");
@@ -468,13 +466,13 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
 
 RichText describe(BodyIndex index, const Solution& solution, Language language) {
     const Mechanism& mechanism = solution.mechanism;
-    const Body& body = mechanism.bodies[static_cast<std::size_t>(index)];
+    const Body& body = mechanism.bodies[at_index(index)];
     std::vector<PointIndex> hinges;
     bool on_frame = false, slides_on_frame = false, slides = false, carries_guide = false, driven = false;
     for (const Joint& joint : mechanism.joints) {
         const auto found = std::find(joint.bodies.begin(), joint.bodies.end(), index);
         if (found == joint.bodies.end()) continue;
-        const bool with_frame = std::find(joint.bodies.begin(), joint.bodies.end(), 0) != joint.bodies.end();
+        const bool with_frame = std::find(joint.bodies.begin(), joint.bodies.end(), frame) != joint.bodies.end();
         if (joint.pair().is_hinge()) {
             hinges.push_back(joint.point);
             on_frame = on_frame || with_frame;
@@ -566,17 +564,17 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
 std::vector<Block> body_lines(const DrawingContext& context, double width) {
     const Theme& theme = context.theme;
     std::vector<Block> lines;
-    for (std::size_t b = 1; b < context.solution.mechanism.bodies.size(); ++b) {
+    for (const BodyIndex body : context.solution.mechanism.moving_bodies()) {
         Block block;
-        const BodyColour colour = theme.body(static_cast<int>(b));
+        const BodyColour colour = theme.body(body);
         block.marks.emplace_back(line({1, 2.1}, {8, 2.1}, {theme.link, colour.line, {}, true}));
         draw_line_kind(block.marks, 0, theme.link, colour, theme);
-        const ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.bodies[b].name), theme.body_text);
+        const ShapedLine name = context.fonts.shape(one_piece(context.solution.mechanism.body(body).name), theme.body_text);
         set_text(block.marks, name, {11, 3.2}, colour.letter, "text");
         const double x = 11 + std::max(4.5, name.width + 2);
         double baseline = 3.2;
-        for (const ShapedLine& each : context.fonts.wrap(describe(static_cast<BodyIndex>(b), context.solution, context.language),
-                                                         theme.body_text, width - x)) {
+        for (const ShapedLine& each :
+             context.fonts.wrap(describe(body, context.solution, context.language), theme.body_text, width - x)) {
             set_text(block.marks, each, {x, baseline}, theme.text, "text");
             baseline += 4.1;
         }
