@@ -34,14 +34,15 @@ Find found_in_rows(const Find& asked) {
 }
 
 bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
-    return std::count_if(solution.points.begin(), solution.points.end(),
-                         [&](const PointMotion& other) { return other.point == motion.point && other.bodies.front() != 0; }) > 1;
+    return std::count_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& other) {
+               return other.point == motion.point && other.bodies.front() != frame;
+           }) > 1;
 }
 
-/// One value of a solution that a column can hold. `element` < 0: it vanishes.
+/// One value of a solution that a column can hold. Without an element it vanishes.
 struct Entry {
     Quantity quantity;
-    int element = -1;
+    ElementIndex element;
     Spot vector;
     double scalar = 0;
 };
@@ -61,12 +62,12 @@ std::vector<Entry> entries_of(const Solution& solution) {
         add(quantity.along(Quantity::Component::y), found);
     };
     for (std::size_t body = 1; body < solution.bodies.size(); ++body) {
-        const auto index = static_cast<BodyIndex>(body);
+        const auto index = BodyIndex(body);
         add({.kind = Kind::omega, .body = index}, solution.bodies[body].omega);
         add({.kind = Kind::alpha, .body = index}, solution.bodies[body].alpha);
     }
     for (const PointMotion& point : solution.points) {
-        if (std::find(point.bodies.begin(), point.bodies.end(), 0) != point.bodies.end()) continue;
+        if (std::find(point.bodies.begin(), point.bodies.end(), frame) != point.bodies.end()) continue;
         add_both(velocity_of(point), point.velocity);
         add_both(acceleration_of(point), point.acceleration);
     }
@@ -124,7 +125,7 @@ private:
         return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
     }
     std::string action(const Quantity& q) const {
-        return m_.joint(q.joint).name + " " + (q.other < 0 ? "pin" : body(q.other)) + " on " + body(q.body);
+        return m_.joint(q.joint).name + " " + (q.other == none ? "pin" : body(q.other)) + " on " + body(q.body);
     }
     void write(const Quantity& q) {
         const bool is_x = q.component == Quantity::Component::x;
@@ -170,7 +171,7 @@ private:
 struct PlannedPosition {
     struct Source {
         bool known = false;
-        int element = -1;
+        ElementIndex element;
     };
     Replay replay;
     std::vector<std::pair<int, Given>> moving;  ///< with their index in the program
@@ -328,9 +329,9 @@ private:
 
     PlannedPosition& keep(const Solution& solution) {
         const std::vector<Entry> entries = entries_of(solution);
-        std::vector<int> wanted;
+        std::vector<ElementIndex> wanted;
         for (const Entry& entry : entries)
-            if (entry.element >= 0) wanted.push_back(entry.element);
+            if (entry.element != none) wanted.push_back(entry.element);
         const Cut record =
             cut(solution.protocol.program, wanted, has_forces_ ? solution.settled.forces : solution.settled.accelerations);
         PlannedPosition plan{
@@ -344,7 +345,7 @@ private:
             const auto found = std::find_if(entries.begin(), entries.end(),
                                             [&](const Entry& entry) { return entry.quantity == columns_[i].quantity; });
             if (found == entries.end()) continue;
-            plan.sources[i] = {true, found->element < 0 ? -1 : record.element[at_index(found->element)]};
+            plan.sources[i] = {true, found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
         }
         // Verdicts of special positions (a right angle, a body at rest) serve nowhere else; the oldest go.
         constexpr std::size_t most = 24;
@@ -418,7 +419,7 @@ private:
         return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
             const auto& [known, element] = plan.sources[i];
             if (!known) return std::nullopt;
-            if (element < 0) return std::pair{Spot{}, 0.0};
+            if (element == none) return std::pair{Spot{}, 0.0};
             return std::pair{plan.replay.vector(element), plan.replay.scalar(element)};
         });
     }

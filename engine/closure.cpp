@@ -44,9 +44,9 @@ private:
         held_by_.assign(closure_.bodies.size(), nullptr);
         for (const bool on_frame : {true, false}) {
             for (const Joint& joint : mechanism_.joints) {
-                if (!joint.pair().is_hinge() || joint.connects(0) != on_frame) continue;
+                if (!joint.pair().is_hinge() || joint.connects(frame) != on_frame) continue;
                 for (const BodyIndex body : joint.bodies) {
-                    if (body == 0 || chosen[at_index(body)]) continue;
+                    if (body == frame || chosen[at_index(body)]) continue;
                     closure_.bodies[at_index(body)].reference = at(joint.point);
                     chosen[at_index(body)] = true;
                     if (on_frame) held_by_[at_index(body)] = &joint;
@@ -104,8 +104,7 @@ private:
         const Vector place = at(joint.point);
         if (pair.has_common_point()) {
             // Every body against the one that the frame holds, if it does: that row is not written.
-            const auto frame = std::find(joint.bodies.begin(), joint.bodies.end(), BodyIndex{0});
-            const BodyIndex base = frame == joint.bodies.end() ? i : *frame;
+            const BodyIndex base = joint.connects(frame) ? frame : i;
             for (const BodyIndex body : joint.bodies) {
                 if (body == base) continue;
                 if (held_by_[at_index(body)] != &joint) together(base, body, place);
@@ -115,7 +114,7 @@ private:
         }
         const BodyIndex j = joint.bodies[1];
         if (pair.has_guide()) {
-            if (joint.arc >= 0) return at_distance(i, place, j, at(joint.arc));
+            if (joint.arc != none) return at_distance(i, place, j, at(joint.arc));
             on_line(i, place, j, place, about_unit(pose_.normals[at_index(mechanism_.index_of(joint))]));
             if (pair.holds_rotation) equal_turns(i, j);
             return;
@@ -136,7 +135,7 @@ private:
         const Vector place = at(joint.point);
         const auto centre = [&](std::size_t side) {
             const ContactSide& of = (*sides)[side];
-            return of.centre < 0 ? place : at(of.centre);
+            return of.centre == none ? place : at(of.centre);
         };
         const auto reach = [&](std::size_t side) -> Exact { return (*sides)[side].reach / closure_.unit; };
         if ((*sides)[0].straight || (*sides)[1].straight) {
@@ -174,7 +173,7 @@ private:
             std::find_if(mechanism_.drivers.begin(), mechanism_.drivers.end(),
                          [&](const Driver& each) { return std::get_if<PointDriver>(&each) == &driver; }) -
             mechanism_.drivers.begin());
-        on_line(driver.body, at(driver.at), 0, at(driver.at), pose_.driver_units[index]);
+        on_line(driver.body, at(driver.at), frame, at(driver.at), pose_.driver_units[index]);
     }
 
     const Mechanism& mechanism_;
@@ -222,9 +221,9 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
     Errors errors;
     const auto claim = [&](PointIndex point, BodyIndex body, bool needed) {
         Carrier& carrier = carriers[at_index(point)];
-        if (carrier.body < 0 && carrier.contact < 0) {
+        if (carrier.body == none && carrier.contact == none) {
             carrier.body = body;
-        } else if (needed && carrier.body >= 0 && !are_pinned(mechanism, point, carrier.body, body)) {
+        } else if (needed && carrier.body != none && !are_pinned(mechanism, point, carrier.body, body)) {
             const auto name = [&](BodyIndex each) { return mechanism.body(each).name; };
             errors.push_back(
                 {ErrorCode::bad_input, mechanism.point(point).where,
@@ -235,7 +234,7 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
     for (const Joint& joint : mechanism.joints) {
         if (joint.pair().has_common_point()) claim(joint.point, joint.bodies[0], true);
         if (joint.pair().has_guide()) claim(joint.point, joint.bodies[0], true);
-        if (joint.arc >= 0) claim(joint.arc, joint.bodies[1], true);
+        if (joint.arc != none) claim(joint.arc, joint.bodies[1], true);
     }
     for (const Joint& joint : mechanism.joints)
         for (const auto& [body, profile] : joint.profiles) {
@@ -244,10 +243,11 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
         }
     for (const Joint& joint : mechanism.joints) {
         Carrier& carrier = carriers[at_index(joint.point)];
-        if (joint.pair().touches() && carrier.body < 0 && carrier.contact < 0) carrier.contact = mechanism.index_of(joint);
+        if (joint.pair().touches() && carrier.body == none && carrier.contact == none)
+            carrier.contact = mechanism.index_of(joint);
     }
     for (std::size_t body = 0; body < mechanism.bodies.size(); ++body)
-        for (const PointIndex point : mechanism.bodies[body].points) claim(point, static_cast<BodyIndex>(body), false);
+        for (const PointIndex point : mechanism.bodies[body].points) claim(point, BodyIndex(body), false);
     for (const Mass& mass : mechanism.masses) claim(mass.centre, mass.body, false);
     for (const Load& load : mechanism.loads) {
         if (const auto* force = std::get_if<ForceLoad>(&load)) claim(force->at, force->body, false);
@@ -259,9 +259,9 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
     for (const Driver& driver : mechanism.drivers)
         if (const auto* point = std::get_if<PointDriver>(&driver)) claim(point->at, point->body, false);
     for (const Body& body : mechanism.bodies)
-        if (body.circle) claim(body.circle->centre, static_cast<BodyIndex>(&body - mechanism.bodies.data()), false);
+        if (body.circle) claim(body.circle->centre, BodyIndex(&body - mechanism.bodies.data()), false);
     for (Carrier& carrier : carriers)
-        if (carrier.body < 0 && carrier.contact < 0) carrier.body = 0;
+        if (carrier.body == none && carrier.contact == none) carrier.body = frame;
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return carriers;
 }

@@ -36,7 +36,7 @@ struct ClosureRowOf {
         turns,        ///< θ_i − θ_j = 0
         rolls_round   ///< D has the direction `along` (as drawn) turned by ψ = share_i θ_i + share_j θ_j:  along(ψ) × D = 0
     } kind = Kind::together;
-    BodyIndex i = -1, j = -1;
+    BodyIndex i, j;
     VectorOf<Number> p, q, along;
     Number offset{}, lever{}, share_i{}, share_j{};
     int driver = -1;  ///< its coordinate is added to the right side
@@ -81,8 +81,8 @@ Result<Closure> closure_of(const Mechanism& mechanism, const Pose& pose);
 
 /// What holds a named point: a body, or, at a contact, the profiles themselves.
 struct Carrier {
-    BodyIndex body = -1;
-    JointIndex contact = -1;
+    BodyIndex body;
+    JointIndex contact;
 };
 /// By PointIndex. The pin of a slide belongs to the first body of its joint; a point of bodies that nothing pins together there
 /// to the first that lists it. Errors: a point that two joints need on bodies that come apart.
@@ -91,7 +91,7 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism);
 /// What a profile is to its contact: a straight line, or a centre at `reach` along the normal n from P (a tip is its own centre).
 struct ContactSide {
     bool straight = false;
-    PointIndex centre = -1;
+    PointIndex centre;
     Exact reach;
 };
 /// The sides of bodies[0] and bodies[1]; none where a profile is not given.

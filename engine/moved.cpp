@@ -16,8 +16,7 @@ public:
         : drawn_(mechanism), pose_(pose), closure_(closure), carriers_(carriers), places_(places), moved_(mechanism) {}
 
     Mechanism run() && {
-        for (std::size_t i = 0; i < moved_.points.size(); ++i)
-            moved_.points[i].placement = Coordinates{place_of(static_cast<PointIndex>(i))};
+        for (std::size_t i = 0; i < moved_.points.size(); ++i) moved_.points[i].placement = Coordinates{place_of(PointIndex(i))};
         for (Joint& joint : moved_.joints) turn(joint);
         for (std::size_t i = 0; i < moved_.drivers.size(); ++i)
             if (auto* point = std::get_if<PointDriver>(&moved_.drivers[i])) point->along = {pose_.driver_directions[i]};
@@ -29,7 +28,7 @@ private:
         const BodyPlaceOf<Exact>& at = places_[at_index(body)];
         const Vector local = (1 / closure_.unit) * pose_.at(point) - closure_.bodies[at_index(body)].reference;
         const Vector place = closure_.unit * (at.at + faced(at.facing, local));
-        return body == 0 ? place : on_grid(place);
+        return body == frame ? place : on_grid(place);
     }
     /// Coarser than what closing leaves, so that what is upright or level is so exactly, and numbers stay short.
     Vector on_grid(const Vector& place) const {
@@ -40,7 +39,7 @@ private:
 
     Vector place_of(PointIndex point) const {
         const Carrier& carrier = carriers_[at_index(point)];
-        if (carrier.body >= 0) return place_on(carrier.body, point);
+        if (carrier.body != none) return place_on(carrier.body, point);
         const Joint& joint = drawn_.joint(carrier.contact);
         const auto sides = sides_of(drawn_, pose_, joint);
         KG_ASSERT(sides.has_value(), "a closure has the profiles of every contact");
@@ -91,7 +90,7 @@ private:
             joint.pushes = sense * faced_by(joint.bodies[side], pose_.normals[index]);
             return;
         }
-        const std::size_t side = (*sides)[0].centre >= 0 ? 0 : 1;
+        const std::size_t side = (*sides)[0].centre != none ? 0 : 1;
         joint.pushes = sense * (coordinates((*sides)[side].centre) - coordinates(joint.point));
     }
 
@@ -129,7 +128,7 @@ Pose Mover::pose_of(const Mechanism& moved, int bits) const {
     KG_ASSERT(pose.has_value(), "a closed position can be drawn");
     pose->exact = false;
     for (std::size_t i = 0; i < pose->leftover.size(); ++i)
-        if (carriers_[i].body != 0) pose->leftover[i] = pose->size * Exact::power_of_two(4 - bits);
+        if (carriers_[i].body != frame) pose->leftover[i] = pose->size * Exact::power_of_two(4 - bits);
     return *std::move(pose);
 }
 

@@ -90,7 +90,7 @@ void Positions::prepare_places(const Mechanism& mechanism, const Pose& pose) {
         return rough((1 / Exact::from_double(unit_)) * pose.at(point) - bodies_[at_index(body)].reference);
     };
     for (std::size_t i = 0; i < points_.size(); ++i)
-        if (points_[i].carrier.body >= 0) points_[i].local = local(points_[i].carrier.body, static_cast<PointIndex>(i));
+        if (points_[i].carrier.body != none) points_[i].local = local(points_[i].carrier.body, PointIndex(i));
     for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
         const Joint& joint = mechanism.joints[k];
         const PlanePair& pair = joint.pair();
@@ -103,7 +103,7 @@ void Positions::prepare_places(const Mechanism& mechanism, const Pose& pose) {
         rule.normal = rough(pose.normals[k]);
         rule.touches = pair.touches();
         rule.meshes = pair.meshes();
-        rule.is_arc = joint.arc >= 0;
+        rule.is_arc = joint.arc != none;
         rule.locals = {local(joint.bodies[0], joint.point), local(joint.bodies[1], rule.is_arc ? joint.arc : joint.point)};
         if (pair.has_guide() && !rule.is_arc) rule.turns_with = joint.bodies[1];
         if (!pair.touches()) continue;
@@ -115,7 +115,7 @@ void Positions::prepare_places(const Mechanism& mechanism, const Pose& pose) {
             rule.is_straight[side] = of.straight;
             rule.reaches[side] = of.reach.to_double() / unit_;
             if (of.straight) rule.turns_with = joint.bodies[side];
-            if (of.centre < 0) continue;
+            if (of.centre == none) continue;
             rule.locals[side] = local(joint.bodies[side], of.centre);
             if (rule.first_circle < 0) rule.first_circle = static_cast<int>(side);
         }
@@ -180,7 +180,7 @@ void Positions::write_excesses(double s) {
 }
 
 void Positions::put(double* into, BodyIndex body, const Spot& direction, double turning) const {
-    if (body == 0) return;
+    if (body == frame) return;
     const Closure::Body& at = bodies_[at_index(body)];
     if (at.x >= 0 && !frozen_[at_index(at.x)]) into[at.x] += direction.x;
     if (at.x >= 0 && !frozen_[at_index(at.x) + 1]) into[at.x + 1] += direction.y;
@@ -516,14 +516,14 @@ void Positions::read(Places& places) const {
     places.points.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const PointRule& rule = points_[i];
-        const Spot at = rule.carrier.body >= 0 ? world(rule.carrier.body, rule.local)
-                                               : contact_point(joints_[at_index(rule.carrier.contact)]);
+        const Spot at = rule.carrier.body != none ? world(rule.carrier.body, rule.local)
+                                                  : contact_point(joints_[at_index(rule.carrier.contact)]);
         places.points[i] = unit_ * at;
     }
     for (auto* list : {&places.guides, &places.normals, &places.tangents}) list->resize(joints_.size());
     for (std::size_t k = 0; k < joints_.size(); ++k) {
         const JointRule& rule = joints_[k];
-        if (rule.point < 0) continue;
+        if (rule.point == none) continue;
         Spot &guide = places.guides[k], &normal = places.normals[k], &tangent = places.tangents[k];
         if (!rule.touches) {
             guide = rule.is_arc ? Spot{} : faced(now(rule.turns_with).facing, rule.guide);
@@ -531,7 +531,7 @@ void Positions::read(Places& places) const {
                                  : quarter_turn(guide);
             continue;
         }
-        if (rule.turns_with >= 0) {
+        if (rule.turns_with != none) {
             tangent = faced(now(rule.turns_with).facing, rule.tangent);
             normal = quarter_turn(tangent);
         } else {

@@ -62,14 +62,14 @@ private:
         Spot local;  ///< from the carrier's reference
     };
     struct JointRule {
-        BodyIndex turns_with = -1;  ///< the body of the guide or of the straight profile; −1: none
-        std::array<BodyIndex, 2> bodies{-1, -1};
+        BodyIndex turns_with;  ///< the body of the guide or of the straight profile; none: there is none
+        std::array<BodyIndex, 2> bodies;
         Spot guide, tangent, normal;      ///< as drawn
         std::array<Spot, 2> locals;       ///< guide: P on both; arc: P and C; profiles: their centres
         std::array<double, 2> reaches{};  ///< profiles: of the centres along the drawn normal
         std::array<bool, 2> is_straight{};
         int first_circle = -1;  ///< profiles: the side whose centre gives the normal where none is straight
-        PointIndex point = -1;
+        PointIndex point;
         bool is_arc = false, touches = false, meshes = false;
         Spot pressure{1, 0};
     };

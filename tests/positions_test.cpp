@@ -66,7 +66,7 @@ TEST(Positions, FourBarsOfEveryKindTurnOrStopWhereTheyMust) {
         Drawn d = drawn(read(four_bar(each.a, each.b, each.c, each.d, each.angle)));
         ASSERT_EQ(d.positions.move_to(2 * pi_), each.turns);
         if (each.turns) {
-            EXPECT_NEAR(std::remainder(d.positions.turn(3), 2 * pi_), 0, 1e-12);
+            EXPECT_NEAR(std::remainder(d.positions.turn(BodyIndex(3)), 2 * pi_), 0, 1e-12);
             continue;
         }
         // O4A may be b + c at most and |b − c| at least; the rocker stops at the first of these that it comes to.
@@ -91,14 +91,14 @@ TEST(Positions, AParallelogramGoesThroughItsChangePointsAndSaysSo) {
     // Also exactly at the change point, and on from there.
     for (const double turn : {0.5, pi_ - start, 3.0, 2 * pi_ - start, 6.0, 12.0}) {
         ASSERT_TRUE(d.positions.move_to(turn));
-        EXPECT_NEAR(d.positions.turn(3), turn, 1e-9);  // body 4, the other crank
-        EXPECT_NEAR(d.positions.turn(2), 0, 1e-9);
+        EXPECT_NEAR(d.positions.turn(BodyIndex(3)), turn, 1e-9);  // body 4, the other crank
+        EXPECT_NEAR(d.positions.turn(BodyIndex(2)), 0, 1e-9);
     }
     ASSERT_GE(d.positions.change_points().size(), 2U);
     EXPECT_NEAR(d.positions.change_points()[0], pi_ - start, 1e-6);
     EXPECT_NEAR(d.positions.change_points()[1], 2 * pi_ - start, 1e-6);
     ASSERT_TRUE(d.positions.move_to(0));
-    EXPECT_NEAR(d.positions.turn(3), 0, 1e-9);
+    EXPECT_NEAR(d.positions.turn(BodyIndex(3)), 0, 1e-9);
 }
 
 TEST(Positions, AChangePointThatIsDrawnIsRefused) {
@@ -113,8 +113,8 @@ TEST(Positions, GearsKeepTheirRatioOverManyTurns) {
     const double turn = 40 * pi_ + 1;
     ASSERT_TRUE(d.positions.move_to(turn));
     // Willis: sun 30, ring 70 at rest: arm/sun = 30/100; the planet turns by −(70 − 20)/20 of the arm.
-    EXPECT_NEAR(d.positions.turn(3), 0.3 * turn, 1e-9);
-    EXPECT_NEAR(d.positions.turn(2), -2.5 * 0.3 * turn, 1e-9);
+    EXPECT_NEAR(d.positions.turn(BodyIndex(3)), 0.3 * turn, 1e-9);
+    EXPECT_NEAR(d.positions.turn(BodyIndex(2)), -2.5 * 0.3 * turn, 1e-9);
 }
 
 TEST(Positions, AWheelRollsAsFarAsItTurns) {
@@ -141,7 +141,7 @@ TEST(Positions, TheGenevaWheelFollowsItsPin) {
     for (int degrees = -45; degrees <= 45; ++degrees) {
         const double angle = degrees * pi_ / 180;
         ASSERT_TRUE(d.positions.move_to(angle - start));
-        EXPECT_NEAR(std::remainder(d.positions.turn(2) - (wheel(angle) - wheel(start)), 2 * pi_), 0, 1e-12);
+        EXPECT_NEAR(std::remainder(d.positions.turn(BodyIndex(2)) - (wheel(angle) - wheel(start)), 2 * pi_), 0, 1e-12);
     }
 }
 
