@@ -40,6 +40,12 @@ struct SweepRequest {
     std::string driver;    ///< its name; empty: the first of the file
     std::string from, to;  ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;
+    std::vector<std::string> plots;   ///< columns by name, parted by commas; empty: what suits
+    std::vector<std::string> traces;  ///< "P" or "P,on BODY"
+    int poses = 0;
+    render::SheetOptions sheet;
+    std::string theme = "colour";
+    double dpi = 150;
 };
 Status sweep_command(const SweepRequest& request);
 

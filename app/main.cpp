@@ -102,12 +102,15 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
         ->type_name("FORMAT");
 }
 
-/// What is drawn, on which paper.
-void add_sheet(CLI::App& command, SolveWords& words) {
+void add_paper(CLI::App& command, SolveWords& words) {
     add_choice(command, "--lang", words.language, "Language of sheet and table: en or it", {"en", "it"}, "LANG");
     add_choice(command, "--paper", words.paper, "Size of the sheet: A4, A3 or letter", {"A4", "A3", "letter"}, "PAPER");
     add_choice(command, "--orientation", words.orientation, "How the sheet lies: landscape or portrait",
                {"landscape", "portrait"}, "HOW");
+}
+
+/// What is drawn.
+void add_sheet(CLI::App& command, SolveWords& words) {
     command
         .add_option("--figure", words.request.figure,
                     "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
@@ -156,6 +159,7 @@ void add_solve(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
     auto words = std::make_shared<SolveWords>();
     add_outputs(*command, words->request);
+    add_paper(*command, *words);
     add_sheet(*command, *words);
     add_look(*command, words->request);
     command
@@ -168,29 +172,80 @@ void add_solve(CLI::App& program, Action& action) {
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
-void add_sweep(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "sweep", "The results in one position after another, as rows of numbers");
-    auto request = std::make_shared<SweepRequest>();
-    command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
+/// What is typed to sweep a mechanism: the request, and what it says in words.
+struct SweepWords {
+    SweepRequest request;
+    SolveWords sheet;
+
+    SweepRequest meant() const {
+        SweepRequest full = request;
+        const SolveRequest words = sheet.meant();
+        full.sheet.language = words.language;
+        full.sheet.paper = words.paper;
+        full.sheet.orientation = words.orientation;
+        return full;
+    }
+};
+
+void add_travel(CLI::App& command, SweepRequest& request) {
     command
-        ->add_option("-o,--output", request->outputs,
-                     "OUT.csv or .json, SI units; may be given again. Without it, or with -, CSV goes to standard output")
-        ->allow_extra_args(false)
-        ->type_name("OUT");
-    command->add_option("--format", request->format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"csv", "json"}, CLI::ignore_case))
-        ->type_name("FORMAT");
-    add_driver(*command, request->driver);
-    command
-        ->add_option("--from", request->from,
-                     "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full turn, or "
-                     "from limit to limit")
+        .add_option(
+            "--from", request.from,
+            "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full turn, or from "
+            "limit to limit")
         ->type_name("TURN");
-    command->add_option("--to", request->to, "Where it ends")->type_name("TURN");
-    command->add_option("--steps", request->steps, "Steps from the first position to the last")
+    command.add_option("--to", request.to, "Where it ends")->type_name("TURN");
+    command.add_option("--steps", request.steps, "Steps from the first position to the last")
         ->type_name("N")
         ->capture_default_str();
-    command->callback([&action, request] { action = [request] { return sweep_command(*request); }; });
+}
+
+void add_plots(CLI::App& command, SweepRequest& request) {
+    command
+        .add_option("--plot", request.plots,
+                    "Columns of one unit in one plot, up to four, by their names: \"x B,x C\"; may be given again. Without it "
+                    "what slides or turns last, and the efforts")
+        ->allow_extra_args(false)
+        ->type_name("QUANTITIES");
+    command
+        .add_option("--trace", request.traces,
+                    "The path of a point, \"P\", or as a body sees it, \"P,on BODY\"; may be given again")
+        ->allow_extra_args(false)
+        ->type_name("P[,on BODY]");
+    command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
+        ->check(CLI::Range(0, 360))
+        ->type_name("N");
+    command.add_option("--date", request.sheet.date, "A date for the title block, as it is to be printed")->type_name("TEXT");
+    command.add_option("--author", request.sheet.author, "A name for the title block")->type_name("TEXT");
+    command.add_option("--theme", request.theme, "The look: colour, print, dark, or the path of a theme file")
+        ->type_name("THEME")
+        ->capture_default_str();
+    command.add_option("--dpi", request.dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
+        ->check(resolution_fits)
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+void add_sweep(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "sweep", "The results in one position after another: rows of numbers, plots, paths of points");
+    auto words = std::make_shared<SweepWords>();
+    SweepRequest& request = words->request;
+    command->add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
+    command
+        ->add_option("-o,--output", request.outputs,
+                     "OUT.csv or .json (SI units), .svg, .png or .pdf (the sheet with plots); may be given again. Without it CSV "
+                     "goes to standard output")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    command->add_option("--format", request.format, "What to write where the name of the output does not say it")
+        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
+        ->type_name("FORMAT");
+    add_driver(*command, request.driver);
+    add_travel(*command, request);
+    add_plots(*command, request);
+    add_paper(*command, words->sheet);
+    command->callback([&action, words] { action = [words] { return sweep_command(words->meant()); }; });
 }
 
 void add_check(CLI::App& program, Action& action) {

@@ -1,17 +1,23 @@
 // sweep FILE: the results in one position after another, as rows that are written while they are found.
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
+#include "app/sweep_drawing.hpp"
 #include "constructions/cycle.hpp"
+#include "constructions/solve.hpp"
+#include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::app {
@@ -187,8 +193,9 @@ public:
                 std::snprintf(text.data(), text.size(), "%.6g ", value / unit.si.to_double());
                 return text.data() + unit.symbol;
             };
-            say(name, column.name + ": mean " + told(sum.integral / sum.way) + ", least " + told(sum.least) + " at " +
-                          coordinate_text(mechanism, driver, sum.least_at) + ", greatest " + told(sum.most) + " at " +
+            const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)), mean = sum.integral / sum.way;
+            say(name, column.name + ": mean " + told(std::abs(mean) < rounding ? 0 : mean) + ", least " + told(sum.least) +
+                          " at " + coordinate_text(mechanism, driver, sum.least_at) + ", greatest " + told(sum.most) + " at " +
                           coordinate_text(mechanism, driver, sum.most_at));
         }
     }
@@ -245,55 +252,157 @@ Status cannot_write(const NotWritten& failure) {
     return Status::output;
 }
 
-/// The rows, found one by one and written to all files at once.
-Status swept(const SweepRequest& request, const std::string& name, const Mechanism& mechanism, Cycle cycle, int driver,
-             const Travel& travel, const std::vector<Target>& targets) {
-    const std::vector<Unsolved> missing = cycle.begin(travel);
-    std::vector<RowFile> files;
-    for (const Target& target : targets) {
-        auto file = Growing::open(target.path);
-        if (!file) return cannot_write(file.error());
-        files.emplace_back(*std::move(file), target.format);
-        files.back().head(cycle.columns(), name_of_driver(mechanism, driver), travel);
+/// The drawing as a run needs it: what is asked, read against the columns before the first row.
+struct Drawing {
+    std::vector<std::vector<std::size_t>> plots;
+    std::vector<Trace> traces;
+    CycleTable table;
+    long stride = 1;  ///< more rows than a pen can draw are not kept
+
+    void keep(long i, double coordinate, const std::optional<std::span<const double>>& row) {
+        if (!row)
+            table.left_out.push_back(coordinate);
+        else if (i % stride == 0)
+            table.rows.emplace_back(row->begin(), row->end());
     }
-    EffortSums efforts(cycle.columns());
-    Progress progress(request.steps);
-    long left_out = 0;
-    double first_left_out = 0, last_left_out = 0;
-    for (long i = 0; i <= request.steps; ++i) {
-        progress.at(i);
-        // At a limit the driver has no velocity to give.
-        if ((i == 0 && travel.starts_at_limit) || (i == request.steps && travel.ends_at_limit)) continue;
-        const double share = static_cast<double>(i) / static_cast<double>(request.steps);
-        const double coordinate = i == request.steps ? travel.to : travel.from + share * (travel.to - travel.from);
-        const auto row = cycle.row(coordinate);
-        if (row) {
-            efforts.take(*row);
-            for (RowFile& file : files) file.row(*row);
-        } else {
-            if (left_out++ == 0) first_left_out = coordinate;
-            last_left_out = coordinate;
+};
+
+class Sweep {
+public:
+    Sweep(const SweepRequest& request, const Mechanism& mechanism, Cycle cycle, int driver, const Travel& travel)
+        : request_(request),
+          name_(spoken(request.file)),
+          mechanism_(mechanism),
+          cycle_(std::move(cycle)),
+          driver_(driver),
+          travel_(travel) {}
+
+    Status run(const std::vector<Target>& targets) {
+        missing_ = cycle_.begin(travel_);
+        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        if (const auto wrong = prepare_drawing(draws)) {
+            say(name_, *wrong);
+            return Status::bad_input;
         }
-        for (const RowFile& file : files)
-            if (!file.is_whole()) return cannot_write({targets[static_cast<std::size_t>(&file - files.data())].path, file.why()});
+        const auto theme = theme_of(request_.theme, request_.file);
+        if (!theme) return theme.error();
+        std::vector<RowFile> files;
+        std::vector<std::string> paths;
+        for (const Target& target : targets) {
+            if (target.is_drawn()) continue;
+            auto file = Growing::open(target.path);
+            if (!file) return cannot_write(file.error());
+            files.emplace_back(*std::move(file), target.format);
+            files.back().head(cycle_.columns(), name_of_driver(mechanism_, driver_), travel_);
+            paths.push_back(target.path);
+        }
+        EffortSums efforts(cycle_.columns());
+        const auto fails = [&]() -> std::optional<NotWritten> {
+            for (std::size_t i = 0; i < files.size(); ++i)
+                if (!files[i].is_whole()) return NotWritten{paths[i], files[i].why()};
+            return std::nullopt;
+        };
+        if (!write_rows(files, efforts, draws, fails)) return cannot_write(*fails());
+        for (RowFile& file : files) file.tail(cycle_);
+        if (const auto failure = fails()) return cannot_write(*failure);
+        std::vector<Output> outputs;
+        for (RowFile& file : files) outputs.push_back(file.finish());
+        if (draws)
+            if (const auto status = draw(targets, *theme, outputs)) return *status;
+        if (names_clash(outputs, request_.file)) return Status::bad_input;
+        if (const auto failure = write_all(outputs)) return cannot_write(*failure);
+        return report(efforts);
     }
-    std::vector<Output> outputs;
-    for (RowFile& file : files) {
-        file.tail(cycle);
-        if (!file.is_whole()) return cannot_write({targets[static_cast<std::size_t>(&file - files.data())].path, file.why()});
+
+private:
+    std::optional<std::string> prepare_drawing(bool draws) {
+        auto traces = traces_of(request_.traces, mechanism_);
+        if (!traces) return traces.error();
+        auto plots = plots_of(request_.plots, cycle_.columns());
+        if (!plots) return plots.error();
+        if (!draws && !(request_.plots.empty() && request_.traces.empty() && request_.poses == 0))
+            remarks_.emplace_back("--plot, --trace and --poses add to the drawing, and none is asked for");
+        drawing_.plots = *std::move(plots);
+        drawing_.traces = *std::move(traces);
+        drawing_.table.driver = name_of_driver(mechanism_, driver_);
+        drawing_.table.turns = turns(mechanism_, driver_);
+        drawing_.table.travel = travel_;
+        drawing_.table.columns = cycle_.columns();
+        constexpr long most_drawn = 3600;
+        drawing_.stride = (request_.steps + most_drawn - 1) / most_drawn;
+        return std::nullopt;
     }
-    for (RowFile& file : files) outputs.push_back(file.finish());
-    if (const auto failure = write_all(outputs)) return cannot_write(*failure);
-    const Report report(name, mechanism, driver);
-    report.on_travel(travel);
-    efforts.say_all(name, cycle, mechanism, driver);
-    report.on_rows_left_out(left_out, first_left_out, last_left_out);
-    report.on_difference(cycle);
-    for (const Unsolved& unsolved : missing)
-        say(name, render::word("one unsolved", render::Language::en) + ": " + render::tell(unsolved.what, render::Language::en) +
-                      ": " + render::tell(unsolved.why, render::Language::en));
-    return left_out == 0 && missing.empty() ? Status::done : Status::unsolved;
-}
+
+    /// False: a file could not be written.
+    template <class Fails>
+    bool write_rows(std::vector<RowFile>& files, EffortSums& efforts, bool draws, Fails fails) {
+        Progress progress(request_.steps);
+        for (long i = 0; i <= request_.steps; ++i) {
+            progress.at(i);
+            // At a limit the driver has no velocity to give.
+            if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) continue;
+            const double share = static_cast<double>(i) / static_cast<double>(request_.steps);
+            const double coordinate = i == request_.steps ? travel_.to : travel_.from + share * (travel_.to - travel_.from);
+            const auto row = cycle_.row(coordinate);
+            if (draws) drawing_.keep(i, coordinate, row);
+            if (row) {
+                efforts.take(*row);
+                for (RowFile& file : files) file.row(*row);
+            } else {
+                if (left_out_++ == 0) first_left_out_ = coordinate;
+                last_left_out_ = coordinate;
+            }
+            if (fails()) return false;
+        }
+        return true;
+    }
+
+    /// Adds the sheets; a status where something is missing, which has been said.
+    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
+        Mechanism plain = mechanism_;
+        plain.find = {};
+        plain.find.stated = plain.find.velocity = true;
+        auto drawn = solve(std::move(plain));
+        if (!drawn) return say(name_, drawn.error());
+        drawing_.table.transmission = transmission_of(mechanism_, cycle_.positions(), driver_, travel_);
+        const auto press = Press::open(targets);
+        if (!press) return press.error();
+        render::SheetOptions options = request_.sheet;
+        options.theme = theme;
+        const std::vector<render::Way> ways = ways_of(mechanism_, cycle_.positions(), travel_, request_.poses, drawing_.traces);
+        const auto pages = render::lay_out_cycle(*drawn, drawing_.table, drawing_.plots, ways, options, press->fonts());
+        for (const Target& target : targets)
+            if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
+        press->remark_missing(remarks_);
+        return std::nullopt;
+    }
+
+    Status report(const EffortSums& efforts) const {
+        for (const std::string& remark : remarks_) say(name_, "remark: " + remark);
+        const Report report(name_, mechanism_, driver_);
+        report.on_travel(travel_);
+        efforts.say_all(name_, cycle_, mechanism_, driver_);
+        report.on_rows_left_out(left_out_, first_left_out_, last_left_out_);
+        report.on_difference(cycle_);
+        const auto tell = [](const Message& message) { return render::tell(message, render::Language::en); };
+        for (const Unsolved& unsolved : missing_)
+            say(name_,
+                render::word("one unsolved", render::Language::en) + ": " + tell(unsolved.what) + ": " + tell(unsolved.why));
+        return left_out_ == 0 && missing_.empty() ? Status::done : Status::unsolved;
+    }
+
+    const SweepRequest& request_;
+    std::string name_;
+    const Mechanism& mechanism_;
+    Cycle cycle_;
+    int driver_;
+    Travel travel_;
+    Drawing drawing_;
+    std::vector<Unsolved> missing_;
+    std::vector<std::string> remarks_;
+    long left_out_ = 0;
+    double first_left_out_ = 0, last_left_out_ = 0;
+};
 
 }  // namespace
 
@@ -303,7 +412,7 @@ Status sweep_command(const SweepRequest& request) {
         say(subject, why);
         return Status::bad_input;
     };
-    constexpr std::array formats{Format::csv, Format::json};
+    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return wrong("kinegraph", targets.error());
     if (targets->empty()) targets->push_back({"-", Format::csv});
@@ -326,7 +435,7 @@ Status sweep_command(const SweepRequest& request) {
                                      " stops at " + at(*fault.limit)
                                : "driver " + name_of_driver(*mechanism, asked->driver) + " has no limit; give --from and --to");
     }
-    return swept(request, name, *mechanism, *std::move(cycle), asked->driver, *travel, *targets);
+    return Sweep(request, *mechanism, *std::move(cycle), asked->driver, *travel).run(*targets);
 }
 
 }  // namespace kinegraph::app

@@ -641,4 +641,83 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
     return travel;
 }
 
+// --- transmission angle -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A driven body, its coupler and the follower: pins A and B, and the follower's hinge on the frame, or its guide there.
+struct Chain {
+    PointIndex a, b, hinge;
+    JointIndex guide;
+    BodyIndex coupler, follower;
+};
+std::optional<Chain> chain_of(const Mechanism& mechanism, int driver) {
+    const Driver& given = mechanism.drivers[at_index(driver)];
+    BodyIndex driven;
+    if (const auto* spin = std::get_if<SpinDriver>(&given)) driven = spin->body;
+    if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
+    if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
+    const auto joins = [](const Joint& joint, BodyIndex one, BodyIndex other) {
+        return joint.connects(one) && joint.connects(other);
+    };
+    const auto on_frame = [&](BodyIndex body) {
+        return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                           [&](const Joint& joint) { return joins(joint, body, frame); });
+    };
+    for (const Joint& a : mechanism.joints) {
+        if (!a.pair().is_hinge() || !a.connects(driven)) continue;
+        for (const Joint& b : mechanism.joints) {
+            if (!b.pair().is_hinge() || &a == &b) continue;
+            for (const BodyIndex coupler : a.bodies) {
+                if (coupler == driven || coupler == frame || !b.connects(coupler) || on_frame(coupler)) continue;
+                for (const BodyIndex follower : b.bodies) {
+                    if (follower == coupler || follower == driven || follower == frame) continue;
+                    for (const Joint& foot : mechanism.joints) {
+                        if (!joins(foot, follower, frame)) continue;
+                        if (foot.pair().is_hinge()) return Chain{a.point, b.point, foot.point, none, coupler, follower};
+                        if (foot.pair().is_sleeve())
+                            return Chain{a.point, b.point, none, mechanism.index_of(foot), coupler, follower};
+                    }
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel) {
+    const auto chain = chain_of(mechanism, driver);
+    if (!chain) return std::nullopt;
+    Places places;
+    const auto angle = [&](double coordinate) -> double {
+        if (!positions.move_to(coordinate)) return std::numbers::pi;
+        positions.read(places);
+        const auto at = [&](PointIndex point) { return places.points[at_index(point)]; };
+        const Spot rod = at(chain->b) - at(chain->a);
+        const Spot link =
+            chain->guide == none ? at(chain->hinge) - at(chain->b) : quarter_turn(places.guides[at_index(chain->guide)]);
+        return std::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
+    };
+    constexpr int samples = 360;
+    const double step = (travel.to - travel.from) / samples;
+    Transmission found{chain->coupler, chain->follower, std::numbers::pi, 0};
+    for (int i = 0; i <= samples; ++i) {
+        const double coordinate = i == samples ? travel.to : travel.from + i * step;
+        if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;
+    }
+    // Between the neighbours of the least sample it has one minimum.
+    const double low_end = std::min(travel.from, travel.to), high_end = std::max(travel.from, travel.to);
+    double low = std::max(found.at - std::abs(step), low_end), high = std::min(found.at + std::abs(step), high_end);
+    for (int i = 0; i < 60; ++i) {
+        const double third = (high - low) / 3;
+        (angle(low + third) < angle(high - third) ? high : low) =
+            angle(low + third) < angle(high - third) ? high - third : low + third;
+    }
+    const double middle = (low + high) / 2;
+    if (const double here = angle(middle); here < found.least) found.least = here, found.at = middle;
+    return found;
+}
+
 }  // namespace kinegraph

@@ -9,36 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/column.hpp"
 #include "engine/positions.hpp"
-#include "engine/quantity.hpp"
 #include "engine/solution.hpp"
-#include "engine/units.hpp"
 
 namespace kinegraph {
 
-/// What one column of a cycle holds, in SI units (rad, m, s).
-struct Column {
-    enum class Kind {
-        turn,     ///< the driver's coordinate: 0 as drawn
-        time,     ///< since the drawn position, where the driver's rate does not change
-        angle,    ///< of a body: of its first point to its second from +x, or since the drawn pose; goes on past a full turn
-        place_x,  ///< of a point
-        place_y,
-        slid,    ///< at a straight slide, along X, since the drawn pose
-        result,  ///< `quantity`: a scalar or a component
-        along    ///< `quantity`, a sliding: along X, or along the common tangent of a contact
-    } kind = Kind::turn;
-    Quantity quantity;  ///< places: the velocity of the point; angle: ω; slid: the sliding velocity
-    std::string name;   ///< as docs/format.md lists them: "omega 3", "vx B", "Fx A 3 on 2"
-    QuantityKind unit = QuantityKind::dimensionless;
-};
-
-/// How far a driver goes.
-struct Travel {
-    double from = 0, to = 0;
-    bool starts_at_limit = false, ends_at_limit = false;  ///< the driver stops there: a dead point
-    std::vector<double> change_points;
-};
 /// Why it cannot: `wanted` lies beyond the limit; without a limit, it goes on for ever.
 struct TravelFault {
     double wanted = 0;
@@ -48,6 +24,10 @@ struct TravelFault {
 /// limit to limit. `turns`: the coordinate is an angle.
 tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
                                             std::optional<double> to);
+
+/// Of the first coupler that a driven body pushes by a pin, and that pushes by a pin a body hinged or sliding on the frame: the
+/// least angle between it and the follower's link (or the normal of its guide). Nothing where there is none.
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel);
 
 class Cycle {
 public:

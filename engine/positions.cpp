@@ -543,6 +543,12 @@ void Positions::read(Places& places) const {
     }
 }
 
+Spot Positions::seen_from(BodyIndex body, const Spot& place) const {
+    const BodyPlaceOf<double>& at = now(body);
+    return unit_ *
+           (faced(Spot{at.facing.x, -at.facing.y}, (1 / unit_) * place - at.at) + rough(bodies_[at_index(body)].reference));
+}
+
 double Positions::slid(JointIndex joint) const {
     const JointRule& rule = joints_[at_index(joint)];
     const Spot guide = faced(now(rule.turns_with).facing, rule.guide);

@@ -38,6 +38,8 @@ public:
     double size() const { return unit_; }                         ///< of the drawing, m, within a factor of two
     double turn(BodyIndex body) const { return now(body).turn; }  ///< rad, since the drawn pose; goes on past a full turn
     void read(Places& places) const;
+    /// A place (m) as a body sees it: where it would be, had the body stayed as drawn.
+    VectorOf<double> seen_from(BodyIndex body, const VectorOf<double>& place) const;
     /// How far i of a straight slide has gone along X, seen from j, since the drawn pose, m.
     double slid(JointIndex joint) const;
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/index.hpp"
 #include "tests/random_drawing.hpp"
 
 namespace kinegraph {
