@@ -233,8 +233,15 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
     };
     for (const Joint& joint : mechanism.joints) {
         if (joint.pair().has_common_point()) claim(joint.point, joint.bodies[0], true);
-        if (joint.pair().has_guide()) claim(joint.point, joint.bodies[0], true);
+        if (joint.pair().is_slot()) claim(joint.point, joint.bodies[0], true);
         if (joint.arc != none) claim(joint.arc, joint.bodies[1], true);
+    }
+    // The bodies of a sleeve do not turn against each other: a point of either will do.
+    for (const Joint& joint : mechanism.joints) {
+        if (!joint.pair().is_sleeve()) continue;
+        const BodyIndex known = carriers[at_index(joint.point)].body;
+        const bool second = known != none && are_pinned(mechanism, joint.point, known, joint.bodies[1]);
+        claim(joint.point, joint.bodies[second ? 1 : 0], true);
     }
     for (const Joint& joint : mechanism.joints)
         for (const auto& [body, profile] : joint.profiles) {

@@ -84,8 +84,9 @@ struct Carrier {
     BodyIndex body;
     JointIndex contact;
 };
-/// By PointIndex. The pin of a slide belongs to the first body of its joint; a point of bodies that nothing pins together there
-/// to the first that lists it. Errors: a point that two joints need on bodies that come apart.
+/// By PointIndex. The pin of a slot belongs to the first body of its joint, and so does the point of a sleeve unless its second
+/// body is pinned there; a point of bodies that nothing pins together there to the first that lists it. Errors: a point that two
+/// joints need on bodies that come apart.
 Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism);
 
 /// What a profile is to its contact: a straight line, or a centre at `reach` along the normal n from P (a tip is its own centre).

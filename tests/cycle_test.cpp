@@ -88,9 +88,12 @@ TEST(Cycle, QuickReturnsHaveTheirTimeRatio) {
     // The lever turns round where it touches the crank's circle: sin φ = O2A/O2O4.
     Swept s = swept_example("quick_return");
     const double phi = std::asin(60.0 / 150);
-    const double one = zero_of(s, "omega 4", -0.4, 0.0), other = zero_of(s, "omega 4", 2.0, 3.5);
-    const double forward = other - one;
-    EXPECT_NEAR((2 * pi_ - forward) / forward, (pi_ + 2 * phi) / (pi_ - 2 * phi), 1e-9);
+    // O2A stands at 30°; the crank is square to the lever where it points ∓φ beyond the horizontal.
+    const double drawn = pi_ / 6;
+    const double one = zero_of(s, "omega 4", -phi - drawn - 0.3, -phi - drawn + 0.3);
+    const double other = zero_of(s, "omega 4", pi_ + phi - drawn - 0.3, pi_ + phi - drawn + 0.3);
+    const double slow = other - one;
+    EXPECT_NEAR(slow / (2 * pi_ - slow), (pi_ + 2 * phi) / (pi_ - 2 * phi), 1e-9);
     // Whitworth: the lever makes whole turns; half of one where the crank turns by π − 2 asin(e/r).
     Swept w = swept_example("whitworth");
     const double e = 40, r = 100, start = std::atan2(r * std::sin(pi_ / 4) + e, r * std::cos(pi_ / 4));
