@@ -12,6 +12,11 @@ namespace {
 
 using Json = nlohmann::json;
 class Sweep : public CommandLine {};
+/// The first number after `key="` from a place on.
+double number_after(const std::string& text, const std::string& key, std::size_t from) {
+    return std::stod(text.substr(text.find(key + "=\"", from) + key.size() + 2));
+}
+
 class SolveAt : public CommandLine {};
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -105,6 +110,30 @@ TEST_F(Sweep, RefusesWhatIsOutOfReach) {
     EXPECT_EQ(lines_of(still.out)[0].find("time"), std::string::npos) << "no time passes by which to tell it";
     const Outcome dead = run("sweep slider_driven_dead_point.json");
     EXPECT_EQ(dead.status, 3);
+}
+
+TEST_F(Sweep, APlotIsReadBackFromItsAxes) {
+    const Outcome swept =
+        run("sweep four_bar.json --steps 36 --plot 'omega 3,omega 4' --trace B --trace 'A,on 4' --poses 3 -o s.svg -o s.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const std::string svg = contents(folder_ / "s.svg");
+    const Json json = Json::parse(contents(folder_ / "s.json"));
+    const std::size_t y = svg.find("class=\"axis-y\""), curve = svg.find("data-name=\"omega 4\"");
+    ASSERT_NE(y, std::string::npos);
+    ASSERT_NE(curve, std::string::npos);
+    const double from = number_after(svg, "data-from", y), to = number_after(svg, "data-to", y);
+    const double low = number_after(svg, " y1", y), high = number_after(svg, " y2", svg.find("class=\"axis\"", y));
+    // The first vertex of the curve is the first row.
+    const std::string path = svg.substr(svg.find(" d=\"M", curve) + 5);
+    const double height = std::stod(path.substr(path.find_first_of(" ,") + 1));
+    const auto& columns = json["columns"];
+    const auto column = std::find(columns.begin(), columns.end(), "omega 4") - columns.begin();
+    const double value = json["rows"][0][static_cast<std::size_t>(column)];
+    EXPECT_NEAR(from + (to - from) * (height - low) / (high - low), value, 1e-5 * (to - from));
+    EXPECT_NE(svg.find("class=\"path\""), std::string::npos);
+    EXPECT_NE(svg.find("data-figure=\"plot\""), std::string::npos);
+    for (const char* more : {"--theme dark --lang it", "--theme print --orientation portrait --paper A3"})
+        EXPECT_EQ(run(std::string("sweep parallel_crank.json --steps 50 ") + more + " -o t.svg").status, 0);
 }
 
 TEST_F(SolveAt, SolvesInTheOtherPosition) {
