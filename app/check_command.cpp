@@ -1,39 +1,50 @@
-// check FILE: reads and validates a mechanism file, curves that cannot meet included.
+// check FILE: reads and validates a mechanism file, curves that cannot meet included, and says what was probably forgotten.
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "constructions/oversights.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::app {
 
-std::string spoken(const std::string& file) { return file == "-" ? "standard input" : file; }
+Words spoken(const std::string& file) { return file == "-" ? Words("standard input", "ingresso standard") : Words(file); }
 
 std::string bare_name(const std::string& file) {
-    const std::string name = spoken(file);
+    const std::string name = spoken(file).en;
     return name.substr(name.rfind('/') + 1);
 }
 
-Status check_command(const std::string& file) {
-    const std::string name = spoken(file);
-    const auto text = read_whole(file, "mechanism file");
+tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language) {
+    const auto text = read_whole(file, {"mechanism file", "file di meccanismo"});
     if (!text) {
-        say(name, text.error());
-        return Status::bad_input;
+        say(spoken(file), text.error(), language);
+        return tl::unexpected(Status::bad_input);
     }
-    const auto mechanism = read_mechanism(*text, bare_name(file));
-    if (!mechanism) return say(name, mechanism.error());
+    auto mechanism = read_mechanism(*text, bare_name(file));
+    if (!mechanism) return tl::unexpected(say(spoken(file), mechanism.error(), language));
+    return *std::move(mechanism);
+}
+
+Status check_command(const std::string& file, Language language) {
+    const Words name = spoken(file);
+    const auto mechanism = mechanism_of(file, language);
+    if (!mechanism) return mechanism.error();
     const auto pose = draw_pose(*mechanism);
-    if (!pose) return say(name, pose.error());
-    for (const Message& remark : pose->remarks) say(name, "remark: " + render::tell(remark, render::Language::en));
-    const auto counted = [](std::size_t count, const char* thing) {
-        return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+    if (!pose) return say(name, pose.error(), language);
+    std::vector<Message> remarks = pose->remarks;
+    for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose))) remarks.push_back(std::move(each));
+    for (const Message& remark : remarks)
+        say(name, Words(render::word("a remark", language) + ": " + render::tell(remark, language)), language);
+    const auto counted = [](std::size_t count, const Words& one, const Words& more) {
+        return Words(std::to_string(count) + ' ') + (count == 1 ? one : more);
     };
-    const std::string line = one_line(name) + ": in order (" +
-                             (mechanism->bodies.size() == 1 ? "one body" : std::to_string(mechanism->bodies.size()) + " bodies") +
-                             ", " + counted(mechanism->joints.size(), "joint") + ", " +
-                             counted(mechanism->drivers.size(), "driver") + ")\n";
-    return print(line);
+    const std::size_t bodies = mechanism->bodies.size();
+    const Words line("{0}: in order ({1}, {2}, {3})\n", "{0}: in ordine ({1}, {2}, {3})\n", one_line(in(name, language)),
+                     bodies == 1 ? Words("one body", "un corpo") : counted(bodies, {"body", "corpo"}, {"bodies", "corpi"}),
+                     counted(mechanism->joints.size(), {"joint", "coppia"}, {"joints", "coppie"}),
+                     counted(mechanism->drivers.size(), {"driver", "movente"}, {"drivers", "moventi"}));
+    return print(in(line, language), language);
 }
 
 }  // namespace kinegraph::app

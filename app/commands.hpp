@@ -16,7 +16,7 @@ struct SolveRequest {
     std::string file;                  ///< "-" is standard input
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs whose name does not say; may be empty
-    render::Language language = render::Language::en;
+    Language language = Language::en;
     render::Paper paper = render::Paper::a4;
     render::Orientation orientation = render::Orientation::landscape;
     render::Dimensions dimensions = render::Dimensions::automatic;
@@ -49,8 +49,8 @@ struct SweepRequest {
 };
 Status sweep_command(const SweepRequest& request);
 
-/// check FILE: the file is read and its points are found; nothing is solved or written.
-Status check_command(const std::string& file);
+/// check FILE: the file is read, its points are found, what was probably forgotten is said; nothing is solved or written.
+Status check_command(const std::string& file, Language language);
 
 /// diff EXPECTED ACTUAL: whether two pictures, PNG or SVG, are the same to the eye.
 struct DiffRequest {
@@ -59,19 +59,22 @@ struct DiffRequest {
     double threshold = 0;          ///< the share of pixels that may differ
     double tolerance = 0.1;        ///< how far two colours may be apart, of the farthest
     double dpi = 0;                ///< for SVG; 0: as a PNG it is compared with, or 150
+    Language language = Language::en;
 };
 Status diff_command(const DiffRequest& request);
 
 /// pairs [FILE]: the catalogue of pairs, or the pairs of a mechanism.
 struct PairsRequest {
     std::string file;  ///< "-" is standard input; empty: the catalogue
-    render::Language language = render::Language::en;
+    Language language = Language::en;
     render::TextForm form = render::TextForm::plain;
 };
 Status pairs_command(const PairsRequest& request);
 
 /// How messages call a file: its path as given, or "standard input".
-std::string spoken(const std::string& file);
+Words spoken(const std::string& file);
+/// A mechanism file read; else it has been said what is wrong.
+tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language);
 /// The same without its folder: what a sheet may show, the same wherever it is made.
 std::string bare_name(const std::string& file);
 

@@ -24,23 +24,25 @@ bool may_be_svg(std::string_view bytes) {
 
 /// One of the two: its bytes, and the picture as soon as it is known.
 struct Side {
-    std::string name, bytes;
+    Words name;
+    std::string bytes;
     std::optional<Picture> picture;
+    Language language = Language::en;
 };
 
-Status fails(const Side& side, const std::string& why, Status status = Status::bad_input) {
-    say(side.name, why);
+Status fails(const Side& side, const Words& why, Status status = Status::bad_input) {
+    say(side.name, why, side.language);
     return status;
 }
 
 /// The bytes, and what they show if that is a PNG.
 Status read(Side& side, const std::string& path) {
     side.name = spoken(path);
-    auto bytes = read_whole(path, "picture");
+    auto bytes = read_whole(path, {"picture", "disegno"});
     if (!bytes) return fails(side, bytes.error());
     side.bytes = *std::move(bytes);
     if (!render::is_png(side.bytes)) {
-        if (!may_be_svg(side.bytes)) return fails(side, "is neither PNG nor SVG");
+        if (!may_be_svg(side.bytes)) return fails(side, {"is neither PNG nor SVG", "non è né PNG né SVG"});
         return Status::done;
     }
     auto picture = render::decode_png(side.bytes);
@@ -53,7 +55,9 @@ Status draw(Side& side, double dpi) {
     const auto png = svg_to_png(side.bytes, dpi);
     if (!png) return fails(side, png.error().why, png.error().status);
     auto picture = render::decode_png(*png);
-    if (!picture) return fails(side, "drawn at " + std::to_string(std::lround(dpi)) + " dpi " + picture.error());
+    if (!picture)
+        return fails(side,
+                     {"drawn at {0} dpi {1}", "disegnato a {0} dpi {1}", std::to_string(std::lround(dpi)), picture.error()});
     side.picture = *std::move(picture);
     return Status::done;
 }
@@ -71,40 +75,52 @@ std::string size_of(const Picture& picture) { return std::to_string(picture.widt
 
 /// What was found, as one line.
 std::string verdict(const Side& expected, const Side& actual, const PictureDifference& difference, double threshold) {
-    std::string line = one_line(expected.name) + ", " + one_line(actual.name) + ": ";
+    const Language language = expected.language;
+    Words line(one_line(in(expected.name, language)) + ", " + one_line(in(actual.name, language)) + ": ");
     const Picture &a = *expected.picture, &b = *actual.picture;
-    if (a.width != b.width || a.height != b.height) line += size_of(a) + " pixels became " + size_of(b) + "; ";
+    const auto text = [](auto number) { return std::to_string(number); };
+    if (a.width != b.width || a.height != b.height)
+        line += {"{0} pixels became {1}; ", "{0} pixel sono diventati {1}; ", size_of(a), size_of(b)};
     if (difference.differing == 0) {
-        line += "the same";
-        if (difference.forgiven > 0) line += " but for antialiasing (" + std::to_string(difference.forgiven) + " pixels)";
+        line += {"the same", "uguali"};
+        if (difference.forgiven > 0)
+            line += {" but for antialiasing ({0} pixels)", " salvo l’antialiasing ({0} pixel)", text(difference.forgiven)};
     } else {
-        line += digits(100 * difference.share()) + " % of the pixels differ (" + std::to_string(difference.differing) + " of " +
-                std::to_string(difference.verdicts.size()) + "), columns " + std::to_string(difference.left) + " to " +
-                std::to_string(difference.right) + ", rows " + std::to_string(difference.top) + " to " +
-                std::to_string(difference.bottom);
-        if (difference.forgiven > 0) line += "; " + std::to_string(difference.forgiven) + " more by antialiasing alone";
-        if (threshold > 0) line += "; " + digits(100 * threshold) + " % may";
+        line += {"{0} % of the pixels differ ({1} of {2}), columns {3} to {4}, rows {5} to {6}",
+                 "il {0} % dei pixel è diverso ({1} su {2}), colonne da {3} a {4}, righe da {5} a {6}",
+                 digits(100 * difference.share()),
+                 text(difference.differing),
+                 text(difference.verdicts.size()),
+                 text(difference.left),
+                 text(difference.right),
+                 text(difference.top),
+                 text(difference.bottom)};
+        if (difference.forgiven > 0)
+            line += {"; {0} more by antialiasing alone", "; altri {0} solo per l’antialiasing", text(difference.forgiven)};
+        if (threshold > 0) line += {"; {0} % may", "; ammesso il {0} %", digits(100 * threshold)};
     }
-    return line + '\n';
+    return in(line, language) + '\n';
 }
 
 }  // namespace
 
 Status diff_command(const DiffRequest& request) {
-    if (request.expected == "-" && request.actual == "-") {
-        say("kinegraph", "standard input can be one of the two pictures only");
-        return Status::bad_input;
-    }
-    if (request.output == "-") {
-        say("kinegraph", "the difference picture needs a file: standard output carries the verdict");
-        return Status::bad_input;
-    }
+    const Language language = request.language;
+    if (request.expected == "-" && request.actual == "-")
+        return refuse(
+            {"standard input can be one of the two pictures only", "l’ingresso standard può essere uno solo dei due disegni"},
+            language);
+    if (request.output == "-")
+        return refuse({"the difference picture needs a file: standard output carries the verdict",
+                       "il disegno delle differenze richiede un file: l’uscita standard porta il giudizio"},
+                      language);
     for (const std::string& picture : {request.expected, request.actual})
-        if (!request.output.empty() && same_file(request.output, picture)) {
-            say("kinegraph", "-o " + request.output + " would overwrite a picture that is compared");
-            return Status::bad_input;
-        }
+        if (!request.output.empty() && same_file(request.output, picture))
+            return refuse({"-o {0} would overwrite a picture that is compared",
+                           "-o {0} sovrascriverebbe un disegno da confrontare", request.output},
+                          language);
     Side expected, actual;
+    expected.language = actual.language = language;
     if (const Status status = read(expected, request.expected); status != Status::done) return status;
     if (const Status status = read(actual, request.actual); status != Status::done) return status;
     double dpi = request.dpi;
@@ -119,10 +135,7 @@ Status diff_command(const DiffRequest& request) {
     std::vector<Output> outputs{{"-", verdict(expected, actual, difference, request.threshold)}};
     if (!request.output.empty())
         outputs.push_back({request.output, encode_png(render::side_by_side(*expected.picture, *actual.picture, difference))});
-    if (const auto failure = write_all(outputs)) {
-        say(failure->path == "-" ? "standard output" : failure->path, "cannot be written: " + failure->why);
-        return Status::output;
-    }
+    if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language);
     const bool same_size = expected.picture->width == actual.picture->width && expected.picture->height == actual.picture->height;
     return same_size && difference.share() <= request.threshold ? Status::done : Status::difference;
 }

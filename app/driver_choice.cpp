@@ -1,8 +1,10 @@
 #include "app/driver_choice.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "engine/spelling.hpp"
 #include "engine/units.hpp"
@@ -20,9 +22,10 @@ bool turns(const Mechanism& mechanism, int driver) {
     return std::holds_alternative<SpinDriver>(mechanism.drivers[at_index(driver)]);
 }
 
-tl::expected<int, std::string> driver_named(const Mechanism& mechanism, const std::string& name) {
+tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name) {
     if (mechanism.drivers.empty())
-        return tl::unexpected(std::string("nothing drives this mechanism, so it has one position only; give it \"drivers\""));
+        return tl::unexpected(Words("nothing drives this mechanism, so it has one position only; give it \"drivers\"",
+                                    "nulla comanda questo meccanismo, che ha quindi una sola posizione; dargli \"drivers\""));
     if (name.empty()) return 0;
     std::vector<std::string> known;
     std::string list;
@@ -32,11 +35,12 @@ tl::expected<int, std::string> driver_named(const Mechanism& mechanism, const st
         list += (list.empty() ? "" : ", ") + known.back();
     }
     Speller speller;
-    return tl::unexpected("--driver " + name + ": no driver is called so" + did_you_mean(speller.nearest(name, known)) +
-                          "; there are " + list);
+    return tl::unexpected(Words("--driver {0}: no driver is called so{1}; there are {2}",
+                                "--driver {0}: nessun movente si chiama così{1}; ci sono {2}", name,
+                                did_you_mean(speller.nearest(name, known)), list));
 }
 
-tl::expected<Exact, std::string> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {
+tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {
     const bool turning = turns(mechanism, driver);
     const QuantityKind kind = turning ? QuantityKind::angle : QuantityKind::length;
     const Unit& unit = turning ? mechanism.units.angle : mechanism.units.length;
@@ -44,19 +48,30 @@ tl::expected<Exact, std::string> coordinate_of(const Mechanism& mechanism, int d
     const auto written = read_quantity(text, kind);
     if (!written) return tl::unexpected(written.error());
     if (written->unit->kind != kind)
-        return tl::unexpected(quoted(text) + " is " + with_article(written->unit->kind) + "; " + with_article(kind) +
-                              " is wanted here");
+        return tl::unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}", quoted(text),
+                                    with_article(written->unit->kind), with_article(kind)));
     return written->in_si();
 }
 
-std::string coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain) {
+Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain) {
     const bool turning = turns(mechanism, driver);
     const Unit& unit = turning ? mechanism.units.angle : mechanism.units.length;
     std::array<char, 32> text{};
     double value = coordinate / unit.si.to_double();
     value = std::round(value / grain) * grain;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12);
-    return std::string(text.data(), end.ptr) + (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol);
+    return decimal(std::string(text.data(), end.ptr) + (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol));
+}
+
+Words out_of_reach(const Words& wanted, const std::string& driver, const Words& limit) {
+    return {"{0} is out of reach: driver {1} stops at {2}", "{0} è fuori portata: il movente {1} si ferma a {2}", wanted, driver,
+            limit};
+}
+
+Words decimal(std::string text) {
+    std::string italian = text;
+    std::replace(italian.begin(), italian.end(), '.', ',');
+    return {std::move(text), std::move(italian)};
 }
 
 }  // namespace kinegraph::app

@@ -17,7 +17,31 @@
 namespace kinegraph::app {
 namespace {
 
-std::string reason() { return std::strerror(errno); }
+/// Why the system refuses; in Italian what happens to people, the rest as the system says it.
+Words reason() {
+    const std::string english = std::strerror(errno);
+    switch (errno) {
+        case ENOENT:
+            return {english, "file o cartella inesistente"};
+        case EACCES:
+        case EPERM:
+            return {english, "permesso negato"};
+        case EISDIR:
+            return {english, "è una cartella"};
+        case ENOTDIR:
+            return {english, "non è una cartella"};
+        case ENOSPC:
+            return {english, "spazio esaurito sul disco"};
+        case EROFS:
+            return {english, "disco di sola lettura"};
+        case EFBIG:
+            return {english, "file troppo grande"};
+        case EPIPE:
+            return {english, "nessuno legge più"};
+        default:
+            return english;
+    }
+}
 
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -152,18 +176,24 @@ private:
     bool existed_ = false, ours_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
 };
 
+/// Why it could not be written, as the last call left it.
+NotWritten not_written(const std::string& path) {
+    const Words why = reason();
+    return {path == "-" ? Words("standard output", "uscita standard") : Words(path), why};
+}
+
 }  // namespace
 
-tl::expected<std::string, std::string> read_whole(const std::string& path, const std::string& kind) {
+tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind) {
     const bool standard = path == "-";
     const int file = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return tl::unexpected("cannot be read: " + reason());
+    if (file < 0) return tl::unexpected(Words("cannot be read: {0}", "non si può leggere: {0}", reason()));
     struct stat status {};
     const bool known = ::fstat(file, &status) == 0;
     std::string text;
-    std::string why;
+    Words why;
     if (known && S_ISDIR(status.st_mode)) {
-        why = "is a directory, not a " + kind;
+        why = {"is a directory, not a {0}", "è una cartella, non un {0}", kind};
     } else {
         const std::size_t expected =
             known && S_ISREG(status.st_mode) ? std::min(static_cast<std::size_t>(status.st_size), largest_input) : 65536;
@@ -173,8 +203,10 @@ tl::expected<std::string, std::string> read_whole(const std::string& path, const
             const ssize_t got = ::read(file, text.data() + size, text.size() - size);
             if (got == 0) break;
             if (got > 0) size += static_cast<std::size_t>(got);
-            if (got < 0 && errno != EINTR) why = "cannot be read: " + reason();
-            if (size > largest_input) why = "is larger than 64 MiB, more than is read of a " + kind;
+            if (got < 0 && errno != EINTR) why = {"cannot be read: {0}", "non si può leggere: {0}", reason()};
+            if (size > largest_input)
+                why = {"is larger than 64 MiB, more than is read of a {0}", "supera 64 MiB, più di quanto si legga di un {0}",
+                       kind};
             if (size == text.size()) text.resize(2 * size);
         }
         text.resize(size);
@@ -195,11 +227,11 @@ std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
     all.reserve(outputs.size());
     for (const Output& output : outputs) all.push_back(std::make_unique<Pending>(output));
     for (const auto& pending : all)
-        if (!pending->prepare()) return NotWritten{pending->path(), reason()};
+        if (!pending->prepare()) return not_written(pending->path());
     for (const auto& pending : all)
-        if (!pending->stream()) return NotWritten{pending->path(), reason()};
+        if (!pending->stream()) return not_written(pending->path());
     for (const auto& pending : all)
-        if (!pending->rename(pending == all.back())) return NotWritten{pending->path(), reason()};
+        if (!pending->rename(pending == all.back())) return not_written(pending->path());
     for (const auto& pending : all) pending->keep();
     return std::nullopt;
 }
@@ -218,7 +250,7 @@ tl::expected<Growing, NotWritten> Growing::open(const std::string& path) {
     } else {
         made.file_ = create_beside(followed(path), made.temporary_);
     }
-    if (made.file_ < 0) return tl::unexpected(NotWritten{path, reason()});
+    if (made.file_ < 0) return tl::unexpected(not_written(path));
     return made;
 }
 Growing::Growing(Growing&& other) noexcept
@@ -227,7 +259,10 @@ Growing::~Growing() {
     if (file_ >= 0) ::close(file_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
-bool Growing::add(std::string_view bytes) { return write_to(file_, bytes); }
+std::optional<NotWritten> Growing::add(std::string_view bytes) {
+    if (write_to(file_, bytes)) return std::nullopt;
+    return not_written(path_);
+}
 Output Growing::finish() && {
     ::close(std::exchange(file_, -1));
     Output output{path_, {}, temporary_.empty() ? "-" : temporary_};
@@ -235,12 +270,14 @@ Output Growing::finish() && {
     return output;
 }
 
-Status print(const std::string& text) {
-    if (const auto failure = write_all({{"-", text}})) {
-        say("standard output", "cannot be written: " + failure->why);
-        return Status::output;
-    }
+Status print(const std::string& text, Language language) {
+    if (const auto failure = write_all({{"-", text}})) return fail_to_write(*failure, language);
     return Status::done;
+}
+
+Status fail_to_write(const NotWritten& failure, Language language) {
+    say(failure.path, {"cannot be written: {0}", "non si può scrivere: {0}", failure.why}, language);
+    return Status::output;
 }
 
 }  // namespace kinegraph::app

@@ -16,7 +16,7 @@ namespace kinegraph::app {
 constexpr std::size_t largest_input = std::size_t{64} << 20;
 
 /// The whole of a file, which should be a `kind` ("mechanism file"). Error: why it cannot be read, in a few words.
-tl::expected<std::string, std::string> read_whole(const std::string& path, const std::string& kind);
+tl::expected<std::string, Words> read_whole(const std::string& path, const Words& kind);
 
 /// True where both paths exist and are the same file.
 bool same_file(const std::string& one, const std::string& other);
@@ -28,8 +28,8 @@ struct Output {
     std::string written = {};  ///< a temporary file that holds them already; of what was streamed "-"
 };
 struct NotWritten {
-    std::string path;
-    std::string why;
+    Words path;
+    Words why;
 };
 /// An output that grows, of any length: in a temporary file beside its target, or straight to what is no plain file (a device,
 /// a pipe, standard output). What is not handed on by finish() is removed.
@@ -39,8 +39,8 @@ public:
     Growing(Growing&& other) noexcept;
     Growing& operator=(Growing&&) = delete;
     ~Growing();
-    /// False: it cannot be written, and errno says why.
-    bool add(std::string_view bytes);
+    /// What cannot be written, if it cannot.
+    std::optional<NotWritten> add(std::string_view bytes);
     /// To be given to write_all with the rest of the run.
     Output finish() &&;
 
@@ -53,6 +53,8 @@ private:
 /// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
 /// A text on standard output, and how that ended; a failure is told.
-Status print(const std::string& text);
+Status print(const std::string& text, Language language);
+/// Says what could not be written.
+Status fail_to_write(const NotWritten& failure, Language language);
 
 }  // namespace kinegraph::app

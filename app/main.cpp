@@ -7,6 +7,7 @@
 #endif
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <functional>
@@ -29,6 +30,24 @@ constexpr const char* statuses =
     "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
     "module of the program is missing; 70 a fault of ours.";
+
+/// What the parser of options says, piece by piece.
+constexpr std::array<Translation, 14> option_faults{{
+    {"The following argument was not expected: ", "argomento inatteso: "},
+    {"The following arguments were not expected: ", "argomenti inattesi: "},
+    {" is required", " è obbligatorio"},
+    {" not in {", " non è fra {"},
+    {"Could not convert: ", "valore non valido: "},
+    {" required ", " valore richiesto: "},
+    {" missing", " mancante"},
+    {" excludes ", " esclude "},
+    {" requires ", " richiede "},
+    {" is not a number from ", " non è un numero da "},
+    {" is not a share: a number from 0 to 1, or from 0% to 100%", " non è una quota: un numero da 0 a 1, o da 0% a 100%"},
+    {"20 to 1200", "20 a 1200"},
+    {"0 to 1", "0 a 1"},
+    {"A subcommand is required", "manca un comando"},
+}};
 
 /// What was typed, waiting to be carried out.
 using Action = std::function<Status()>;
@@ -70,7 +89,22 @@ void add_choice(CLI::App& command, const char* name, std::string& chosen, const 
         ->capture_default_str();
 }
 
-render::Language language_named(const std::string& word) { return word == "it" ? render::Language::it : render::Language::en; }
+Language language_named(const std::string& word) { return word == "it" || word == "IT" ? Language::it : Language::en; }
+
+/// The language asked for, also by a command line that is wrong.
+Language language_of(int count, char** arguments) {
+    std::string word;
+    for (int i = 1; i < count; ++i) {
+        const std::string argument = arguments[i];
+        if (argument.starts_with("--lang=")) word = argument.substr(7);
+        if (argument == "--lang" && i + 1 < count) word = arguments[i + 1];
+    }
+    return language_named(word);
+}
+
+void add_language(CLI::App& command, std::string& chosen, const char* help) {
+    add_choice(command, "--lang", chosen, help, {"en", "it"}, "LANG");
+}
 
 /// What is typed to solve a mechanism: the request, and what it says in words.
 struct SolveWords {
@@ -103,7 +137,7 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
 }
 
 void add_paper(CLI::App& command, SolveWords& words) {
-    add_choice(command, "--lang", words.language, "Language of sheet and table: en or it", {"en", "it"}, "LANG");
+    add_language(command, words.language, "Language of sheet, table and messages: en or it");
     add_choice(command, "--paper", words.paper, "Size of the sheet: A4, A3 or letter", {"A4", "A3", "letter"}, "PAPER");
     add_choice(command, "--orientation", words.orientation, "How the sheet lies: landscape or portrait",
                {"landscape", "portrait"}, "HOW");
@@ -251,8 +285,10 @@ void add_sweep(CLI::App& program, Action& action) {
 void add_check(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "check", "Read and validate a mechanism file; nothing is solved or written");
     auto file = std::make_shared<std::string>();
+    auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", *file, "The mechanism file; - is standard input")->required();
-    command->callback([&action, file] { action = [file] { return check_command(*file); }; });
+    add_language(*command, *language, "Language of messages: en or it");
+    command->callback([&action, file, language] { action = [=] { return check_command(*file, language_named(*language)); }; });
 }
 
 void add_diff(CLI::App& program, Action& action) {
@@ -288,7 +324,12 @@ void add_diff(CLI::App& program, Action& action) {
                      "Resolution at which an SVG is compared, dots per inch, 20 to 1200; else that of the PNG, or 150")
         ->check(resolution_fits)
         ->type_name("N");
-    command->callback([&action, request] { action = [request] { return diff_command(*request); }; });
+    auto language = std::make_shared<std::string>("en");
+    add_language(*command, *language, "Language of messages: en or it");
+    command->callback([&action, request, language] {
+        request->language = language_named(*language);
+        action = [request] { return diff_command(*request); };
+    });
 }
 
 void add_pairs(CLI::App& program, Action& action) {
@@ -298,10 +339,7 @@ void add_pairs(CLI::App& program, Action& action) {
     auto language = std::make_shared<std::string>("en");
     auto form = std::make_shared<std::string>("text");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input");
-    command->add_option("--lang", *language, "Language: en or it")
-        ->check(CLI::IsMember({"en", "it"}))
-        ->type_name("LANG")
-        ->capture_default_str();
+    add_language(*command, *language, "Language: en or it");
     command->add_option("--format", *form, "text or markdown")
         ->check(CLI::IsMember({"text", "markdown"}))
         ->type_name("FORMAT")
@@ -313,7 +351,7 @@ void add_pairs(CLI::App& program, Action& action) {
     });
 }
 
-Status run(int count, char** arguments) {
+Status run(int count, char** arguments, Language language) {
     CLI::App program("Planar mechanisms solved as at the drawing board, exactly.", "kinegraph");
     program.set_help_flag("-h,--help", "Print this help; after a command, its own");
     program.set_version_flag("--version", version, "Print the version");
@@ -335,9 +373,11 @@ Status run(int count, char** arguments) {
             named = named || command->get_name() == first;
         }
         if (!named) {
-            say("kinegraph", (first.empty() ? std::string("a command is missing") : "no command is named \"" + first + '"') +
-                                 "; there are " + known + " (kinegraph --help says more)");
-            return Status::bad_input;
+            return refuse({"{0}; there are {1} (kinegraph --help says more)", "{0}; ci sono {1} (kinegraph --help dice di più)",
+                           first.empty() ? Words("a command is missing", "manca un comando")
+                                         : Words("no command is named \"{0}\"", "nessun comando si chiama \"{0}\"", first),
+                           known},
+                          language);
         }
     }
     // "--at every 30°" in two words; CLI11 takes its words from the last to the first.
@@ -351,14 +391,16 @@ Status run(int count, char** arguments) {
     try {
         program.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {
-        return print(program.help());
+        return print(program.help(), language);
     } catch (const CLI::CallForVersion&) {
-        return print(std::string(version) + '\n');
+        return print(std::string(version) + '\n', language);
     } catch (const CLI::ParseError& error) {
         const auto given = program.get_subcommands();
         const std::string command = given.empty() ? "kinegraph" : "kinegraph " + given.front()->get_name();
-        say("kinegraph", std::string(error.what()) + " (" + command + " --help says more)");
-        return Status::bad_input;
+        const std::string english = error.what();
+        return refuse({"{0} ({1} --help says more)", "{0} ({1} --help dice di più)",
+                       Words(english, translated(english, option_faults)), command},
+                      language);
     }
     return action();
 }
@@ -390,14 +432,16 @@ int main(int count, char** arguments) {
     // A reader that is gone and a file that may not grow are failures to write, told as such.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    const Language language = language_of(count, arguments);
+    const kinegraph::Words ours("this is a fault of ours", "questo è un errore nostro");
     try {
-        return static_cast<int>(run(count, arguments));
+        return static_cast<int>(run(count, arguments, language));
     } catch (const std::bad_alloc&) {
-        say("kinegraph", "this is a fault of ours: out of memory");
+        refuse(ours + kinegraph::Words(": out of memory", ": memoria esaurita"), language);
     } catch (const std::exception& fault) {
-        say("kinegraph", std::string("this is a fault of ours: ") + fault.what());
+        refuse(ours + std::string(": ") + std::string(fault.what()), language);
     } catch (...) {
-        say("kinegraph", "this is a fault of ours");
+        refuse(ours, language);
     }
     return static_cast<int>(Status::fault);
 }

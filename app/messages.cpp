@@ -25,16 +25,21 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-void say(std::string_view subject, std::string_view message) {
+void say(const Words& subject, const Words& message, Language language) {
     // In one piece, so that the lines of two programs that write to one terminal do not mix.
-    const std::string line = one_line(subject) + ": " + one_line(message) + '\n';
+    const std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language)) + '\n';
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
-Status say(std::string_view file, const Errors& errors) {
+Status refuse(const Words& message, Language language) {
+    say(std::string_view("kinegraph"), message, language);
+    return Status::bad_input;
+}
+
+Status say(const Words& file, const Errors& errors, Language language) {
     Status status = Status::bad_input;
     for (const Error& error : errors) {
-        say(file, error.where.empty() ? error.message : error.where + ": " + error.message);
+        say(file, error.where.empty() ? error.message : Words(error.where + ": ") + error.message, language);
         if (error.code == ErrorCode::output) status = Status::output;
         if (error.code == ErrorCode::no_unique_answer) status = Status::unsolved;
     }

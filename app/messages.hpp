@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/error.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::app {
 
@@ -20,9 +21,12 @@ enum class Status {
 
 /// Control characters as \n, \t or \x1b, so that a line stays one.
 std::string one_line(std::string_view text);
-/// "SUBJECT: MESSAGE" on standard error.
-void say(std::string_view subject, std::string_view message);
+using render::Language;
+/// "SUBJECT: MESSAGE" on standard error; the subject is a file's name, or the program's.
+void say(const Words& subject, const Words& message, Language language);
+/// The same for a command line that cannot be carried out.
+Status refuse(const Words& message, Language language);
 /// Every error of a file, one a line, and the status they lead to.
-Status say(std::string_view file, const Errors& errors);
+Status say(const Words& file, const Errors& errors, Language language);
 
 }  // namespace kinegraph::app

@@ -5,15 +5,17 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/words.hpp"
+
 namespace kinegraph::app {
 
 /// What a module exports under its own name, looked for in NAME.so: beside the program, as it is built, or in lib/kinegraph,
 /// where it is installed. It stays loaded to the end of the run. `purpose`: what it does, for the message where it cannot be
 /// loaded.
-tl::expected<const void*, std::string> open_module(const std::string& name, const std::string& purpose);
+tl::expected<const void*, Words> open_module(const std::string& name, const Words& purpose);
 
 template <class Functions>
-tl::expected<const Functions*, std::string> open_module_as(const std::string& name, const std::string& purpose) {
+tl::expected<const Functions*, Words> open_module_as(const std::string& name, const Words& purpose) {
     return open_module(name, purpose).map([](const void* functions) { return static_cast<const Functions*>(functions); });
 }
 

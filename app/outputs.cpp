@@ -25,11 +25,11 @@ std::optional<Format> format_named(std::string name, std::span<const Format> for
 }
 
 /// "svg, png, pdf or json".
-std::string listed(std::span<const Format> formats, const std::string& before) {
-    std::string list;
+Words listed(std::span<const Format> formats, const std::string& before) {
+    Words list;
     for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (i > 0) list += i + 1 == formats.size() ? " or " : ", ";
-        list.append(before).append(names[static_cast<std::size_t>(formats[i])]);
+        if (i > 0) list += i + 1 == formats.size() ? Words(" or ", " o ") : Words(std::string(", "));
+        list += before + std::string(names[static_cast<std::size_t>(formats[i])]);
     }
     return list;
 }
@@ -52,74 +52,87 @@ std::string Target::path_of_page(std::size_t page) const {
     return numbered.insert(ending_of(path), '-' + std::to_string(page + 1));
 }
 
-tl::expected<std::vector<Target>, std::string> targets_of(const std::vector<std::string>& outputs, const std::string& format,
-                                                          const std::string& file, std::span<const Format> formats) {
+tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::string>& outputs, const std::string& format,
+                                                    const std::string& file, std::span<const Format> formats) {
     std::vector<std::string> paths = outputs;
     if (paths.empty() && !format.empty()) paths.emplace_back("-");
     std::vector<Target> targets;
     for (const std::string& path : paths) {
-        if (path.empty() || path.ends_with('/')) return tl::unexpected("-o \"" + path + "\" names no file");
+        if (path.empty() || path.ends_with('/'))
+            return tl::unexpected(Words("-o \"{0}\" names no file", "-o \"{0}\" non indica un file", path));
         const std::size_t ending = ending_of(path);
         std::optional<Format> found;
         if (path != "-" && ending < path.size()) found = format_named(path.substr(ending + 1), formats);
         if (!found) found = format_named(format, formats);
-        if (!found && path == "-") return tl::unexpected("-o - needs --format " + listed(formats, ""));
+        if (!found && path == "-")
+            return tl::unexpected(Words("-o - needs --format {0}", "-o - richiede --format {0}", listed(formats, "")));
         if (!found)
-            return tl::unexpected("-o " + path + ": the ending does not say what to write; it may be " + listed(formats, ".") +
-                                  " (or --format says it)");
+            return tl::unexpected(Words("-o {0}: the ending does not say what to write; it may be {1} (or --format says it)",
+                                        "-o {0}: l’estensione non dice che cosa scrivere; può essere {1} (o lo dice --format)",
+                                        path, listed(formats, ".")));
         for (const Target& other : targets)
             if (other.path == path)
-                return tl::unexpected(path == "-" ? std::string("standard output can carry one output only")
-                                                  : "-o " + path + " is given twice");
+                return tl::unexpected(path == "-" ? Words("standard output can carry one output only",
+                                                          "l’uscita standard può portare un solo risultato")
+                                                  : Words("-o {0} is given twice", "-o {0} è dato due volte", path));
         if (path != "-" && same_file(path, file))
-            return tl::unexpected("-o " + path + " would overwrite the mechanism file itself");
+            return tl::unexpected(Words("-o {0} would overwrite the mechanism file itself",
+                                        "-o {0} sovrascriverebbe il file del meccanismo", path));
         targets.push_back({path, *found});
     }
     return targets;
 }
 
-tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file) {
+tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language) {
     if (name == "-" && file == "-") {
-        say("kinegraph", "standard input can be the mechanism file or the theme, not both");
-        return tl::unexpected(Status::bad_input);
+        return tl::unexpected(refuse({"standard input can be the mechanism file or the theme, not both",
+                                      "l’ingresso standard può essere il file del meccanismo o il tema, non entrambi"},
+                                     language));
     }
     if (auto built_in = render::built_in_theme(name)) return *std::move(built_in);
-    const auto text = read_whole(name, "theme file");
+    const auto text = read_whole(name, {"theme file", "file di tema"});
     if (!text) {
         std::string known;
         for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
-        say(spoken(name), text.error() + " (--theme is one of " + known + ", or the path of a theme file)");
+        say(spoken(name),
+            {"{0} (--theme is one of {1}, or the path of a theme file)",
+             "{0} (--theme è uno fra {1}, o il percorso di un file di tema)", text.error(), known},
+            language);
         return tl::unexpected(Status::bad_input);
     }
     auto theme = render::read_theme(*text);
-    if (!theme) return tl::unexpected(say(spoken(name), theme.error()));
+    if (!theme) return tl::unexpected(say(spoken(name), theme.error(), language));
     return *std::move(theme);
 }
 
-bool names_clash(const std::vector<Output>& outputs, const std::string& file) {
+bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
-            say("kinegraph", "two outputs of this run would both be " + outputs[i].path);
+            refuse({"two outputs of this run would both be {0}", "due risultati di questo comando sarebbero entrambi {0}",
+                    outputs[i].path},
+                   language);
             return true;
         }
         if (outputs[i].path != "-" && same_file(outputs[i].path, file)) {
-            say("kinegraph", outputs[i].path + " (a further page) would overwrite the mechanism file itself");
+            refuse({"{0} (a further page) would overwrite the mechanism file itself",
+                    "{0} (una pagina seguente) sovrascriverebbe il file del meccanismo", outputs[i].path},
+                   language);
             return true;
         }
     }
     return false;
 }
 
-tl::expected<Press, Status> Press::open(const std::vector<Target>& targets) {
-    const auto fails = [](const std::string& why) {
-        say("kinegraph", why);
+tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language) {
+    const auto fails = [&](const Words& why) {
+        refuse(why, language);
         return tl::unexpected(Status::output);
     };
     Press press;
-    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", "Type is set").and_then([](const TypeFunctions* functions) {
-        return functions->open_typefaces();
-    });
+    press.language_ = language;
+    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
+                         .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
     if (!typefaces) return fails(typefaces.error());
     press.fonts_.emplace(*std::move(typefaces));
     if (std::any_of(targets.begin(), targets.end(),
@@ -147,14 +160,20 @@ void Press::print(const std::vector<render::Page>& pages, const Target& target, 
             outputs.push_back({target.path_of_page(page), painter_->to_png(pages[page], *fonts_, dpi)});
     }
     if (count < pages.size())
-        remarks.push_back("the sheet has " + std::to_string(pages.size()) +
-                          " pages and standard output carries the first only; a PDF has them all, and so has -o with a name");
+        remarks.push_back(in(
+            {"the sheet has {0} pages and standard output carries the first only; a PDF has them all, and so has -o with a name",
+             "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, e così -o con un nome",
+             std::to_string(pages.size())},
+            language_));
 }
 
 void Press::remark_missing(std::vector<std::string>& remarks) const {
     std::string absent;
     for (const std::string& character : fonts_->missing()) absent += (absent.empty() ? "" : ", ") + character;
-    if (!absent.empty()) remarks.push_back("the font has no " + absent + ": drawn as its code in a box");
+    if (!absent.empty())
+        remarks.push_back(in({"the font has no {0}: drawn as its code in a box",
+                              "il font non ha {0}: disegnato come codice in un riquadro", absent},
+                             language_));
 }
 
 }  // namespace kinegraph::app

@@ -14,10 +14,9 @@ std::string bytes_of(CairoFunctions::Bytes bytes) {
 
 }  // namespace
 
-tl::expected<Painter, std::string> Painter::open() {
-    return open_module_as<CairoFunctions>("kinegraph_cairo", "PNG and PDF are drawn").map([](const CairoFunctions* functions) {
-        return Painter(*functions);
-    });
+tl::expected<Painter, Words> Painter::open() {
+    return open_module_as<CairoFunctions>("kinegraph_cairo", {"PNG and PDF are drawn", "PNG e PDF sono disegnati"})
+        .map([](const CairoFunctions* functions) { return Painter(*functions); });
 }
 
 std::string Painter::to_png(const render::Page& page, const render::Glyphs& glyphs, double dpi) const {

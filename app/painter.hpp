@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 
 #include "app/modules/cairo.hpp"
+#include "engine/words.hpp"
 
 namespace kinegraph::app {
 
@@ -14,7 +15,7 @@ namespace kinegraph::app {
 class Painter {
 public:
     /// Error: a line that says what is missing.
-    static tl::expected<Painter, std::string> open();
+    static tl::expected<Painter, Words> open();
 
     std::string to_png(const render::Page& page, const render::Glyphs& glyphs, double dpi) const;
     std::string to_pdf(const std::vector<render::Page>& pages, const render::Glyphs& glyphs) const;

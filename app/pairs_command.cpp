@@ -8,21 +8,16 @@
 
 namespace kinegraph::app {
 Status pairs_command(const PairsRequest& request) {
-    if (request.file.empty()) return print(render::pair_catalogue(request.language, request.form));
-    const std::string name = spoken(request.file);
-    const auto text = read_whole(request.file, "mechanism file");
-    if (!text) {
-        say(name, text.error());
-        return Status::bad_input;
-    }
-    const auto mechanism = read_mechanism(*text, bare_name(request.file));
-    if (!mechanism) return say(name, mechanism.error());
+    if (request.file.empty()) return print(render::pair_catalogue(request.language, request.form), request.language);
+    const auto mechanism = mechanism_of(request.file, request.language);
+    if (!mechanism) return mechanism.error();
     const auto pose = draw_pose(*mechanism);
-    if (!pose) return say(name, pose.error());
+    if (!pose) return say(spoken(request.file), pose.error(), request.language);
     const Mobility mobility = mobility_of(*mechanism, *pose);
     return print(render::pair_report(*mechanism, mobility,
                                      remarks_on_mobility(*mechanism, mobility, degenerate_motion(*mechanism, *pose, mobility)),
-                                     request.language, request.form));
+                                     request.language, request.form),
+                 request.language);
 }
 
 }  // namespace kinegraph::app

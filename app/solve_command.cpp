@@ -20,27 +20,27 @@ namespace {
 std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
 
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
-const char* why_no_lever(const Solution& solution) {
+Words why_no_lever(const Solution& solution) {
     switch (render::no_lever(solution)) {
         case render::NoLever::none:
-            return "";
+            return {};
         case render::NoLever::no_forces:
-            return "no forces act, or none are asked for";
+            return {"no forces act, or none are asked for", "nessuna forza agisce o è richiesta"};
         case render::NoLever::no_velocities:
-            return "forces have powers only where something is driven and its velocities are known";
+            return {"forces have powers only where something is driven and its velocities are known",
+                    "le forze hanno potenza solo dove qualcosa è comandato e le sue velocità sono note"};
         case render::NoLever::nothing_moves:
-            return "no force acts at a point that moves";
+            return {"no force acts at a point that moves", "nessuna forza agisce in un punto che si muove"};
     }
-    return "";
+    return {};
 }
 
 /// Positions asked for, as the driver's coordinates: exactly, and as they are told.
 struct Asked {
     Exact coordinate;
-    std::string text;
+    Words text;
 };
-tl::expected<std::vector<Asked>, std::string> positions_asked(const SolveRequest& request, const Mechanism& mechanism,
-                                                              int driver) {
+tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism, int driver) {
     constexpr std::size_t most = 720;
     std::vector<Asked> all;
     const auto add = [&](const Exact& coordinate) {
@@ -49,80 +49,83 @@ tl::expected<std::vector<Asked>, std::string> positions_asked(const SolveRequest
     for (const std::string& text : request.at) {
         const bool every = text.starts_with("every ");
         const auto read = coordinate_of(mechanism, driver, every ? text.substr(6) : text);
-        if (!read) return tl::unexpected("--at: " + read.error());
+        if (!read) return tl::unexpected(std::string("--at: ") + read.error());
         if (!every) {
             add(*read);
             continue;
         }
-        if (!turns(mechanism, driver)) return tl::unexpected("--at " + text + ": a slide has no whole turn; give its positions");
+        if (!turns(mechanism, driver))
+            return tl::unexpected(Words("--at {0}: a slide has no whole turn; give its positions",
+                                        "--at {0}: uno scorrimento non ha giro intero; dare le sue posizioni", text));
         if (read->sign() <= 0 || *read * Exact(static_cast<int>(most)) < 2 * pi())
-            return tl::unexpected("--at " + text + ": a turn is divided into 1 to " + std::to_string(most) + " positions");
+            return tl::unexpected(Words("--at {0}: a turn is divided into 1 to {1} positions",
+                                        "--at {0}: un giro si divide in 1–{1} posizioni", text, std::to_string(most)));
         for (Exact turn = 0; turn < 2 * pi(); turn += *read) add(turn);
     }
-    if (all.size() > most) return tl::unexpected("--at: at most " + std::to_string(most) + " positions in one run");
+    if (all.size() > most)
+        return tl::unexpected(
+            Words("--at: at most {0} positions in one run", "--at: al più {0} posizioni in un comando", std::to_string(most)));
     return all;
 }
 
 /// Its title says in which position a sheet is.
-void name_position(Mechanism& mechanism, const std::string& driver, const std::string& turn) {
-    for (std::string* title : {&mechanism.title.en, &mechanism.title.it}) {
-        const std::string& known = title->empty() ? mechanism.source : *title;
-        *title = known + " (" + driver + ": " + turn + ")";
-    }
+void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
+    Words& title = mechanism.title;
+    if (title.empty()) title = mechanism.source;
+    title = Words(in(title, Language::en), in(title, Language::it)) + Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
 }
 
 /// The mechanism solved in the positions asked for; else it has been said what is wrong.
-tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism, const SolveRequest& request,
-                                                      const std::string& name) {
-    const auto wrong = [&](const std::string& why, Status status = Status::bad_input) {
-        say(name, why);
+tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism, const SolveRequest& request) {
+    const Words file = spoken(request.file);
+    const auto wrong = [&](const Words& why, Status status = Status::bad_input) {
+        say(file, why, request.language);
         return tl::unexpected(status);
     };
+    const auto wrong_file = [&](const Errors& errors) { return tl::unexpected(say(file, errors, request.language)); };
     const auto driver = driver_named(mechanism, request.driver);
     if (!driver) return wrong(driver.error());
     const auto asked = positions_asked(request, mechanism, *driver);
     if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(mechanism);
-    if (!pose) return tl::unexpected(say(name, pose.error()));
+    if (!pose) return wrong_file(pose.error());
     auto positions = Positions::of(mechanism, *pose, *driver);
-    if (!positions) return tl::unexpected(say(name, positions.error()));
+    if (!positions) return wrong_file(positions.error());
     const Mover mover(mechanism, *pose);
+    const std::string name = name_of_driver(mechanism, *driver);
     std::vector<Solution> solutions;
     for (const auto& [coordinate, text] : *asked) {
         if (coordinate.is_zero()) {
             auto drawn = solve(mechanism);
-            if (!drawn) return tl::unexpected(say(name, drawn.error()));
+            if (!drawn) return wrong_file(drawn.error());
             solutions.push_back(*std::move(drawn));
         } else {
             Positions here = *positions;
             if (!here.move_to(coordinate.to_double()))
-                return wrong("--at: " + text + " is out of reach: driver " + name_of_driver(mechanism, *driver) + " stops at " +
-                             coordinate_text(mechanism, *driver, here.limit().value_or(0)));
+                return wrong(std::string("--at: ") +
+                             out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
             if (here.is_singular())
-                return wrong("--at: at " + text +
-                                 " the mechanism is at a change point, where it has no one answer; ask for a position beside it",
-                             Status::unsolved);
+                return wrong(
+                    {"--at: at {0} the mechanism is at a change point, where it has no one answer; ask for a position beside it",
+                     "--at: a {0} il meccanismo è in un punto di biforcazione, senza risposta unica; chiedere una posizione vicina",
+                     text},
+                    Status::unsolved);
             Moved moved = mover.moved(here, coordinate);
             solutions.push_back(
                 solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; }));
         }
-        name_position(solutions.back().mechanism, name_of_driver(mechanism, *driver), text);
+        name_position(solutions.back().mechanism, name, text);
     }
     return solutions;
 }
 
 /// The file read and solved; else it has been said what is wrong.
-tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request, const std::string& name) {
-    const auto text = read_whole(request.file, "mechanism file");
-    if (!text) {
-        say(name, text.error());
-        return tl::unexpected(Status::bad_input);
-    }
-    auto mechanism = read_mechanism(*text, bare_name(request.file));
-    if (!mechanism) return tl::unexpected(say(name, mechanism.error()));
-    if (!request.at.empty()) return solved_at(*mechanism, request, name);
+tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
+    auto mechanism = mechanism_of(request.file, request.language);
+    if (!mechanism) return tl::unexpected(mechanism.error());
+    if (!request.at.empty()) return solved_at(*mechanism, request);
     auto solution = solve(*std::move(mechanism));
-    if (!solution) return tl::unexpected(say(name, solution.error()));
+    if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
     std::vector<Solution> solutions;
     solutions.push_back(*std::move(solution));
     return solutions;
@@ -134,8 +137,7 @@ bool wants_lever(const SolveRequest& request) {
 
 /// The sheet, its steps or one figure; else it has been said that there is no such figure.
 tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
-                                                         const SolveRequest& request, const std::string& name,
-                                                         const render::Fonts& fonts) {
+                                                         const SolveRequest& request, const render::Fonts& fonts) {
     render::SheetOptions options;
     options.paper = request.paper;
     options.language = request.language;
@@ -150,7 +152,10 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
     std::string names;
     for (const std::string& each : render::figure_names(solution, options, fonts)) names += (names.empty() ? "" : ", ") + each;
-    say(name, "--figure " + request.figure + ": there is no such figure; there are " + names);
+    say(spoken(request.file),
+        {"--figure {0}: there is no such figure; there are {1}", "--figure {0}: non c’è questa figura; ci sono {1}",
+         request.figure, names},
+        request.language);
     return tl::unexpected(Status::bad_input);
 }
 
@@ -159,21 +164,28 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
                        std::vector<std::string>& remarks) {
     const auto is_json = [](const Target& target) { return target.format == Format::json; };
     const bool draws = !std::all_of(targets.begin(), targets.end(), is_json);
+    const auto remark = [&](const Words& words) { remarks.push_back(in(words, request.language)); };
     if (wants_lever(request)) {
-        if (const char* why = why_no_lever(solution); *why)
-            remarks.push_back(std::string("no lever: ") + why);
+        if (const Words why = why_no_lever(solution); !why.empty())
+            remark({"no lever: {0}", "nessuna leva: {0}", why});
         else if (!draws)
-            remarks.emplace_back("--with joukowsky adds to the sheet only, and none is asked for");
+            remark({"--with joukowsky adds to the sheet only, and none is asked for",
+                    "--with joukowsky aggiunge solo al foglio, e nessuno è richiesto"});
     }
-    if (!request.figure.empty() && !draws) remarks.emplace_back("--figure chooses what is drawn, and no drawing is asked for");
-    if (request.steps && !draws) remarks.emplace_back("--steps adds pages to what is drawn, and no drawing is asked for");
+    if (!request.figure.empty() && !draws)
+        remark({"--figure chooses what is drawn, and no drawing is asked for",
+                "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});
+    if (request.steps && !draws)
+        remark({"--steps adds pages to what is drawn, and no drawing is asked for",
+                "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"});
     if (request.exact && std::none_of(targets.begin(), targets.end(), is_json))
-        remarks.emplace_back("--exact adds to the JSON results only, and none are asked for");
+        remark({"--exact adds to the JSON results only, and none are asked for",
+                "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"});
 }
 
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
 tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions, const std::vector<Target>& targets,
-                                               const render::Theme& theme, const SolveRequest& request, const std::string& name,
+                                               const render::Theme& theme, const SolveRequest& request,
                                                std::vector<std::string>& remarks) {
     std::vector<Output> outputs;
     if (targets.empty()) {
@@ -185,11 +197,11 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
     std::optional<Press> press;
     std::vector<render::Page> pages;
     if (std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); })) {
-        auto opened = Press::open(targets);
+        auto opened = Press::open(targets, request.language);
         if (!opened) return tl::unexpected(opened.error());
         press.emplace(*std::move(opened));
         for (const Solution& solution : solutions) {
-            auto more = pages_of(solution, theme, request, name, press->fonts());
+            auto more = pages_of(solution, theme, request, press->fonts());
             if (!more) return tl::unexpected(more.error());
             std::move(more->begin(), more->end(), std::back_inserter(pages));
         }
@@ -203,7 +215,9 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
             if (i == 0 || !target.standard())
                 outputs.push_back({target.path_of_page(i), results_json(solutions[i], request.exact, in_english)});
         if (target.standard() && solutions.size() > 1)
-            remarks.emplace_back("standard output carries the first position only; -o with a name writes them all");
+            remarks.push_back(in({"standard output carries the first position only; -o with a name writes them all",
+                                  "l’uscita standard porta solo la prima posizione; -o con un nome le scrive tutte"},
+                                 request.language));
     }
     if (press) press->remark_missing(remarks);
     return outputs;
@@ -212,43 +226,40 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
 }  // namespace
 
 Status solve_command(const SolveRequest& request) {
-    const std::string name = spoken(request.file);
+    const Language language = request.language;
     constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
-    if (!targets) {
-        say("kinegraph", targets.error());
-        return Status::bad_input;
-    }
-    const auto theme = theme_of(request.theme, request.file);
+    if (!targets) return refuse(targets.error(), language);
+    const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
-    const auto solutions = solutions_of(request, name);
+    const auto solutions = solutions_of(request);
     if (!solutions) return solutions.error();
 
     std::vector<std::string> remarks;
-    const auto tell = [&](const Message& message) { return render::tell(message, request.language); };
+    const auto tell = [&](const Message& message) { return render::tell(message, language); };
     const auto add = [&](std::string remark) {
         if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(std::move(remark));
     };
     for (const Solution& solution : *solutions)
         for (const Message& remark : solution.remarks) add(tell(remark));
-    const auto outputs = made(*solutions, *targets, *theme, request, name, remarks);
+    const auto outputs = made(*solutions, *targets, *theme, request, remarks);
     if (!outputs) return outputs.error();
     remark_on_request(request, solutions->front(), *targets, remarks);
-    if (names_clash(*outputs, request.file)) return Status::bad_input;
-    if (const auto failure = write_all(*outputs)) {
-        say(failure->path == "-" ? "standard output" : failure->path, "cannot be written: " + failure->why);
-        return Status::output;
-    }
-    for (const std::string& remark : remarks) say(name, render::word("a remark", request.language) + ": " + remark);
-    bool whole = true;
+    if (names_clash(*outputs, request.file, language)) return Status::bad_input;
+    if (const auto failure = write_all(*outputs)) return fail_to_write(*failure, language);
+    const auto tell_of = [&](const Words& where, const char* kind, const std::string& line) {
+        say(where, render::word(kind, language) + ": " + line, language);
+    };
+    for (const std::string& remark : remarks) tell_of(spoken(request.file), "a remark", remark);
+    Status status = Status::done;
     for (const Solution& solution : *solutions) {
-        const std::string where = request.at.empty() ? name : solution.mechanism.title.en;
+        const Words where = request.at.empty() ? spoken(request.file) : solution.mechanism.title;
         for (const Unsolved& unsolved : solution.unsolved) {
-            say(where, render::word("one unsolved", request.language) + ": " + tell(unsolved.what) + ": " + tell(unsolved.why));
-            whole = false;
+            tell_of(where, "one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
+            status = Status::unsolved;
         }
     }
-    return whole ? Status::done : Status::unsolved;
+    return status;
 }
 
 }  // namespace kinegraph::app

@@ -12,7 +12,7 @@ namespace kinegraph::app {
 
 struct NotDrawn {
     Status status = Status::bad_input;  ///< output where the program is missing
-    std::string why;
+    Words why;
 };
 /// The bytes of a PNG of the SVG at `dpi` dots per inch. Files that the SVG refers to are not read.
 tl::expected<std::string, NotDrawn> svg_to_png(const std::string& svg, double dpi);

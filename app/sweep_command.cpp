@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -93,8 +91,8 @@ public:
         }
         flush();
     }
-    bool is_whole() const { return why_.empty(); }
-    const std::string& why() const { return why_; }
+    /// What could not be written, if it could not.
+    const std::optional<NotWritten>& failure() const { return failure_; }
     Output finish() { return std::move(file_).finish(); }
 
 private:
@@ -104,13 +102,14 @@ private:
         return is_one ? text : "null";
     }
     void flush() {
-        if (why_.empty() && !file_.add(text_)) why_ = std::strerror(errno);
+        if (!failure_) failure_ = file_.add(text_);
         text_.clear();
     }
 
     Growing file_;
     Format format_;
-    std::string text_, why_;
+    std::string text_;
+    std::optional<NotWritten> failure_;
     long rows_ = 0;
 };
 
@@ -144,7 +143,7 @@ struct Asked {
     int driver = 0;
     std::optional<double> from, to;
 };
-tl::expected<Asked, std::string> asked_of(const SweepRequest& request, const Mechanism& mechanism) {
+tl::expected<Asked, Words> asked_of(const SweepRequest& request, const Mechanism& mechanism) {
     Asked asked;
     const auto driver = driver_named(mechanism, request.driver);
     if (!driver) return tl::unexpected(driver.error());
@@ -153,12 +152,13 @@ tl::expected<Asked, std::string> asked_of(const SweepRequest& request, const Mec
          {std::tuple(&request.from, "--from ", &asked.from), std::tuple(&request.to, "--to ", &asked.to)}) {
         if (text->empty()) continue;
         const auto read = coordinate_of(mechanism, *driver, *text);
-        if (!read) return tl::unexpected(option + read.error());
+        if (!read) return tl::unexpected(std::string(option) + read.error());
         *value = read->to_double();
     }
     if (asked.from && asked.to && *asked.from == *asked.to)
-        return tl::unexpected(std::string("--from and --to are the same position; solve --at gives one"));
-    if (request.steps < 2) return tl::unexpected(std::string("--steps: at least 2 are needed"));
+        return tl::unexpected(Words("--from and --to are the same position; solve --at gives one",
+                                    "--from e --to sono la stessa posizione; solve --at ne dà una"));
+    if (request.steps < 2) return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
     return asked;
 }
 
@@ -183,21 +183,26 @@ public:
             ++sum.rows;
         }
     }
-    void say_all(const std::string& name, const Cycle& cycle, const Mechanism& mechanism, int driver) const {
+    /// A line each.
+    std::vector<Words> told(const Cycle& cycle, const Mechanism& mechanism, int driver) const {
+        std::vector<Words> lines;
         for (const Sum& sum : sums_) {
             if (sum.rows < 2) continue;
             const Column& column = cycle.columns()[sum.column];
             const Unit& unit = column.unit == QuantityKind::moment ? mechanism.units.moment : mechanism.units.force;
-            const auto told = [&](double value) {
-                std::array<char, 32> text{};
-                std::snprintf(text.data(), text.size(), "%.6g ", value / unit.si.to_double());
-                return text.data() + unit.symbol;
+            const auto text = [&](double value) {
+                std::array<char, 32> digits{};
+                std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
+                return decimal(digits.data()) + unit.symbol;
             };
             const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)), mean = sum.integral / sum.way;
-            say(name, column.name + ": mean " + told(std::abs(mean) < rounding ? 0 : mean) + ", least " + told(sum.least) +
-                          " at " + coordinate_text(mechanism, driver, sum.least_at) + ", greatest " + told(sum.most) + " at " +
-                          coordinate_text(mechanism, driver, sum.most_at));
+            lines.emplace_back("{0}: mean {1}, least {2} at {3}, greatest {4} at {5}",
+                               "{0}: media {1}, minimo {2} a {3}, massimo {4} a {5}", column.name,
+                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least),
+                               coordinate_text(mechanism, driver, sum.least_at), text(sum.most),
+                               coordinate_text(mechanism, driver, sum.most_at));
         }
+        return lines;
     }
 
 private:
@@ -212,45 +217,49 @@ private:
 /// What is said of a sweep when it is done.
 class Report {
 public:
-    Report(const std::string& name, const Mechanism& mechanism, int driver)
-        : name_(name), mechanism_(mechanism), driver_(driver) {}
+    Report(const SweepRequest& request, const Mechanism& mechanism, int driver)
+        : request_(request), mechanism_(mechanism), driver_(driver) {}
 
+    void line(const Words& words) const { say(spoken(request_.file), words, request_.sheet.language); }
     void on_travel(const Travel& travel) const {
         if (travel.starts_at_limit || travel.ends_at_limit)
-            say(name_, "driver " + name_of_driver(mechanism_, driver_) + " goes from " + text(travel.from) + " to " +
-                           text(travel.to) + (travel.starts_at_limit ? ", its limits" : ", its limit"));
+            line({"driver {0} goes from {1} to {2}, {3}", "il movente {0} va da {1} a {2}, {3}",
+                  name_of_driver(mechanism_, driver_), text(travel.from), text(travel.to),
+                  travel.starts_at_limit ? Words("its limits", "i suoi limiti") : Words("its limit", "il suo limite")});
         for (const double each : travel.change_points)
-            say(name_, "a change point at " + coordinate_text(mechanism_, driver_, each, 1e-6) +
-                           ": the branch is a choice there; the one is taken that goes on smoothly");
-        if (mechanism_.drivers.size() > 1) say(name_, "the other drivers rest where they are drawn, with the rates of the file");
+            line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
+                  "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza salti",
+                  coordinate_text(mechanism_, driver_, each, 1e-6)});
+        if (mechanism_.drivers.size() > 1)
+            line({"the other drivers rest where they are drawn, with the rates of the file",
+                  "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del file"});
     }
-    /// True: differences as rounding leaves them.
+    /// As rounding leaves it.
     void on_difference(const Cycle& cycle) const {
         const Cycle::Difference off = cycle.difference();
         if (off.column < 0) return;
         std::array<char, 32> share{};
         std::snprintf(share.data(), share.size(), "%.1e", off.share);
-        say(name_, std::string("largest difference from the numeric check: ") + share.data() + " of the largest of its kind (" +
-                       cycle.columns()[static_cast<std::size_t>(off.column)].name + " at " + text(off.coordinate) + ")");
+        line({"largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
+              "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
+              decimal(share.data()), cycle.columns()[static_cast<std::size_t>(off.column)].name, text(off.coordinate)});
     }
     void on_rows_left_out(long count, double first, double last) const {
-        if (count == 0) return;
-        say(name_, std::to_string(count) + (count == 1 ? " row is" : " rows are") +
-                       " left out, where the mechanism gives no unique answer: " + text(first) +
-                       (count > 1 ? " … " + text(last) : std::string()));
+        if (count == 1)
+            line({"1 row is left out, where the mechanism gives no unique answer: {0}",
+                  "1 riga è omessa, dove il meccanismo non dà una risposta unica: {0}", text(first)});
+        if (count > 1)
+            line({"{0} rows are left out, where the mechanism gives no unique answer: {1} … {2}",
+                  "{0} righe sono omesse, dove il meccanismo non dà una risposta unica: {1} … {2}", std::to_string(count),
+                  text(first), text(last)});
     }
 
 private:
-    std::string text(double coordinate) const { return coordinate_text(mechanism_, driver_, coordinate); }
-    const std::string& name_;
+    Words text(double coordinate) const { return coordinate_text(mechanism_, driver_, coordinate); }
+    const SweepRequest& request_;
     const Mechanism& mechanism_;
     int driver_;
 };
-
-Status cannot_write(const NotWritten& failure) {
-    say(failure.path == "-" ? "standard output" : failure.path, "cannot be written: " + failure.why);
-    return Status::output;
-}
 
 /// The drawing as a run needs it: what is asked, read against the columns before the first row.
 struct Drawing {
@@ -270,58 +279,55 @@ struct Drawing {
 class Sweep {
 public:
     Sweep(const SweepRequest& request, const Mechanism& mechanism, Cycle cycle, int driver, const Travel& travel)
-        : request_(request),
-          name_(spoken(request.file)),
-          mechanism_(mechanism),
-          cycle_(std::move(cycle)),
-          driver_(driver),
-          travel_(travel) {}
+        : request_(request), mechanism_(mechanism), cycle_(std::move(cycle)), driver_(driver), travel_(travel) {}
 
     Status run(const std::vector<Target>& targets) {
         missing_ = cycle_.begin(travel_);
         const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
         if (const auto wrong = prepare_drawing(draws)) {
-            say(name_, *wrong);
+            say(spoken(request_.file), *wrong, language());
             return Status::bad_input;
         }
-        const auto theme = theme_of(request_.theme, request_.file);
+        const auto theme = theme_of(request_.theme, request_.file, language());
         if (!theme) return theme.error();
         std::vector<RowFile> files;
-        std::vector<std::string> paths;
         for (const Target& target : targets) {
             if (target.is_drawn()) continue;
             auto file = Growing::open(target.path);
-            if (!file) return cannot_write(file.error());
+            if (!file) return fail_to_write(file.error(), language());
             files.emplace_back(*std::move(file), target.format);
             files.back().head(cycle_.columns(), name_of_driver(mechanism_, driver_), travel_);
-            paths.push_back(target.path);
         }
         EffortSums efforts(cycle_.columns());
         const auto fails = [&]() -> std::optional<NotWritten> {
-            for (std::size_t i = 0; i < files.size(); ++i)
-                if (!files[i].is_whole()) return NotWritten{paths[i], files[i].why()};
+            for (const RowFile& file : files)
+                if (file.failure()) return file.failure();
             return std::nullopt;
         };
-        if (!write_rows(files, efforts, draws, fails)) return cannot_write(*fails());
+        if (!write_rows(files, efforts, draws, fails)) return fail_to_write(*fails(), language());
         for (RowFile& file : files) file.tail(cycle_);
-        if (const auto failure = fails()) return cannot_write(*failure);
+        if (const auto failure = fails()) return fail_to_write(*failure, language());
         std::vector<Output> outputs;
         for (RowFile& file : files) outputs.push_back(file.finish());
         if (draws)
             if (const auto status = draw(targets, *theme, outputs)) return *status;
-        if (names_clash(outputs, request_.file)) return Status::bad_input;
-        if (const auto failure = write_all(outputs)) return cannot_write(*failure);
+        if (names_clash(outputs, request_.file, language())) return Status::bad_input;
+        if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
         return report(efforts);
     }
 
 private:
-    std::optional<std::string> prepare_drawing(bool draws) {
+    Language language() const { return request_.sheet.language; }
+
+    std::optional<Words> prepare_drawing(bool draws) {
         auto traces = traces_of(request_.traces, mechanism_);
         if (!traces) return traces.error();
         auto plots = plots_of(request_.plots, cycle_.columns());
         if (!plots) return plots.error();
         if (!draws && !(request_.plots.empty() && request_.traces.empty() && request_.poses == 0))
-            remarks_.emplace_back("--plot, --trace and --poses add to the drawing, and none is asked for");
+            remarks_.push_back(in({"--plot, --trace and --poses add to the drawing, and none is asked for",
+                                   "--plot, --trace e --poses aggiungono al disegno, e nessuno è richiesto"},
+                                  language()));
         drawing_.plots = *std::move(plots);
         drawing_.traces = *std::move(traces);
         drawing_.table.driver = name_of_driver(mechanism_, driver_);
@@ -363,9 +369,9 @@ private:
         plain.find = {};
         plain.find.stated = plain.find.velocity = true;
         auto drawn = solve(std::move(plain));
-        if (!drawn) return say(name_, drawn.error());
+        if (!drawn) return say(spoken(request_.file), drawn.error(), language());
         drawing_.table.transmission = transmission_of(mechanism_, cycle_.positions(), driver_, travel_);
-        const auto press = Press::open(targets);
+        const auto press = Press::open(targets, language());
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
@@ -378,21 +384,21 @@ private:
     }
 
     Status report(const EffortSums& efforts) const {
-        for (const std::string& remark : remarks_) say(name_, "remark: " + remark);
-        const Report report(name_, mechanism_, driver_);
+        const Report report(request_, mechanism_, driver_);
+        const auto tell_of = [&](const char* kind, const std::string& line) {
+            report.line(render::word(kind, language()) + ": " + line);
+        };
+        for (const std::string& remark : remarks_) tell_of("a remark", remark);
         report.on_travel(travel_);
-        efforts.say_all(name_, cycle_, mechanism_, driver_);
+        for (const Words& line : efforts.told(cycle_, mechanism_, driver_)) report.line(line);
         report.on_rows_left_out(left_out_, first_left_out_, last_left_out_);
         report.on_difference(cycle_);
-        const auto tell = [](const Message& message) { return render::tell(message, render::Language::en); };
-        for (const Unsolved& unsolved : missing_)
-            say(name_,
-                render::word("one unsolved", render::Language::en) + ": " + tell(unsolved.what) + ": " + tell(unsolved.why));
+        const auto tell = [&](const Message& message) { return render::tell(message, language()); };
+        for (const Unsolved& unsolved : missing_) tell_of("one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
         return left_out_ == 0 && missing_.empty() ? Status::done : Status::unsolved;
     }
 
     const SweepRequest& request_;
-    std::string name_;
     const Mechanism& mechanism_;
     Cycle cycle_;
     int driver_;
@@ -407,33 +413,32 @@ private:
 }  // namespace
 
 Status sweep_command(const SweepRequest& request) {
-    const std::string name = spoken(request.file);
-    const auto wrong = [](const std::string& subject, const std::string& why) {
-        say(subject, why);
+    const Words name = spoken(request.file);
+    const Language language = request.sheet.language;
+    const auto wrong = [&](const Words& why) {
+        say(name, why, language);
         return Status::bad_input;
     };
     constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
-    if (!targets) return wrong("kinegraph", targets.error());
+    if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});
-    const auto text = read_whole(request.file, "mechanism file");
-    if (!text) return wrong(name, text.error());
-    const auto mechanism = read_mechanism(*text, bare_name(request.file));
-    if (!mechanism) return say(name, mechanism.error());
+    const auto mechanism = mechanism_of(request.file, language);
+    if (!mechanism) return mechanism.error();
     const auto asked = asked_of(request, *mechanism);
-    if (!asked) return wrong(name, asked.error());
+    if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(*mechanism);
-    if (!pose) return say(name, pose.error());
+    if (!pose) return say(name, pose.error(), language);
     auto cycle = Cycle::of(*mechanism, *pose, asked->driver);
-    if (!cycle) return say(name, cycle.error());
+    if (!cycle) return say(name, cycle.error(), language);
     const auto travel = travel_of(cycle->positions(), turns(*mechanism, asked->driver), asked->from, asked->to);
     if (!travel) {
         const TravelFault& fault = travel.error();
+        const std::string driver = name_of_driver(*mechanism, asked->driver);
         const auto at = [&](double coordinate) { return coordinate_text(*mechanism, asked->driver, coordinate); };
-        return wrong(name, fault.limit
-                               ? at(fault.wanted) + " is out of reach: driver " + name_of_driver(*mechanism, asked->driver) +
-                                     " stops at " + at(*fault.limit)
-                               : "driver " + name_of_driver(*mechanism, asked->driver) + " has no limit; give --from and --to");
+        return wrong(fault.limit ? out_of_reach(at(fault.wanted), driver, at(*fault.limit))
+                                 : Words("driver {0} has no limit; give --from and --to",
+                                         "il movente {0} non ha limiti; dare --from e --to", driver));
     }
     return Sweep(request, *mechanism, *std::move(cycle), asked->driver, *travel).run(*targets);
 }

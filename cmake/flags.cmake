@@ -25,7 +25,11 @@ target_compile_options(kinegraph_flags INTERFACE
     -ffunction-sections -fdata-sections
     -fno-semantic-interposition)                      # nobody puts a function of his own in the place of one of ours
 
-if(KINEGRAPH_SANITIZE)
+if(KINEGRAPH_FUZZ)
+    set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
+    add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS)
+    add_link_options(-fsanitize=address,undefined)
+elseif(KINEGRAPH_SANITIZE)
     # This build also sees whether every file includes what it uses; and clang-tidy reads its commands.
     set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
     # Everything that is linked together must agree, so these are for the whole tree.

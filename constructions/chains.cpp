@@ -179,14 +179,15 @@ void Chains::start_slide(const Track<plane>& track, const Locus& locus, Chain<pl
 
 LineReason Chains::line_reason(const Locus& locus) const {
     const Joint& joint = mechanism_.joints[at(locus.joint)];
-    if (locus.kind == Locus::Kind::mesh) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
-    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_tangent, joint.name, {}};
+    const std::string& place = mechanism_.points[at(joint.point)].name;
+    if (locus.kind == Locus::Kind::mesh) return {LineReason::Kind::parallel_to_normal, place, {}};
+    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_tangent, place, {}};
     return along_guide(mechanism_, locus.joint, false);
 }
 
 LineReason Chains::normal_reason(const Locus& locus) const {
     const Joint& joint = mechanism_.joints[at(locus.joint)];
-    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_normal, joint.name, {}};
+    if (joint.pair().touches()) return {LineReason::Kind::parallel_to_normal, mechanism_.points[at(joint.point)].name, {}};
     return along_guide(mechanism_, locus.joint, true);
 }
 

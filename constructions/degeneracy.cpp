@@ -28,7 +28,7 @@ std::vector<Message> remarks_on_mobility(const Mechanism& mechanism, const Mobil
     std::vector<Message> remarks;
     for (const Mobility::Redundant& redundant : mobility.redundant)
         remarks.push_back(
-            {Sentence::repeated_constraints, {PointName{mechanism.joints[at(redundant.joint)].name}, Count{redundant.rows}}});
+            {Sentence::repeated_constraints, {file_name(mechanism.joints[at(redundant.joint)]), Count{redundant.rows}}});
     if (!motion || motion->freedoms == 0) return remarks;
 
     const auto names = [&](const std::vector<BodyIndex>& bodies) {

@@ -91,6 +91,7 @@ private:
         const auto all = groups();
         // A rule that does not apply leaves no stroke.
         const auto leads_on = [&](auto rule) {
+            if (trials_ > 0 && attempts_left_-- <= 0) return false;
             const Board::Mark before = board_.mark();
             const bool applied = rule();
             if (!applied) board_.rewind(before);
@@ -845,6 +846,7 @@ private:
     Board& board_;
     const Mechanism& mechanism_;
     PlaceOnDrawing origin_;                                       ///< about which gaps are measured
+    long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
     int trials_ = 0;                                              ///< trials under way, one in the other
     StatementIndex statement_ = none;                             ///< said last
     NamedMeets meets_;                                            ///< by member

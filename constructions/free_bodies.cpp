@@ -73,7 +73,7 @@ private:
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
             const JointIndex joint = model_.bonds()[b].joint;
             if (joint != none && mechanism_.joints[at(joint)].pushes && model_.pulls(b, run))
-                results_.remarks.push_back({Sentence::lift_off, {PointName{mechanism_.joints[at(joint)].name}}});
+                results_.remarks.push_back({Sentence::lift_off, {file_name(mechanism_.joints[at(joint)])}});
         }
     }
 
@@ -90,7 +90,7 @@ private:
             joints.push_back(mechanism_.joints[at(redundant.joint)].name);
         }
         if (repeated > 0) return {Sentence::indeterminate, {Count{repeated}, std::move(joints), std::move(open)}};
-        return {Sentence::effort_without_work, {std::move(open)}};
+        return {efforts > 0 ? Sentence::effort_without_work : Sentence::beyond_trials, {std::move(open)}};
     }
 
     void explain(const Run& run, bool balanced) {

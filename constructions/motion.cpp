@@ -672,7 +672,11 @@ LineReason along_guide(const Mechanism& mechanism, JointIndex index, bool perpen
                     name(between->from), name(between->to)};
         }
     }
-    return {perpendicular ? LineReason::Kind::perpendicular_to_guide : LineReason::Kind::parallel_to_guide, joint.name, {}};
+    const JointName guide = reader_name(mechanism, joint);
+    return {perpendicular ? LineReason::Kind::perpendicular_to_guide : LineReason::Kind::parallel_to_guide,
+            guide.name,
+            {},
+            guide.own};
 }
 
 Motion draw_motion(Structure& structure, Board& board, const Plan& plan, bool with_accelerations) {

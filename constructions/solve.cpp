@@ -11,6 +11,7 @@
 #include "constructions/free_bodies.hpp"
 #include "constructions/instant_centres.hpp"
 #include "constructions/motion.hpp"
+#include "constructions/oversights.hpp"
 #include "constructions/plan.hpp"
 #include "constructions/relative_motion.hpp"
 #include "constructions/structure.hpp"
@@ -73,6 +74,7 @@ public:
     void run() {
         solution_.remarks = solution_.pose.remarks;
         remark_degeneracies();
+        oversights_ = oversights(mechanism_, solution_.pose, solution_.mobility);
         add_nodes_of_interest(structure_);
         solution_.bodies.resize(mechanism_.bodies.size());
         if (mechanism_.motion) {
@@ -85,6 +87,7 @@ public:
         if (mechanism_.motion) solution_.settled.velocities = board_.strokes();
         if (wanted_.forces) collect_forces();
         solution_.settled.forces = board_.strokes();
+        lead_with_oversights();
         finish_record();
         if (!is_checked()) return;
         Comparison comparison = compare_with_check(solution_);
@@ -202,6 +205,15 @@ private:
             solution_.remarks.push_back(std::move(remark));
     }
 
+    /// What is not determined for want of drivers or efforts most likely wants what was forgotten: that is said first.
+    void lead_with_oversights() {
+        const bool wanting = std::any_of(solution_.unsolved.begin(), solution_.unsolved.end(), [](const Unsolved& missing) {
+            const Sentence why = missing.why.sentence;
+            return why == Sentence::lacks_drivers || why == Sentence::nothing_drives || why == Sentence::unbalanced;
+        });
+        if (wanting) solution_.remarks.insert(solution_.remarks.begin(), oversights_.begin(), oversights_.end());
+    }
+
     void draw_motion_of_bodies() {
         std::vector<bool> use(mechanism_.drivers.size(), true);
         for (const int idle : solution_.mobility.idle_drivers) use[at(idle)] = false;
@@ -219,7 +231,7 @@ private:
         const Message what = std::visit(
             [&](const auto& given) -> Message {
                 if constexpr (requires { given.joint; }) {
-                    return {Sentence::drive_of_joint, {PointName{mechanism_.joints[at(given.joint)].name}}};
+                    return {Sentence::drive_of_joint, {file_name(mechanism_.joints[at(given.joint)])}};
                 } else {
                     return {Sentence::drive_of_body, {named(given.body)}};
                 }
@@ -359,7 +371,7 @@ private:
             const Joint& joint = mechanism_.joint(index);
             if (!joint.pair().asks_curvatures() || structure_.has_curvatures(index)) continue;
             const bool given = joint.profiles.contains(joint.bodies[0]) && joint.profiles.contains(joint.bodies[1]);
-            return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {PointName{joint.name}}};
+            return {given ? Sentence::curvatures_coincide : Sentence::curvatures_wanted, {file_name(joint)}};
         }
         return {Sentence::hangs_on_undetermined, {}};
     }
@@ -372,7 +384,13 @@ private:
             for (const DeadPoint& dead : plan_.dead_points) {
                 if (carries(dead.node, body)) return {Sentence::dead_point_at, {PointName{structure_.node(dead.node).label}}};
             }
-            return {Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
+            Message lacks{Sentence::lacks_drivers, {Count{mobility.effective}, Count{mobility.driven}}};
+            // Drivers are no remedy where something was forgotten, which the remarks say.
+            if (const int more = mobility.effective - mobility.driven; oversights_.empty()) {
+                lacks.arguments.emplace_back(Count{more});
+                if (more > 1) lacks.arguments.emplace_back(Count{more});
+            }
+            return lacks;
         }
         return {mobility.idle_drivers.empty() ? Sentence::beyond_groups : Sentence::stands_still, {}};
     }
@@ -399,6 +417,7 @@ private:
     const Mechanism& mechanism_;
     Wanted wanted_;
     std::unique_ptr<Pose> finer_;
+    std::vector<Message> oversights_;
     Board board_;
     Board scratch_;  ///< the planner's
     Structure structure_;

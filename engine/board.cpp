@@ -56,8 +56,8 @@ Statement& Board::statement(StatementIndex index) { return protocol_.statements[
 
 Board::Mark Board::mark() const {
     const Program& program = protocol_.program;
-    return {program.strokes.size(),      program.guards.size(), program.givens.size(),
-            protocol_.statements.size(), current_statement_,    largest_};
+    return {program.strokes.size(), program.guards.size(),  program.givens.size(), protocol_.statements.size(),
+            made_in_order_.size(),  asked_in_order_.size(), current_statement_,    largest_};
 }
 
 void Board::rewind(const Mark& mark) {
@@ -74,11 +74,17 @@ void Board::rewind(const Mark& mark) {
     memory_.values.resize(mark.strokes);
     if (finer_memory_.values.size() > mark.strokes) finer_memory_.values.resize(mark.strokes);
     largest_ = mark.largest;
-    std::erase_if(made_, [&](const auto& each) { return is_gone(each.second); });
     std::erase_if(givens_, [&](const auto& each) { return is_gone(each.second); });
-    std::erase_if(numbers_, [&](const auto& each) { return is_gone(each.second); });
-    std::erase_if(directions_, [&](const auto& each) { return is_gone(each.second); });
-    std::erase_if(asked_, [&](const auto& each) { return each.second >= mark.guards; });
+    while (!numbers_.empty() && is_gone(numbers_.back().second)) numbers_.pop_back();
+    while (!directions_.empty() && is_gone(directions_.back().second)) directions_.pop_back();
+    const auto forget = [](auto& map, auto& in_order, std::size_t first, const auto& gone) {
+        const auto kept = std::stable_partition(in_order.begin() + static_cast<std::ptrdiff_t>(first), in_order.end(),
+                                                [&](const auto& entry) { return !gone(entry->second); });
+        std::for_each(kept, in_order.end(), [&](const auto& entry) { map.erase(entry); });
+        in_order.erase(kept, in_order.end());
+    };
+    forget(made_, made_in_order_, mark.made, is_gone);
+    forget(asked_, asked_in_order_, mark.asked, [&](std::size_t guard) { return guard >= mark.guards; });
 }
 
 ElementIndex Board::enter(const Stroke& stroke, Value value) {
@@ -126,7 +132,10 @@ ElementIndex Board::unary(Verb verb, Plane plane, ElementIndex a) { return binar
 
 ElementIndex Board::binary(Verb verb, Plane plane, ElementIndex a, ElementIndex b) {
     const auto [entry, fresh] = made_.try_emplace({verb, plane, a, b}, none);
-    if (fresh) entry->second = make(verb, plane, a, b);
+    if (fresh) {
+        made_in_order_.push_back(entry);
+        entry->second = make(verb, plane, a, b);
+    }
     return entry->second;
 }
 
@@ -183,6 +192,7 @@ ElementIndex Board::meet(Plane plane, ElementIndex l, ElementIndex m) {
 int Board::ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how) {
     const auto [entry, fresh] = asked_.try_emplace({question, a, b}, protocol_.program.guards.size());
     if (!fresh) return protocol_.program.guards[entry->second].verdict;
+    asked_in_order_.push_back(entry);
     Guard guard;
     guard.question = question;
     guard.how = how;

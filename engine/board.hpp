@@ -353,7 +353,7 @@ public:
     /// How far the board is; `rewind` wipes off what came after, where an attempt led nowhere: search is not solution. Handles
     /// made since are void.
     struct Mark {
-        std::size_t strokes = 0, guards = 0, givens = 0, statements = 0;
+        std::size_t strokes = 0, guards = 0, givens = 0, statements = 0, made = 0, asked = 0;
         StatementIndex statement = none;
         Largest<Exact> largest;
     };
@@ -419,6 +419,9 @@ private:
     std::vector<std::pair<Vector, ElementIndex>> directions_;
     std::map<std::tuple<Guard::Question, ElementIndex, ElementIndex>, std::size_t> asked_;
     std::map<std::tuple<Verb, Plane, ElementIndex, ElementIndex>, ElementIndex> made_;  ///< no line is drawn twice
+    // In the order in which they were entered: what is taken back is the latest, however many there are.
+    std::vector<decltype(asked_)::iterator> asked_in_order_;
+    std::vector<decltype(made_)::iterator> made_in_order_;
     StatementIndex current_statement_ = none;
 };
 

@@ -125,8 +125,11 @@ private:
     void touch(const Joint& joint) {
         const auto sides = sides_of(mechanism_, pose_, joint);
         if (!sides) {
-            errors_.push_back({ErrorCode::bad_input, joint.where,
-                               "without the \"profiles\" of both bodies nothing is known of other positions than the drawn one"});
+            errors_.push_back(
+                {ErrorCode::bad_input,
+                 joint.where,
+                 {"without the \"profiles\" of both bodies nothing is known of other positions than the drawn one",
+                  "senza i \"profiles\" di entrambi i corpi nulla si sa di posizioni diverse da quella disegnata"}});
             return;
         }
         const PlanePair& pair = joint.pair();
@@ -148,8 +151,10 @@ private:
         }
         const Vector apart = centre(0) - centre(1);
         if (apart.is_zero() || std::abs(apart.x.to_double()) + std::abs(apart.y.to_double()) < 1e-9) {
-            errors_.push_back({ErrorCode::bad_input, joint.where,
-                               "the centres of curvature coincide, so nothing is known of other positions than the drawn one"});
+            errors_.push_back({ErrorCode::bad_input,
+                               joint.where,
+                               {"the centres of curvature coincide, so nothing is known of other positions than the drawn one",
+                                "i centri di curvatura coincidono: nulla si sa di posizioni diverse da quella disegnata"}});
             return;
         }
         if (pair.holds_normal) at_distance(joint.bodies[0], centre(0), joint.bodies[1], centre(1));
@@ -226,9 +231,11 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
         } else if (needed && carrier.body != none && !are_pinned(mechanism, point, carrier.body, body)) {
             const auto name = [&](BodyIndex each) { return mechanism.body(each).name; };
             errors.push_back(
-                {ErrorCode::bad_input, mechanism.point(point).where,
-                 "body " + name(carrier.body) + " and body " + name(body) +
-                     " both need this point for their joints, and come apart there when they move; give it two names"});
+                {ErrorCode::bad_input,
+                 mechanism.point(point).where,
+                 {"body {0} and body {1} both need this point for their joints, and come apart there when they move; give it two names",
+                  "il corpo {0} e il corpo {1} usano entrambi questo punto per le loro coppie e lì si separano nel moto; dargli due nomi",
+                  name(carrier.body), name(body)}});
         }
     };
     for (const Joint& joint : mechanism.joints) {

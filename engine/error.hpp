@@ -6,6 +6,8 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/words.hpp"
+
 namespace kinegraph {
 
 enum class ErrorCode {
@@ -17,8 +19,8 @@ enum class ErrorCode {
 
 struct Error {
     ErrorCode code = ErrorCode::bad_input;
-    std::string where;    ///< JSON pointer ("/joints/2/bodies/1"), or empty for the whole file
-    std::string message;  ///< what is wrong and what to do, without the file's name and without a full stop
+    std::string where;  ///< JSON pointer ("/joints/2/bodies/1"), or empty for the whole file
+    Words message;      ///< what is wrong and what to do, without the file's name and without a full stop
 };
 /// All faults of a file at once, in the file's order.
 using Errors = std::vector<Error>;

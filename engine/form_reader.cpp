@@ -7,17 +7,21 @@ namespace kinegraph {
 
 // ----- faults and forms
 
-void FormReader::fault(JsonValue at, std::string message) {
+void FormReader::fault(JsonValue at, Words message) {
     faults_.emplace_back(at.order(), Error{ErrorCode::bad_input, at.pointer(), std::move(message)});
 }
 
-bool FormReader::expect(JsonValue value, Kind kind, std::string_view wanted) {
+void FormReader::wrong(JsonValue value, const Words& wanted) {
+    fault(value, {"{0} is wanted here, not {1}", "qui serve {0}, non {1}", wanted, described(value)});
+}
+
+bool FormReader::expect(JsonValue value, Kind kind, const Words& wanted) {
     if (value.kind() == kind) return true;
-    fault(value, std::string(wanted) + " is wanted here, not " + described(value));
+    wrong(value, wanted);
     return false;
 }
 
-Members FormReader::members(JsonValue object, std::span<const std::string_view> known, std::string_view form) {
+Members FormReader::members(JsonValue object, std::span<const std::string_view> known, const Words& form) {
     Members result;
     result.object_ = object;
     for (const JsonValue member : object) {
@@ -26,21 +30,21 @@ Members FormReader::members(JsonValue object, std::span<const std::string_view> 
             continue;
         }
         const auto meant = speller_.nearest(member.key(), known);
-        std::string message = "unknown key " + quoted(member.key());
+        Words message("unknown key {0}", "chiave sconosciuta {0}", quoted(member.key()));
         if (meant) {
             message += did_you_mean(meant);
             result.misspelt_.push_back(*meant);
         } else {
-            message += "; the keys of " + std::string(form) + " are " + listed(known);
+            message += Words("; the keys of {0} are {1}", "; le chiavi di {0} sono {1}", form, listed(known));
         }
         fault(member, std::move(message));
     }
     return result;
 }
 
-JsonValue FormReader::required(const Members& of, std::string_view key, std::string_view meaning) {
+JsonValue FormReader::required(const Members& of, std::string_view key, const Words& meaning) {
     if (of[key]) return of[key];
-    if (!of.has_or_misspells(key)) fault(of.object_, '"' + std::string(key) + "\" is missing: " + std::string(meaning));
+    if (!of.has_or_misspells(key)) fault(of.object_, {"\"{0}\" is missing: {1}", "manca \"{0}\": {1}", key, meaning});
     return {};
 }
 
@@ -51,14 +55,15 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
         if (only) {
             const JsonValue later = only.order() < of[key].order() ? of[key] : only;
             const JsonValue earlier = only.order() < of[key].order() ? only : of[key];
-            fault(later, quoted(later.key()) + " and " + quoted(earlier.key()) + " do not go together; take one of them out");
+            fault(later, {"{0} and {1} do not go together; take one of them out", "{0} e {1} non stanno insieme; toglierne una",
+                          quoted(later.key()), quoted(earlier.key())});
             return {};
         }
         only = of[key];
     }
     const bool misspelt = std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return of.has_or_misspells(key); });
     if (!only && needed && !misspelt) {
-        fault(of.object_, "one of " + listed({keys.begin(), keys.size()}) + " is missing");
+        fault(of.object_, {"one of {0} is missing", "manca una fra {0}", listed({keys.begin(), keys.size()})});
     }
     return only;
 }
@@ -67,17 +72,21 @@ JsonValue FormReader::one_of(const Members& of, std::initializer_list<std::strin
 
 void FormReader::check_name(JsonValue at, std::string_view name) {
     if (name.empty()) {
-        fault(at, "a name must not be empty");
+        fault(at, {"a name must not be empty", "un nome non può essere vuoto"});
     } else if (name.find(',') != std::string_view::npos) {
-        fault(at, "the name " + quoted(name) + " has a comma; names in results are separated by commas, so choose another");
+        fault(at, {"the name {0} has a comma; names in results are separated by commas, so choose another",
+                   "il nome {0} ha una virgola; nei risultati i nomi sono separati da virgole, quindi sceglierne un altro",
+                   quoted(name)});
     } else if (name.find(" on ") != std::string_view::npos) {
-        fault(at, "the name " + quoted(name) + " has \" on \" in it; results say \"3 on 2\", so choose another");
+        fault(at, {"the name {0} has \" on \" in it; results say \"3 on 2\", so choose another",
+                   "il nome {0} contiene \" on \"; i risultati dicono \"3 on 2\", quindi sceglierne un altro", quoted(name)});
     } else if (has_control_character(name, true)) {
-        fault(at, "the name " + quoted(name) + " has a control character; take it out");
+        fault(at, {"the name {0} has a control character; take it out", "il nome {0} ha un carattere di controllo; toglierlo",
+                   quoted(name)});
     }
 }
 
-std::string FormReader::new_name(JsonValue value, std::string_view wanted) {
+std::string FormReader::new_name(JsonValue value, const Words& wanted) {
     if (!expect(value, Kind::string, wanted)) return {};
     check_name(value, value.text());
     return std::string(value.text());
@@ -89,42 +98,47 @@ PointIndex FormReader::look_up_point(JsonValue at, std::string_view name) {
         if (collected_ != nullptr) collected_->push_back(found->second);
         return found->second;
     }
-    if (points_known_) fault(at, "no point is named " + quoted(name) + did_you_mean(speller_.nearest(name, point_names_)));
+    if (points_known_)
+        fault(at, {"no point is named {0}{1}", "nessun punto si chiama {0}{1}", quoted(name),
+                   did_you_mean(speller_.nearest(name, point_names_))});
     return none;
 }
 
 PointIndex FormReader::point(JsonValue value, bool in_array) {
     if (!value) return none;
     if (value.is_string() || (in_array && is_whole_number(value))) return look_up_point(value, value.text());
-    fault(value, "a point's name is wanted here, not " + described(value));
+    wrong(value, {"a point's name", "il nome di un punto"});
     return none;
 }
 
 BodyIndex FormReader::look_up_body(JsonValue at, std::string_view name) {
     const auto found = bodies_by_name_.find(name);
     if (found != bodies_by_name_.end()) return found->second;
-    if (bodies_known_) fault(at, "no body is named " + quoted(name) + did_you_mean(speller_.nearest(name, body_names_)));
+    if (bodies_known_)
+        fault(at, {"no body is named {0}{1}", "nessun corpo si chiama {0}{1}", quoted(name),
+                   did_you_mean(speller_.nearest(name, body_names_))});
     return none;
 }
 
 BodyIndex FormReader::body(JsonValue value) {
     if (!value) return none;
     if (value.is_string() || is_whole_number(value)) return look_up_body(value, value.text());
-    fault(value, "a body's name is wanted here, not " + described(value));
+    wrong(value, {"a body's name", "il nome di un corpo"});
     return none;
 }
 
-BodyIndex FormReader::moving_body(JsonValue value, std::string_view why) {
+BodyIndex FormReader::moving_body(JsonValue value, const Words& why) {
     const BodyIndex found = body(value);
-    if (found == frame) fault(value, std::string(why));
+    if (found == frame) fault(value, why);
     return found;
 }
 
 Words FormReader::words(JsonValue value) {
     const auto line = [&](JsonValue text) -> std::string {
-        if (!expect(text, Kind::string, "a text")) return {};
+        if (!expect(text, Kind::string, {"a text", "un testo"})) return {};
         if (has_control_character(text.text(), false))
-            fault(text, "a control character cannot be drawn; take it out of " + quoted(text.text()));
+            fault(text, {"a control character cannot be drawn; take it out of {0}",
+                         "un carattere di controllo non si può disegnare; toglierlo da {0}", quoted(text.text())});
         std::string clean(text.text());
         std::replace_if(
             clean.begin(), clean.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
@@ -134,20 +148,20 @@ Words FormReader::words(JsonValue value) {
     if (value.is_string()) {
         result.en = result.it = line(value);
     } else if (value.is_object()) {
-        const Members by_language = members(value, {"en", "it"}, "a text in several languages");
+        const Members by_language = members(value, {"en", "it"}, {"a text in several languages", "un testo in più lingue"});
         one_of_both(by_language);
         if (by_language["en"]) result.en = line(by_language["en"]);
         result.it = by_language["it"] ? line(by_language["it"]) : result.en;
         if (!by_language["en"]) result.en = result.it;
     } else {
-        fault(value, "a text or {\"en\": …, \"it\": …} is wanted here, not " + described(value));
+        wrong(value, {"a text or {\"en\": …, \"it\": …}", "un testo o {\"en\": …, \"it\": …}"});
     }
     return result;
 }
 
 void FormReader::one_of_both(const Members& by_language) {
     if (!by_language.has_or_misspells("en") && !by_language.has_or_misspells("it")) {
-        fault(by_language.object_, "neither \"en\" nor \"it\" is given");
+        fault(by_language.object_, {"neither \"en\" nor \"it\" is given", "non è dato né \"en\" né \"it\""});
     }
 }
 
@@ -161,7 +175,7 @@ const KnownUnit& FormReader::bare_unit(QuantityKind kind) const {
 
 std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, QuantityKind kind) {
     if (!value) return std::nullopt;
-    tl::expected<WrittenQuantity, std::string> result = tl::make_unexpected(std::string());
+    tl::expected<WrittenQuantity, Words> result = tl::make_unexpected(Words());
     if (value.is_number()) {
         auto number = read_decimal(value.text());
         if (number) {
@@ -172,15 +186,17 @@ std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, 
     } else if (value.is_string()) {
         result = read_quantity(value.text(), kind);
         if (result && result->unit->kind != kind) {
-            result = tl::make_unexpected(quoted(value.text()) + " is " + with_article(result->unit->kind) + "; " +
-                                         with_article(kind) + " is wanted here");
+            result = tl::make_unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}", quoted(value.text()),
+                                               with_article(result->unit->kind), with_article(kind)));
         }
     } else {
-        result = tl::make_unexpected(with_article(kind) + " is wanted here, not " + described(value));
+        wrong(value, with_article(kind));
+        return std::nullopt;
     }
     if (result && !is_within_range(result->in_si())) {
-        result = tl::make_unexpected(shown(value.text(), 40) +
-                                     " is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie");
+        result = tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
+                                           "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
+                                           shown(value.text(), 40)));
     }
     if (!result) {
         fault(value, std::move(result.error()));
@@ -197,24 +213,25 @@ std::optional<Exact> FormReader::quantity(JsonValue value, QuantityKind kind) {
 
 Exact FormReader::quantity_or_zero(JsonValue value, QuantityKind kind) { return quantity(value, kind).value_or(Exact()); }
 
-Exact FormReader::positive(JsonValue value, QuantityKind kind, std::string_view what) {
+Exact FormReader::positive(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() <= 0) fault(value, std::string(what) + " must be greater than zero");
+    if (number && number->sign() <= 0) fault(value, {"{0} must be greater than zero", "{0} deve essere maggiore di zero", what});
     return number.value_or(Exact(1));
 }
 
-Exact FormReader::not_negative(JsonValue value, QuantityKind kind, std::string_view what) {
+Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& what) {
     const auto number = quantity(value, kind);
-    if (number && number->sign() < 0) fault(value, std::string(what) + " must not be negative");
+    if (number && number->sign() < 0) fault(value, {"{0} must not be negative", "{0} non può avere valore negativo", what});
     return number.value_or(Exact());
 }
 
 std::optional<Exact> FormReader::bare_number(JsonValue value) {
-    if (!value || !expect(value, Kind::number, "a bare number")) return std::nullopt;
+    if (!value || !expect(value, Kind::number, {"a bare number", "un numero puro"})) return std::nullopt;
     auto number = read_decimal(value.text());
     if (number && !is_within_range(*number)) {
-        number =
-            tl::make_unexpected(shown(value.text(), 40) + " is outside 1e-60 … 1e60, where a number other than zero must lie");
+        number = tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60, where a number other than zero must lie",
+                                           "{0} è fuori da 1e-60 … 1e60, dove deve stare un numero diverso da zero",
+                                           shown(value.text(), 40)));
     }
     if (!number) {
         fault(value, std::move(number.error()));
@@ -229,10 +246,10 @@ std::optional<Angle> FormReader::angle(JsonValue value) {
     return Angle{written->value, written->unit->symbol == "deg"};
 }
 
-std::optional<Vector> FormReader::vector(JsonValue value, QuantityKind kind, std::string_view wanted) {
+std::optional<Vector> FormReader::vector(JsonValue value, QuantityKind kind, const Words& wanted) {
     if (!value) return std::nullopt;
     if (!value.is_array() || value.size() != 2) {
-        fault(value, std::string(wanted) + " is wanted here, not " + described(value));
+        wrong(value, wanted);
         return std::nullopt;
     }
     const JsonValue first = *value.begin();
@@ -245,9 +262,9 @@ std::optional<Vector> FormReader::vector(JsonValue value, QuantityKind kind, std
 }
 
 std::optional<Vector> FormReader::sense(JsonValue value) {
-    auto direction = vector(value, QuantityKind::dimensionless, "a vector [dx, dy]");
+    auto direction = vector(value, QuantityKind::dimensionless, {"a vector [dx, dy]", "un vettore [dx, dy]"});
     if (direction && direction->is_zero()) {
-        fault(value, "[0, 0] has no direction");
+        fault(value, {"[0, 0] has no direction", "[0, 0] non ha direzione"});
         return std::nullopt;
     }
     return direction;
@@ -257,15 +274,17 @@ Bearing::Between FormReader::between(JsonValue value) {
     const JsonValue first = *value.begin();
     const JsonValue second = *++value.begin();
     const Bearing::Between ends{point(first, true), point(second, true)};
-    if (ends.from != none && ends.from == ends.to) fault(value, "a point and itself give no direction; name two points");
+    if (ends.from != none && ends.from == ends.to)
+        fault(value, {"a point and itself give no direction; name two points",
+                      "un punto e se stesso non danno una direzione; indicare due punti"});
     return ends;
 }
 
 std::optional<Bearing> FormReader::bearing(JsonValue value) {
     if (!value) return std::nullopt;
     if (value.is_string() && points_by_name_.contains(value.text()) && !read_quantity(value.text(), QuantityKind::angle)) {
-        fault(value, quoted(value.text()) + " is a point, no direction; two points in an array give one: [" +
-                         quoted(value.text()) + ", …]");
+        fault(value, {"{0} is a point, no direction; two points in an array give one: [{0}, …]",
+                      "{0} è un punto, non una direzione; la danno due punti in un array: [{0}, …]", quoted(value.text())});
         return std::nullopt;
     }
     if (value.is_number() || value.is_string()) {
@@ -283,7 +302,9 @@ std::optional<Bearing> FormReader::bearing(JsonValue value) {
             return Bearing{std::move(*direction)};
         }
     }
-    fault(value, "a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not " + described(value));
+    fault(value,
+          {"a direction is wanted here: an angle, two points [\"A\", \"B\"] or a vector [dx, dy], not {0}",
+           "qui serve una direzione: un angolo, due punti [\"A\", \"B\"] o un vettore [dx, dy], non {0}", described(value)});
     return std::nullopt;
 }
 
@@ -291,7 +312,9 @@ Bearing FormReader::bearing_or_default(JsonValue value) { return bearing(value).
 
 Place FormReader::place(JsonValue value) {
     if (value.is_array())
-        return vector(value, QuantityKind::length, "a point's name or its coordinates [x, y]").value_or(Vector{});
+        return vector(value, QuantityKind::length,
+                      {"a point's name or its coordinates [x, y]", "il nome di un punto o le sue coordinate [x, y]"})
+            .value_or(Vector{});
     return point(value);
 }
 

@@ -50,15 +50,17 @@ protected:
     using Kind = JsonValue::Kind;
 
     // ----- faults and forms
-    void fault(JsonValue at, std::string message);
-    bool expect(JsonValue value, Kind kind, std::string_view wanted);
+    void fault(JsonValue at, Words message);
+    /// "{wanted} is wanted here, not an array of 3".
+    void wrong(JsonValue value, const Words& wanted);
+    bool expect(JsonValue value, Kind kind, const Words& wanted);
     /// Sorts an object's members; reports those that `form` ("a driver") does not know.
-    Members members(JsonValue object, std::span<const std::string_view> known, std::string_view form);
-    Members members(JsonValue object, std::initializer_list<std::string_view> known, std::string_view form) {
+    Members members(JsonValue object, std::span<const std::string_view> known, const Words& form);
+    Members members(JsonValue object, std::initializer_list<std::string_view> known, const Words& form) {
         return members(object, std::span(known.begin(), known.size()), form);
     }
     /// The member, or a fault that says what it is needed for.
-    JsonValue required(const Members& of, std::string_view key, std::string_view meaning);
+    JsonValue required(const Members& of, std::string_view key, const Words& meaning);
     /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.
     JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true);
 
@@ -66,14 +68,14 @@ protected:
     /// Whether the text may be a name; a fault at `at` if not.
     void check_name(JsonValue at, std::string_view name);
     /// A new name as a member's value.
-    std::string new_name(JsonValue value, std::string_view wanted);
+    std::string new_name(JsonValue value, const Words& wanted);
     PointIndex look_up_point(JsonValue at, std::string_view name);
     /// A point's name; in an array an integer will do.
     PointIndex point(JsonValue value, bool in_array = false);
     BodyIndex look_up_body(JsonValue at, std::string_view name);
     BodyIndex body(JsonValue value);
     /// A body that moves: the frame is refused with `why`.
-    BodyIndex moving_body(JsonValue value, std::string_view why);
+    BodyIndex moving_body(JsonValue value, const Words& why);
     Words words(JsonValue value);
     void one_of_both(const Members& by_language);
 
@@ -84,12 +86,12 @@ protected:
     /// In SI.
     std::optional<Exact> quantity(JsonValue value, QuantityKind kind);
     Exact quantity_or_zero(JsonValue value, QuantityKind kind);
-    Exact positive(JsonValue value, QuantityKind kind, std::string_view what);
-    Exact not_negative(JsonValue value, QuantityKind kind, std::string_view what);
+    Exact positive(JsonValue value, QuantityKind kind, const Words& what);
+    Exact not_negative(JsonValue value, QuantityKind kind, const Words& what);
     std::optional<Exact> bare_number(JsonValue value);
     std::optional<Angle> angle(JsonValue value);
     /// [x, y], each a quantity (or a bare number where dimensionless).
-    std::optional<Vector> vector(JsonValue value, QuantityKind kind, std::string_view wanted);
+    std::optional<Vector> vector(JsonValue value, QuantityKind kind, const Words& wanted);
     std::optional<Vector> sense(JsonValue value);
     /// Two points whose join has a direction.
     Bearing::Between between(JsonValue value);

@@ -19,24 +19,53 @@ constexpr std::size_t longest_text = std::size_t{1} << 30U;
 constexpr std::size_t longest_segment = 200;
 
 /// "line 3, column 5" of the byte at `offset`; columns count characters.
-std::string line_and_column(std::string_view text, std::size_t offset) {
+Words line_and_column(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, offset);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t newline = before.rfind('\n');
     const std::string_view in_line = newline == std::string_view::npos ? before : before.substr(newline + 1);
     const auto column = 1 + std::count_if(in_line.begin(), in_line.end(),
                                           [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+    return {"line {0}, column {1}", "riga {0}, colonna {1}", std::to_string(line), std::to_string(column)};
 }
 
+/// What the parser says, piece by piece.
+constexpr std::array<Translation, 24> parser_faults{{
+    {"unexpected end of input", "fine del testo inattesa"},
+    {"end of input", "fine del testo"},
+    {"invalid string: ", "stringa non valida: "},
+    {"invalid number; ", "numero non valido; "},
+    {"invalid literal", "parola non valida"},
+    {"ill-formed UTF-8 byte", "byte che non è UTF-8"},
+    {"missing closing quote", "mancano le virgolette di chiusura"},
+    {"forbidden character after backslash", "carattere non ammesso dopo la barra"},
+    {"control character ", "il carattere di controllo "},
+    {" must be escaped to ", " si scrive "},
+    {"'\\u' must be followed by 4 hex digits", "dopo '\\u' servono 4 cifre esadecimali"},
+    {"surrogate ", "il surrogato "},
+    {" must be followed by ", " deve essere seguito da "},
+    {" must follow ", " deve seguire "},
+    {"expected digit after ", "serve una cifra dopo "},
+    {"unexpected ", "inatteso: "},
+    {"; expected ", "; atteso: "},
+    {"string literal", "una stringa"},
+    {"number literal", "un numero"},
+    {"object key", "la chiave di un oggetto"},
+    {"object separator", "il separatore di un oggetto"},
+    {"object", "un oggetto"},
+    {"array", "un array"},
+    {" or ", " o "},
+}};
+
 /// What the parser says, without its own number, place and the text it last read.
-std::string reason(std::string_view what) {
+Words reason(std::string_view what) {
     const auto cut_before = [&](std::string_view mark) {
         if (const std::size_t at = what.find(mark); at != std::string_view::npos) what.remove_prefix(at + mark.size());
     };
     cut_before(" - ");
     what = what.substr(0, what.find("; last read"));
-    return shown(what, longest_segment);
+    const std::string english = shown(what, longest_segment);
+    return {english, translated(english, parser_faults)};
 }
 
 /// Literals past the range of doubles, which the parser refuses though we want to say what is wrong with them, by their place in
@@ -131,9 +160,11 @@ public:
         overflow_ = error.id == number_overflow;
         const bool blank = text_.find_first_not_of(" \t\r\n") == std::string_view::npos;
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
-        fault_ = blank ? Error{ErrorCode::bad_input, "", "the file is empty; a mechanism is a JSON object"}
-                       : Error{ErrorCode::bad_input, "",
-                               line_and_column(text_, offset) + ": this is not JSON: " + reason(error.what())};
+        const Words empty("the file is empty; a mechanism is a JSON object", "il file è vuoto; un meccanismo è un oggetto JSON");
+        fault_ = Error{ErrorCode::bad_input, "",
+                       blank ? empty
+                             : Words("{0}: this is not JSON: {1}", "{0}: non è JSON: {1}", line_and_column(text_, offset),
+                                     reason(error.what()))};
         return false;
     }
 
@@ -195,8 +226,10 @@ private:
         if (open_.size() <= deepest) return true;
         // The place: no deeper than a reader can follow.
         constexpr std::size_t readable = 3;
-        fault_ = Error{ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
-                       "nested deeper than " + std::to_string(deepest) + " levels; no mechanism file needs more than ten"};
+        fault_ = Error{
+            ErrorCode::bad_input, JsonValue(&source_, open_[readable].node).pointer(),
+            Words("nested deeper than {0} levels; no mechanism file needs more than ten",
+                  "annidato oltre {0} livelli; a nessun file di meccanismi ne servono più di dieci", std::to_string(deepest))};
         return false;
     }
     bool close() {
@@ -227,7 +260,10 @@ private:
 
 Result<JsonSource> JsonSource::read(std::string_view text) {
     if (text.size() > longest_text) {
-        return tl::make_unexpected(Errors{{ErrorCode::bad_input, "", "the file is larger than 1 GiB; no mechanism file is"}});
+        return tl::make_unexpected(Errors{{ErrorCode::bad_input,
+                                           "",
+                                           {"the file is larger than 1 GiB; no mechanism file is",
+                                            "il file supera 1 GiB; nessun file di meccanismi è così grande"}}});
     }
     JsonTreeBuilder builder(text);
     if (nlohmann::json::sax_parse(text, &builder)) return builder.take();

@@ -18,13 +18,6 @@
 
 namespace kinegraph {
 
-/// A title or label in the languages of the file; `en` serves where a language is missing (a plain string fills both).
-struct Words {
-    std::string en;
-    std::string it;
-    bool empty() const { return en.empty() && it.empty(); }
-};
-
 /// An angle as written: exact degrees or exact radians.
 struct Angle {
     Exact value;
@@ -73,7 +66,7 @@ using Curve = std::variant<CircleCurve, LineCurve>;
 struct Meet {
     Curve first, second;
     std::optional<Vector> near;
-    enum class Side { none, left, right } side = Side::none;
+    enum class Side { none, left, right, behind, ahead } side = Side::none;  ///< behind, ahead: on a line alone
 };
 using Placement = std::variant<Coordinates, Polar, Along, Meet>;
 

@@ -34,10 +34,11 @@ public:
 
     Result<Mechanism> read() {
         for (const JsonValue& twice : source_.duplicates()) {
-            fault(twice, quoted(twice.key()) + " stands twice in this object; rename one or take it out");
+            fault(twice, {"{0} stands twice in this object; rename one or take it out",
+                          "{0} compare due volte in questo oggetto; rinominare o togliere uno dei due", quoted(twice.key())});
         }
         if (const JsonValue root = source_.root(); !root.is_object()) {
-            fault(root, "a mechanism is a JSON object, not " + described(root));
+            fault(root, {"a mechanism is a JSON object, not {0}", "un meccanismo è un oggetto JSON, non {0}", described(root)});
         } else {
             read_file(root);
         }
@@ -56,52 +57,58 @@ private:
         const Members file = members(root,
                                      {"$schema", "kinegraph", "title", "units", "frame", "points", "bodies", "joints", "drivers",
                                       "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
-                                     "a mechanism");
-        const JsonValue version = required(file, "kinegraph", "write \"kinegraph\": 1, the version of the format");
+                                     {"a mechanism", "un meccanismo"});
+        const JsonValue version =
+            required(file, "kinegraph",
+                     {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});
         if (version) read_version(version);
-        if (file["$schema"]) expect(file["$schema"], Kind::string, "a text");
+        if (file["$schema"]) expect(file["$schema"], Kind::string, {"a text", "un testo"});
         if (file["title"]) mechanism_.title = words(file["title"]);
         read_units(file["units"]);
-        const JsonValue points = required(file, "points", "an object of points by name");
-        const JsonValue bodies = required(file, "bodies", "an object of bodies by name");
-        if (points && expect(points, Kind::object, "an object of points by name")) {
+        const JsonValue points = required(file, "points", {"an object of points by name", "un oggetto con i punti per nome"});
+        const JsonValue bodies = required(file, "bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
+        if (points && expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {
             points_known_ = true;
             for (const JsonValue member : points) register_point(member);
         }
-        const bool bodies_readable = bodies && expect(bodies, Kind::object, "an object of bodies by name");
+        const bool bodies_readable =
+            bodies && expect(bodies, Kind::object, {"an object of bodies by name", "un oggetto con i corpi per nome"});
         bodies_known_ = bodies_readable;
         register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
         if (points_known_) read_points(points);
         if (bodies_readable) read_bodies(bodies);
         read_joints(file);
-        each(file["drivers"], "an array of drivers", [&](JsonValue v) { read_driver(v); });
+        each(file["drivers"], {"an array of drivers", "un array di moventi"}, [&](JsonValue v) { read_driver(v); });
         read_masses(file["masses"]);
-        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, "a vector [gx, gy]");
-        if (const JsonValue inertia = file["inertia forces"]; inertia && expect(inertia, Kind::boolean, "true or false")) {
+        mechanism_.gravity = vector(file["gravity"], QuantityKind::acceleration, {"a vector [gx, gy]", "un vettore [gx, gy]"});
+        if (const JsonValue inertia = file["inertia forces"];
+            inertia && expect(inertia, Kind::boolean, {"true or false", "true o false"})) {
             mechanism_.inertia_forces = is_true(inertia);
         }
-        each(file["loads"], "an array of loads", [&](JsonValue v) { read_load(v); });
+        each(file["loads"], {"an array of loads", "un array di carichi"}, [&](JsonValue v) { read_load(v); });
         if (const JsonValue effort = file["effort"]; effort && effort.is_object()) {
             read_effort(effort);
         } else {
-            each(effort, "an array of efforts", [&](JsonValue v) { read_effort(v); });
+            each(effort, {"an array of efforts", "un array di azioni equilibranti"}, [&](JsonValue v) { read_effort(v); });
         }
         if (file["motion"]) read_motion(file["motion"]);
         if (file["find"]) mechanism_.find.stated = true;
-        each(file["find"], "an array of what to find", [&](JsonValue v) { read_wish(v); });
+        each(file["find"], {"an array of what to find", "un array di ciò che si cerca"}, [&](JsonValue v) { read_wish(v); });
         read_scales(file["scales"]);
     }
 
     template <class Action>
-    void each(JsonValue array, std::string_view wanted, Action&& action) {
+    void each(JsonValue array, const Words& wanted, Action&& action) {
         if (!array || !expect(array, Kind::array, wanted)) return;
         for (const JsonValue element : array) action(element);
     }
 
     void read_version(JsonValue version) {
-        const auto number = version.is_number() ? read_decimal(version.text()) : tl::expected<Exact, std::string>(Exact());
+        const auto number = version.is_number() ? read_decimal(version.text()) : tl::expected<Exact, Words>(Exact());
         if (!number || *number != Exact(1)) {
-            fault(version, "the version of the format is 1, not " + described(version) + "; a newer program may read this file");
+            fault(version, {"the version of the format is 1, not {0}; a newer program may read this file",
+                            "la versione del formato è 1, non {0}; un programma più recente può forse leggere questo file",
+                            described(version)});
         }
     }
 
@@ -119,10 +126,10 @@ private:
             std::pair{std::string_view("moment"), QuantityKind::moment},
             std::pair{std::string_view("inertia"), QuantityKind::inertia},
         };
-        if (units && expect(units, Kind::object, "an object of units by quantity")) {
+        if (units && expect(units, Kind::object, {"an object of units by quantity", "un oggetto con le unità per grandezza"})) {
             const Members set = members(
                 units, {"length", "angle", "angular velocity", "velocity", "acceleration", "mass", "force", "moment", "inertia"},
-                "\"units\"");
+                {"\"units\"", "\"units\""});
             for (const auto& [key, kind] : kinds) {
                 if (set[key]) read_unit(set[key], kind);
             }
@@ -138,13 +145,13 @@ private:
     }
 
     void read_unit(JsonValue value, QuantityKind kind) {
-        if (!expect(value, Kind::string, "a unit")) return;
+        if (!expect(value, Kind::string, {"a unit", "un’unità"})) return;
         const KnownUnit* unit = unit_spelt(value.text());
         if (unit == nullptr) {
             fault(value, unknown_unit_message(value.text(), kind));
         } else if (unit->kind != kind) {
-            fault(value, quoted(value.text()) + " is a unit of " + std::string(name_of(unit->kind)) + "; the units of " +
-                             std::string(name_of(kind)) + " are " + units_of(kind));
+            fault(value, {"{0} is a unit of {1}; the units of {2} are {3}", "{0} è un’unità di {1}; le unità di {2} sono {3}",
+                          quoted(value.text()), name_of(unit->kind), name_of(kind), units_of(kind)});
         } else {
             bare_units_.push_back(unit);
         }
@@ -184,52 +191,69 @@ private:
     void report_cycle(const std::vector<PointIndex>& cycle, const std::vector<JsonValue>& places) {
         constexpr std::size_t most_named = 12;
         const auto name = [&](PointIndex i) { return quoted(point_names_[at_index(i)]); };
-        std::string chain = name(cycle.front());
+        Words chain = name(cycle.front());
         for (std::size_t i = 1; i < std::min(cycle.size(), most_named); ++i) chain += " → " + name(cycle[i]);
-        if (cycle.size() > most_named) chain += " → … (" + std::to_string(cycle.size()) + " points)";
+        if (cycle.size() > most_named) chain += Words(" → … ({0} points)", " → … ({0} punti)", std::to_string(cycle.size()));
         chain += " → " + name(cycle.front());
         fault(places[at_index(cycle.front())],
               cycle.size() == 1
-                  ? "the point " + name(cycle.front()) + " is placed by itself; place it by others or by coordinates"
-                  : "these points are placed by each other in a cycle: " + chain +
-                        "; place one of them by others or by coordinates");
+                  ? Words("the point {0} is placed by itself; place it by others or by coordinates",
+                          "il punto {0} è definito per mezzo di se stesso; definirlo con altri o con coordinate",
+                          name(cycle.front()))
+                  : Words("these points are placed by each other in a cycle: {0}; place one of them by others or by coordinates",
+                          "questi punti si definiscono l’un l’altro in cerchio: {0}; definirne uno con altri o con coordinate",
+                          chain));
     }
 
     Placement placement(JsonValue value) {
         if (value.is_array())
-            return Coordinates{vector(value, QuantityKind::length, "a pair of coordinates [x, y]").value_or(Vector{})};
+            return Coordinates{
+                vector(value, QuantityKind::length, {"a pair of coordinates [x, y]", "una coppia di coordinate [x, y]"})
+                    .value_or(Vector{})};
         if (!value.is_object()) {
-            fault(value, "a point is [x, y] or an object that says how to place it, not " + described(value));
+            fault(value, {"a point is [x, y] or an object that says how to place it, not {0}",
+                          "un punto è [x, y] o un oggetto che dice come si trova, non {0}", described(value)});
             return Coordinates{};
         }
         if (value["meet"] || value["near"] || value["side"]) return meet(value);
         if (value["to"] || value["ratio"]) return point_on_line(value);
         if (value["circle"] || value["line"]) {
-            fault(value, "a curve alone is no point; write {\"meet\": [curve, curve]}");
+            fault(value, {"a curve alone is no point; write {\"meet\": [curve, curve]}",
+                          "una curva sola non è un punto; scrivere {\"meet\": [curva, curva]}"});
             return Coordinates{};
         }
-        const Members form = members(value, {"from", "distance", "angle", "relative to", "to", "ratio", "meet"}, "a point");
+        const Members form =
+            members(value, {"from", "distance", "angle", "relative to", "to", "ratio", "meet"}, {"a point", "un punto"});
         if (form.has_or_misspells("meet") || form.has_or_misspells("to") || form.has_or_misspells("ratio")) return Coordinates{};
         Polar polar;
-        polar.from = point(required(form, "from", "the point from which the distance is taken"));
-        polar.distance = quantity_or_zero(required(form, "distance", "how far from there the point lies"), QuantityKind::length);
-        polar.angle = angle(required(form, "angle", "in which direction (or give \"to\")")).value_or(Angle{});
+        polar.from = point(
+            required(form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
+        polar.distance =
+            quantity_or_zero(required(form, "distance", {"how far from there the point lies", "quanto dista di lì il punto"}),
+                             QuantityKind::length);
+        polar.angle =
+            angle(required(form, "angle", {"in which direction (or give \"to\")", "in quale direzione (o assegnare \"to\")"}))
+                .value_or(Angle{});
         if (const JsonValue base = form["relative to"]) {
             if (base.is_array() && base.size() == 2) {
                 polar.relative_to = between(base);
             } else {
-                fault(base, "the names of two points [\"P\", \"Q\"] are wanted here, not " + described(base));
+                fault(base, {"the names of two points [\"P\", \"Q\"] are wanted here, not {0}",
+                             "qui servono i nomi di due punti [\"P\", \"Q\"], non {0}", described(base)});
             }
         }
         return polar;
     }
 
     Placement point_on_line(JsonValue value) {
-        const Members form = members(value, {"from", "to", "distance", "ratio"}, "a point on a line");
+        const Members form = members(value, {"from", "to", "distance", "ratio"}, {"a point on a line", "un punto su una retta"});
         Along along;
-        along.from = point(required(form, "from", "the point from which the distance is taken"));
-        along.to = point(required(form, "to", "the point towards which it is taken"));
-        if (along.from != none && along.from == along.to) fault(form["to"], "a point and itself give no line; name another");
+        along.from = point(
+            required(form, "from", {"the point from which the distance is taken", "il punto da cui si misura la distanza"}));
+        along.to = point(required(form, "to", {"the point towards which it is taken", "il punto verso cui si misura"}));
+        if (along.from != none && along.from == along.to)
+            fault(form["to"], {"a point and itself give no line; name another",
+                               "un punto e se stesso non danno una retta; indicarne un altro"});
         if (const JsonValue amount = one_of(form, {"distance", "ratio"})) {
             along.is_ratio = amount.key() == "ratio";
             along.amount =
@@ -239,43 +263,60 @@ private:
     }
 
     Placement meet(JsonValue value) {
-        const Members form = members(value, {"meet", "near", "side"}, "a meet");
+        const Members form = members(value, {"meet", "near", "side"}, {"a meet", "un’intersezione"});
         Meet meet;
-        if (const JsonValue curves = required(form, "meet", "two curves"); curves) {
+        if (const JsonValue curves = required(form, "meet", {"two curves", "due curve"}); curves) {
             if (curves.is_array() && curves.size() == 2) {
                 meet.first = curve(*curves.begin());
                 meet.second = curve(*++curves.begin());
             } else {
-                fault(curves, "two curves are wanted here, not " + described(curves));
+                fault(curves, {"two curves are wanted here, not {0}", "qui servono due curve, non {0}", described(curves)});
             }
         }
         one_of(form, {"near", "side"}, false);
-        meet.near = vector(form["near"], QuantityKind::length, "a place [x, y]");
-        if (const JsonValue side = form["side"]) {
-            if (side.is_string() && side.text() == "left") {
-                meet.side = Meet::Side::left;
-            } else if (side.is_string() && side.text() == "right") {
-                meet.side = Meet::Side::right;
-            } else {
-                fault(side, "\"left\" or \"right\" is wanted here, not " + described(side));
-            }
-        }
+        meet.near = vector(form["near"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"});
+        if (const JsonValue side = form["side"]) meet.side = side_of(side, meet);
         return meet;
     }
 
+    /// Of two circles left or right; where a line meets a circle also which comes first on the line.
+    Meet::Side side_of(JsonValue value, const Meet& meet) {
+        using Side = Meet::Side;
+        const bool first = std::holds_alternative<LineCurve>(meet.first), second = std::holds_alternative<LineCurve>(meet.second);
+        const bool on_line = first != second;
+        constexpr std::array sides{std::pair{"left", Side::left}, std::pair{"right", Side::right},
+                                   std::pair{"behind", Side::behind}, std::pair{"ahead", Side::ahead}};
+        for (const auto& [word, side] : sides) {
+            if (!value.is_string() || value.text() != word) continue;
+            if (side == Side::left || side == Side::right || first || second) return side;
+            fault(value, {"{0} is a side on a line; of two circles take \"left\" or \"right\"",
+                          "{0} è un lato su una retta; per due circonferenze scegliere \"left\" o \"right\"", quoted(word)});
+            return Side::none;
+        }
+        wrong(value, on_line ? Words("\"behind\" or \"ahead\"", "\"behind\" o \"ahead\"")
+                             : Words("\"left\" or \"right\"", "\"left\" o \"right\""));
+        return Side::none;
+    }
+
     Curve curve(JsonValue value) {
-        if (!expect(value, Kind::object, "a curve, {\"circle\": …} or {\"line\": …},")) return CircleCurve{};
+        if (!expect(value, Kind::object,
+                    {"a curve, {\"circle\": …} or {\"line\": …},", "una curva, {\"circle\": …} o {\"line\": …},"}))
+            return CircleCurve{};
         if (value["circle"] || value["radius"]) {
-            const Members form = members(value, {"circle", "radius"}, "a circle");
+            const Members form = members(value, {"circle", "radius"}, {"a circle", "una circonferenza"});
             CircleCurve circle;
-            if (const JsonValue centre = required(form, "circle", "the circle's centre")) circle.centre = place(centre);
-            circle.radius = positive(required(form, "radius", "the circle's radius"), QuantityKind::length, "a radius");
+            if (const JsonValue centre = required(form, "circle", {"the circle's centre", "il centro della circonferenza"}))
+                circle.centre = place(centre);
+            circle.radius = positive(required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
+                                     QuantityKind::length, {"a radius", "un raggio"});
             return circle;
         }
-        const Members form = members(value, {"line", "angle", "to", "parallel", "perpendicular", "circle"}, "a line");
+        const Members form =
+            members(value, {"line", "angle", "to", "parallel", "perpendicular", "circle"}, {"a line", "una retta"});
         LineCurve line;
         if (form.has_or_misspells("circle")) return line;
-        if (const JsonValue through = required(form, "line", "a point on the line")) line.through = place(through);
+        if (const JsonValue through = required(form, "line", {"a point on the line", "un punto della retta"}))
+            line.through = place(through);
         const JsonValue how = one_of(form, {"angle", "to", "parallel", "perpendicular"});
         if (!how) return line;
         if (how.key() == "angle") {
@@ -285,7 +326,8 @@ private:
             line.to = point(how);
             const auto* through = std::get_if<PointIndex>(&line.through);
             if (through != nullptr && *through != none && *through == line.to)
-                fault(how, "a point and itself give no line; name another");
+                fault(how, {"a point and itself give no line; name another",
+                            "un punto e se stesso non danno una retta; indicarne un altro"});
         } else {
             line.by = how.key() == "parallel" ? LineCurve::By::parallel : LineCurve::By::perpendicular;
             line.bearing = bearing_or_default(how);
@@ -302,7 +344,7 @@ private:
                 frame_name = frame.text();
                 check_name(frame, frame_name);
             } else {
-                fault(frame, "a body's name is wanted here, not " + described(frame));
+                wrong(frame, {"a body's name", "il nome di un corpo"});
                 bodies_known_ = false;
             }
         }
@@ -340,13 +382,14 @@ private:
             const BodyIndex index = bodies_by_name_.at(member.key());
             JsonValue points = member;
             if (member.is_object()) {
-                const Members form = members(member, {"points", "label", "circle"}, "a body");
+                const Members form = members(member, {"points", "label", "circle"}, {"a body", "un corpo"});
                 points = form["points"];
                 if (form["label"]) body_at(index).label = words(form["label"]);
                 if (form["circle"]) read_body_circle(form["circle"], index);
                 if (!points) continue;
-                if (!expect(points, Kind::array, "an array of points")) continue;
-            } else if (!expect(points, Kind::array, "an array of points, or {\"points\": […], …},")) {
+                if (!expect(points, Kind::array, {"an array of points", "un array di punti"})) continue;
+            } else if (!expect(points, Kind::array,
+                               {"an array of points, or {\"points\": […], …},", "un array di punti, o {\"points\": […], …},"})) {
                 continue;
             }
             for (const JsonValue name : points) carry(index, point(name, true));
@@ -354,11 +397,12 @@ private:
     }
 
     void read_body_circle(JsonValue value, BodyIndex index) {
-        if (!expect(value, Kind::object, "{\"centre\": …, \"radius\": …}")) return;
-        const Members form = members(value, {"centre", "radius"}, "a body's circle");
+        if (!expect(value, Kind::object, {"{\"centre\": …, \"radius\": …}", "{\"centre\": …, \"radius\": …}"})) return;
+        const Members form = members(value, {"centre", "radius"}, {"a body's circle", "la circonferenza di un corpo"});
         Circle circle;
-        circle.centre = point(required(form, "centre", "the circle's centre"));
-        circle.radius = positive(required(form, "radius", "the circle's radius"), QuantityKind::length, "a radius");
+        circle.centre = point(required(form, "centre", {"the circle's centre", "il centro della circonferenza"}));
+        circle.radius = positive(required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
+                                 QuantityKind::length, {"a radius", "un raggio"});
         body_at(index).circle = std::move(circle);
     }
 
@@ -369,17 +413,20 @@ private:
         if (file["motion"]) {
             for (const std::string_view key : {"joints", "drivers"}) {
                 if (file[key])
-                    fault(file[key], '"' + std::string(key) + "\" and \"motion\" do not go together; take one of them out");
+                    fault(file[key], {"\"{0}\" and \"motion\" do not go together; take one of them out",
+                                      "\"{0}\" e \"motion\" non stanno insieme; toglierne una", key});
             }
         } else if (!file.has_or_misspells("motion")) {
-            required(file, "joints", "an array of joints (or \"motion\", one body's act of motion)");
+            required(file, "joints",
+                     {"an array of joints (or \"motion\", one body's act of motion)",
+                      "un array di coppie (o \"motion\", l’atto di moto di un corpo)"});
         }
         joints_known_ = joints && joints.is_array();
-        each(joints, "an array of joints", [&](JsonValue v) { read_joint(v); });
+        each(joints, {"an array of joints", "un array di coppie"}, [&](JsonValue v) { read_joint(v); });
     }
 
     void read_joint(JsonValue value) {
-        if (!expect(value, Kind::object, "a joint")) {
+        if (!expect(value, Kind::object, {"a joint", "una coppia"})) {
             joints_known_ = false;
             return;
         }
@@ -387,7 +434,8 @@ private:
         for (const PlanePair& candidate : plane_pairs) {
             if (!value[candidate.key]) continue;
             if (pair != nullptr) {
-                fault(value[candidate.key], "a joint is of one kind; this one is " + quoted(pair->key) + " already");
+                fault(value[candidate.key], {"a joint is of one kind; this one is {0} already",
+                                             "una coppia è di un solo tipo; questa è già {0}", quoted(pair->key)});
                 joints_known_ = false;
                 return;
             }
@@ -397,17 +445,18 @@ private:
         Joint joint;
         joint.kind = pair->kind;
         joint.where = value.pointer();
-        const Members form = members(value, keys_of(*pair), pair->called);
+        const Members form = members(value, keys_of(*pair), {pair->called, "una coppia \"{0}\"", pair->key});
         const JsonValue at = form[pair->key];
         joint.point = point(at);
         joint.name = at.is_string() ? at.text() : std::string_view();
         if (form["name"]) {
             joint.named = true;
-            joint.name = new_name(form["name"], "a name");
+            joint.name = new_name(form["name"], {"a name", "un nome"});
         }
         if (!at.is_string() && !joint.named) joints_known_ = false;
         read_joint_bodies(form, joint);
-        if (pair->is_sleeve()) joint.along = bearing(required(form, "along", "the direction of the guide"));
+        if (pair->is_sleeve())
+            joint.along = bearing(required(form, "along", {"the direction of the guide", "la direzione della guida"}));
         if (pair->is_slot()) read_slot(form, joint);
         if (pair->touches()) read_profiles(form, joint);
         joint.pushes = sense(form["pushes"]);
@@ -418,7 +467,7 @@ private:
         if (const JsonValue arm = form["arm"]) {
             joint.arm = body(arm);
             if (joint.connects(joint.arm) && joint.arm != none) {
-                fault(arm, "the carrier of the two gears is a third body");
+                fault(arm, {"the carrier of the two gears is a third body", "il portatreno delle due ruote è un terzo corpo"});
             }
         }
         if (pair->has_common_point()) {
@@ -427,8 +476,9 @@ private:
         if (pair->has_guide() && !joint.name.empty()) {
             const auto [found, first] = sliding_keys_.emplace(joint.name, joint.where);
             if (!first) {
-                fault(value, "two sliding joints are called " + quoted(joint.name) + " (the other is " + found->second +
-                                 "); give one of them a \"name\"");
+                fault(value, {"two sliding joints are called {0} (the other is {1}); give one of them a \"name\"",
+                              "due coppie con scorrimento si chiamano {0} (l’altra è {1}); dare a una un \"name\"",
+                              quoted(joint.name), found->second});
             } else {
                 sliding_by_name_.emplace(joint.name, JointIndex(mechanism_.joints.size()));
                 sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
@@ -447,8 +497,8 @@ private:
         for (const PlanePair& pair : plane_pairs)
             for (const std::string_view key : keys_of(pair))
                 if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-        if (!members(value, keys, "a joint").has_misspelt())
-            fault(value, "the kind of joint is missing: one of " + listed(kinds));
+        if (!members(value, keys, {"a joint", "una coppia"}).has_misspelt())
+            fault(value, {"the kind of joint is missing: one of {0}", "manca il tipo di coppia: uno fra {0}", listed(kinds)});
     }
 
     /// What a joint of this kind may say: of its kind, of its bodies, of what is its own.
@@ -460,18 +510,21 @@ private:
     }
 
     void read_joint_bodies(const Members& form, Joint& joint) {
-        const JsonValue bodies = required(form, "bodies", "the bodies that the joint connects");
-        if (!bodies || !expect(bodies, Kind::array, "an array of bodies")) return;
+        const JsonValue bodies =
+            required(form, "bodies", {"the bodies that the joint connects", "i corpi che la coppia collega"});
+        if (!bodies || !expect(bodies, Kind::array, {"an array of bodies", "un array di corpi"})) return;
         const bool any_number = joint.pair().joins_many;
         if (bodies.size() < 2 || (bodies.size() > 2 && !any_number)) {
-            fault(bodies,
-                  std::string(any_number ? "two bodies or more" : "two bodies") + " are wanted here, not " + described(bodies));
+            fault(bodies, {"{0} are wanted here, not {1}", "qui servono {0}, non {1}",
+                           any_number ? Words("two bodies or more", "due o più corpi") : Words("two bodies", "due corpi"),
+                           described(bodies)});
         }
         std::set<BodyIndex> seen;
         for (const JsonValue name : bodies) {
             const BodyIndex connected = body(name);
             if (connected != none && !seen.insert(connected).second) {
-                fault(name, "the body " + quoted(name.text()) + " stands twice in one joint");
+                fault(name, {"the body {0} stands twice in one joint", "il corpo {0} compare due volte nella stessa coppia",
+                             quoted(name.text())});
             }
             joint.bodies.push_back(connected);
         }
@@ -485,13 +538,15 @@ private:
         } else {
             joint.arc = point(shape);
             if (joint.arc != none && joint.arc == joint.point)
-                fault(shape, "a slot about its own pin has no radius; name the arc's centre");
+                fault(shape, {"a slot about its own pin has no radius; name the arc's centre",
+                              "un glifo attorno al proprio perno non ha raggio; indicare il centro dell’arco"});
         }
     }
 
     void check_pressure_angle(JsonValue value, const Angle& angle) {
         const Exact right_angle = angle.in_degrees ? Exact(90) : pi() / 2;
-        if (angle.value.sign() < 0 || angle.value >= right_angle) fault(value, "a pressure angle lies between 0° and 90°");
+        if (angle.value.sign() < 0 || angle.value >= right_angle)
+            fault(value, {"a pressure angle lies between 0° and 90°", "un angolo di pressione sta fra 0° e 90°"});
     }
 
     void read_profiles(const Members& form, Joint& joint) {
@@ -504,7 +559,7 @@ private:
         if (form.has_or_misspells("tangent") || (!shape && form.has_or_misspells("profiles"))) return;
         bool complete = joint.bodies.size() == 2 && joint.bodies[0] != none && joint.bodies[1] != none;
         if (shape) {
-            if (!expect(shape, Kind::object, "an object of profiles by body")) return;
+            if (!expect(shape, Kind::object, {"an object of profiles by body", "un oggetto con i profili per corpo"})) return;
             for (const JsonValue member : shape) complete = read_profile(member, joint) && complete;
         }
         if (!complete) return;
@@ -514,12 +569,16 @@ private:
             const Body& owner = body_at(on);
             if (owner.circle) {
                 if (owner.circle->centre == joint.point && joint.point != none) {
-                    fault(place, "the circle of body " + quoted(owner.name) + " has its centre at the contact itself");
+                    fault(place, {"the circle of body {0} has its centre at the contact itself",
+                                  "la circonferenza del corpo {0} ha il centro nel contatto stesso", quoted(owner.name)});
                 }
                 joint.profiles.emplace(on, CircleProfile{owner.circle->centre});
             } else {
-                fault(place, "the profile of body " + quoted(owner.name) +
-                                 " is missing: give it under \"profiles\", or the body a \"circle\", or the joint a \"tangent\"");
+                fault(
+                    place,
+                    {"the profile of body {0} is missing: give it under \"profiles\", or the body a \"circle\", or the joint a \"tangent\"",
+                     "manca il profilo del corpo {0}: assegnarlo in \"profiles\", o dare al corpo un \"circle\", o alla coppia una \"tangent\"",
+                     quoted(owner.name)});
                 complete = false;
             }
         }
@@ -527,10 +586,13 @@ private:
         const Profile& first = joint.profiles.at(joint.bodies[0]);
         const Profile& second = joint.profiles.at(joint.bodies[1]);
         if (std::holds_alternative<LineProfile>(first) && std::holds_alternative<LineProfile>(second)) {
-            fault(place, "two lines are no contact: they touch everywhere or nowhere; one of the bodies has another profile");
+            fault(place,
+                  {"two lines are no contact: they touch everywhere or nowhere; one of the bodies has another profile",
+                   "due rette non fanno un contatto: si toccano ovunque o in nessun punto; uno dei corpi ha un altro profilo"});
         }
         if (std::holds_alternative<TipProfile>(first) && std::holds_alternative<TipProfile>(second)) {
-            fault(place, "two tips are no contact: they have no common tangent; one of the bodies has another profile");
+            fault(place, {"two tips are no contact: they have no common tangent; one of the bodies has another profile",
+                          "due punte non fanno un contatto: non hanno tangente comune; uno dei corpi ha un altro profilo"});
         }
     }
 
@@ -538,12 +600,15 @@ private:
         const BodyIndex on = look_up_body(member, member.key());
         if (on != none && !joint.connects(on)) {
             if (!joint.connects(none)) {
-                fault(member, "the body " + quoted(member.key()) + " is not in this joint");
+                fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia", quoted(member.key())});
             }
             return false;
         }
-        if (!expect(member, Kind::object, "a profile, {\"line\": …}, {\"circle\": …} or {\"tip\": true},")) return false;
-        const Members form = members(member, {"line", "circle", "tip"}, "a profile");
+        if (!expect(member, Kind::object,
+                    {"a profile, {\"line\": …}, {\"circle\": …} or {\"tip\": true},",
+                     "un profilo, {\"line\": …}, {\"circle\": …} o {\"tip\": true},"}))
+            return false;
+        const Members form = members(member, {"line", "circle", "tip"}, {"a profile", "un profilo"});
         const JsonValue shape = one_of(form, {"line", "circle", "tip"});
         if (!shape) return false;
         if (shape.key() == "line") {
@@ -553,11 +618,12 @@ private:
         } else if (shape.key() == "circle") {
             const PointIndex centre = point(shape);
             if (centre != none && centre == joint.point)
-                fault(shape, "a circle about the contact itself has no radius; name its centre");
+                fault(shape, {"a circle about the contact itself has no radius; name its centre",
+                              "una circonferenza attorno al contatto stesso non ha raggio; indicarne il centro"});
             joint.profiles.emplace(on, CircleProfile{centre});
         } else {
             if (!is_true(shape)) {
-                fault(shape, "a tip is {\"tip\": true}");
+                fault(shape, {"a tip is {\"tip\": true}", "una punta è {\"tip\": true}"});
                 return false;
             }
             joint.profiles.emplace(on, TipProfile{});
@@ -566,100 +632,137 @@ private:
     }
 
     /// A sliding joint by its name, or none with a fault; `remedy` is for those who name a joint of another kind.
-    JointIndex sliding_joint(JsonValue value, std::string_view remedy) {
-        if (!value || !expect(value, Kind::string, "a joint's name")) return none;
+    JointIndex sliding_joint(JsonValue value, const Words& remedy) {
+        if (!value || !expect(value, Kind::string, {"a joint's name", "il nome di una coppia"})) return none;
         const std::string name(value.text());
         if (const auto found = sliding_by_name_.find(name); found != sliding_by_name_.end()) return found->second;
         if (const auto other = other_joints_.find(name); other != other_joints_.end()) {
-            fault(value,
-                  "the joint " + quoted(name) + " is of kind \"" + std::string(other->second) + "\"; " + std::string(remedy));
+            wrong_kind(value, other->second, remedy);
         } else if (joints_known_) {
-            fault(value, "no sliding joint is named " + quoted(name) + did_you_mean(speller_.nearest(name, sliding_names_)));
+            fault(value, {"no sliding joint is named {0}{1}", "nessuna coppia con scorrimento si chiama {0}{1}", quoted(name),
+                          did_you_mean(speller_.nearest(name, sliding_names_))});
         }
         return none;
+    }
+
+    void wrong_kind(JsonValue joint, std::string_view kind, const Words& remedy) {
+        fault(joint, {"the joint {0} is of kind \"{1}\"; {2}", "la coppia {0} è di tipo \"{1}\"; {2}", quoted(joint.text()), kind,
+                      remedy});
     }
 
     // ----- drivers
 
     void read_driver(JsonValue value) {
-        if (!expect(value, Kind::object, "a driver")) return;
+        if (!expect(value, Kind::object, {"a driver", "un movente"})) return;
         if (value["joint"]) {
-            const Members form = members(value, {"joint", "speed", "acceleration"}, "a driver of a joint");
+            const Members form =
+                members(value, {"joint", "speed", "acceleration"}, {"a driver of a joint", "un movente di una coppia"});
             SlideDriver driver;
             driver.where = value.pointer();
-            driver.joint =
-                sliding_joint(form["joint"], "a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here");
+            driver.joint = sliding_joint(
+                form["joint"],
+                {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
+                 "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
             if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
-                fault(form["joint"], "the slot of " + quoted(form["joint"].text()) + " is curved; drive a \"body\" instead");
+                fault(form["joint"],
+                      {"the slot of {0} is curved; drive a \"body\" instead",
+                       "il glifo di {0} è curvo; comandare invece un corpo con \"body\"", quoted(form["joint"].text())});
             }
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
             driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
             mechanism_.drivers.emplace_back(std::move(driver));
             return;
         }
-        constexpr std::string_view frame_rests = "the frame does not move; drive another body";
+        const Words frame_rests("the frame does not move; drive another body",
+                                "il telaio non si muove; comandare un altro corpo");
         if (value["at"] || value["along"] || value["speed"] || value["acceleration"]) {
-            const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "joint"}, "a driver of a point");
+            const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "joint"},
+                                         {"a driver of a point", "un movente di un punto"});
             PointDriver driver;
             driver.where = value.pointer();
             if (form.has_or_misspells("joint")) return;
             if (!form.has_or_misspells("body") && !form.has_or_misspells("at") && !form.has_or_misspells("along")) {
-                fault(value, "what is driven is missing: \"joint\", or \"body\", \"at\" and \"along\"");
+                fault(value, {"what is driven is missing: \"joint\", or \"body\", \"at\" and \"along\"",
+                              "manca ciò che è comandato: \"joint\", oppure \"body\", \"at\" e \"along\""});
                 return;
             }
-            driver.body = moving_body(required(form, "body", "the body that is driven"), frame_rests);
-            driver.at = point(required(form, "at", "the point that is driven"));
-            driver.along = bearing_or_default(required(form, "along", "the direction in which it is driven"));
+            if (form["body"] && !form.has_or_misspells("at") && !form.has_or_misspells("along")) return turn_instead(form);
+            driver.body = moving_body(required(form, "body", {"the body that is driven", "il corpo comandato"}), frame_rests);
+            driver.at = point(required(form, "at", {"the point that is driven", "il punto comandato"}));
+            driver.along = bearing_or_default(
+                required(form, "along", {"the direction in which it is driven", "la direzione in cui è comandato"}));
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
             driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
             mechanism_.drivers.emplace_back(std::move(driver));
             return;
         }
-        const Members form = members(
-            value, {"body", "relative to", "omega", "alpha", "joint", "at", "along", "speed", "acceleration"}, "a driver");
+        const Members form =
+            members(value, {"body", "relative to", "omega", "alpha", "joint", "at", "along", "speed", "acceleration"},
+                    {"a driver", "un movente"});
         for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
             if (form.has_or_misspells(key)) return;
         }
         SpinDriver driver;
         driver.where = value.pointer();
-        driver.body = moving_body(required(form, "body", "the body that is driven (or give \"joint\")"), frame_rests);
+        driver.body = moving_body(
+            required(form, "body", {"the body that is driven (or give \"joint\")", "il corpo comandato (o assegnare \"joint\")"}),
+            frame_rests);
         if (const JsonValue base = form["relative to"]) {
             driver.relative_to = body(base);
             if (driver.relative_to > frame && driver.relative_to == driver.body)
-                fault(base, "a body does not turn against itself; name another");
+                fault(base, {"a body does not turn against itself; name another",
+                             "un corpo non ruota rispetto a se stesso; indicarne un altro"});
         }
         driver.omega = quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
         driver.alpha = quantity_or_zero(form["alpha"], QuantityKind::angular_acceleration);
         mechanism_.drivers.emplace_back(std::move(driver));
     }
 
+    /// {"body": 2, "speed": 150}: a body turns.
+    void turn_instead(const Members& form) {
+        for (const auto& [key, turning] : {std::pair{"speed", "omega"}, std::pair{"acceleration", "alpha"}})
+            if (form[key])
+                fault(
+                    form[key],
+                    {"a body turns: give \"{1}\"; \"{0}\" is of a \"joint\" that slides, or of a point of the body, \"at\" P "
+                     "\"along\" X",
+                     "un corpo ruota: assegnare \"{1}\"; \"{0}\" è di una coppia che scorre (\"joint\") o di un punto del corpo, "
+                     "\"at\" P \"along\" X",
+                     std::string_view(key), std::string_view(turning)});
+    }
+
     // ----- forces
 
     void read_masses(JsonValue masses) {
-        if (!masses || !expect(masses, Kind::object, "an object of masses by body")) return;
+        if (!masses || !expect(masses, Kind::object, {"an object of masses by body", "un oggetto con le masse per corpo"}))
+            return;
         for (const JsonValue member : masses) {
             Mass mass;
             mass.where = member.pointer();
             mass.body = look_up_body(member, member.key());
-            if (!expect(member, Kind::object, "{\"mass\": …, \"centre\": …, \"inertia\": …}")) continue;
-            const Members form = members(member, {"mass", "centre", "inertia"}, "a body's mass");
-            mass.mass = not_negative(required(form, "mass", "how much it is"), QuantityKind::mass, "a mass");
-            mass.centre = point(required(form, "centre", "the centre of mass"));
-            mass.inertia = not_negative(form["inertia"], QuantityKind::inertia, "a moment of inertia");
+            if (!expect(member, Kind::object,
+                        {"{\"mass\": …, \"centre\": …, \"inertia\": …}", "{\"mass\": …, \"centre\": …, \"inertia\": …}"}))
+                continue;
+            const Members form = members(member, {"mass", "centre", "inertia"}, {"a body's mass", "la massa di un corpo"});
+            mass.mass = not_negative(required(form, "mass", {"how much it is", "quanto vale"}), QuantityKind::mass,
+                                     {"a mass", "una massa"});
+            mass.centre = point(required(form, "centre", {"the centre of mass", "il baricentro"}));
+            mass.inertia = not_negative(form["inertia"], QuantityKind::inertia, {"a moment of inertia", "un momento d’inerzia"});
             mechanism_.masses.push_back(std::move(mass));
         }
     }
 
     void read_load(JsonValue value) {
-        if (!expect(value, Kind::object, "a load")) return;
+        if (!expect(value, Kind::object, {"a load", "un carico"})) return;
         if (value["couple"]) {
-            const Members form = members(value, {"couple", "body", "value", "force"}, "a couple");
+            const Members form = members(value, {"couple", "body", "value", "force"}, {"a couple", "una coppia di forze"});
             one_of(form, {"couple", "force"});
             CoupleLoad couple;
             couple.where = value.pointer();
-            couple.name = new_name(form["couple"], "the couple's name");
-            couple.body = body(required(form, "body", "the body on which it acts"));
-            couple.value = quantity_or_zero(required(form, "value", "the couple's size"), QuantityKind::moment);
+            couple.name = name_of_load(form["couple"], {"the couple's name", "il nome della coppia di forze"});
+            couple.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
+            couple.value = quantity_or_zero(required(form, "value", {"the couple's size", "il valore della coppia di forze"}),
+                                            QuantityKind::moment);
             mechanism_.loads.emplace_back(std::move(couple));
         } else if (value["bodies"] || value["between"]) {
             read_spring(value);
@@ -668,128 +771,162 @@ private:
         }
     }
 
+    /// Results and figures go by it.
+    std::string name_of_load(JsonValue value, const Words& wanted) {
+        std::string name = new_name(value, wanted);
+        if (!name.empty() && !load_names_.insert(name).second)
+            fault(value, {"two loads are named {0}; figures go by the name, so rename one",
+                          "due carichi si chiamano {0}; le figure vanno per nome, quindi rinominarne uno", quoted(name)});
+        return name;
+    }
+
     void read_spring(JsonValue value) {
-        const Members form = members(value, {"force", "bodies", "between", "magnitude"}, "a force between two bodies");
+        const Members form = members(value, {"force", "bodies", "between", "magnitude"},
+                                     {"a force between two bodies", "una forza fra due corpi"});
         SpringLoad spring;
         spring.where = value.pointer();
-        if (const JsonValue name = required(form, "force", "the force's name")) spring.name = new_name(name, "the force's name");
-        if (const JsonValue bodies = required(form, "bodies", "the two bodies that are pulled together")) {
+        if (const JsonValue name = required(form, "force", {"the force's name", "il nome della forza"}))
+            spring.name = name_of_load(name, {"the force's name", "il nome della forza"});
+        if (const JsonValue bodies =
+                required(form, "bodies", {"the two bodies that are pulled together", "i due corpi che si attraggono"})) {
             if (bodies.is_array() && bodies.size() == 2) {
                 const JsonValue second = *++bodies.begin();
                 spring.bodies = {body(*bodies.begin()), body(second)};
                 if (spring.bodies[0] != none && spring.bodies[0] == spring.bodies[1]) {
-                    fault(second, "the body " + quoted(second.text()) + " stands twice; a spring is between two bodies");
+                    fault(second, {"the body {0} stands twice; a spring is between two bodies",
+                                   "il corpo {0} compare due volte; una molla sta fra due corpi", quoted(second.text())});
                 }
             } else {
-                fault(bodies, "two bodies are wanted here, not " + described(bodies));
+                fault(bodies, {"two bodies are wanted here, not {0}", "qui servono due corpi, non {0}", described(bodies)});
             }
         }
-        if (const JsonValue ends = required(form, "between", "the two points at which they are pulled")) {
+        if (const JsonValue ends =
+                required(form, "between", {"the two points at which they are pulled", "i due punti in cui sono tirati"})) {
             if (ends.is_array() && ends.size() == 2) {
                 const Bearing::Between points = between(ends);
                 spring.between = {points.from, points.to};
             } else {
-                fault(ends, "two points are wanted here, not " + described(ends));
+                fault(ends, {"two points are wanted here, not {0}", "qui servono due punti, non {0}", described(ends)});
             }
         }
-        spring.magnitude = quantity_or_zero(required(form, "magnitude", "how hard they are pulled"), QuantityKind::force);
+        spring.magnitude = quantity_or_zero(required(form, "magnitude", {"how hard they are pulled", "quanto sono tirati"}),
+                                            QuantityKind::force);
         mechanism_.loads.emplace_back(std::move(spring));
     }
 
     void read_force(JsonValue value) {
-        const Members form =
-            members(value, {"force", "body", "at", "value", "magnitude", "along", "couple", "bodies", "between"}, "a force");
+        const Members form = members(value, {"force", "body", "at", "value", "magnitude", "along", "couple", "bodies", "between"},
+                                     {"a force", "una forza"});
         if (form.has_or_misspells("couple") || form.has_or_misspells("bodies") || form.has_or_misspells("between")) return;
         if (!form.has_or_misspells("force")) {
-            fault(value, "the load's name is missing: \"force\" or \"couple\"");
+            fault(value,
+                  {"the load's name is missing: \"force\" or \"couple\"", "manca il nome del carico: \"force\" o \"couple\""});
             return;
         }
         ForceLoad force;
         force.where = value.pointer();
-        if (const JsonValue name = required(form, "force", "the force's name (or \"couple\")"))
-            force.name = new_name(name, "the force's name");
-        force.body = body(required(form, "body", "the body on which it acts"));
-        force.at = point(required(form, "at", "the point at which it acts"));
+        if (const JsonValue name =
+                required(form, "force", {"the force's name (or \"couple\")", "il nome della forza (o \"couple\")"}))
+            force.name = name_of_load(name, {"the force's name", "il nome della forza"});
+        force.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
+        force.at = point(required(form, "at", {"the point at which it acts", "il punto in cui agisce"}));
         const JsonValue how = one_of(form, {"value", "magnitude"});
         if (how && how.key() == "value") {
             one_of(form, {"value", "along"});
-            force.value = vector(how, QuantityKind::force, "a force [Fx, Fy]");
+            force.value = vector(how, QuantityKind::force, {"a force [Fx, Fy]", "una forza [Fx, Fy]"});
         } else if (how) {
             const auto magnitude = quantity(how, QuantityKind::force);
-            const auto along = bearing(required(form, "along", "the direction of the force"));
+            const auto along = bearing(required(form, "along", {"the direction of the force", "la direzione della forza"}));
             if (magnitude && along) force.magnitude = {*magnitude, *along};
         }
         mechanism_.loads.emplace_back(std::move(force));
     }
 
     void read_effort(JsonValue value) {
-        if (!expect(value, Kind::object, "an effort")) return;
-        constexpr std::string_view frame_rests = "an effort on the frame balances nothing; name a body that moves";
+        if (!expect(value, Kind::object, {"an effort", "un’azione equilibrante"})) return;
+        const Words frame_rests("an effort on the frame balances nothing; name a body that moves",
+                                "un’azione sul telaio non equilibra nulla; indicare un corpo che si muove");
         std::string name;
         JsonValue name_value;
-        const auto take_name = [&](JsonValue given, std::string_view wanted) {
+        const auto take_name = [&](JsonValue given, const Words& wanted) {
             name_value = given;
             if (given) name = new_name(given, wanted);
         };
         if (value["couple"]) {
-            const Members form = members(value, {"couple", "body", "from", "force"}, "a couple that balances");
+            const Members form = members(value, {"couple", "body", "from", "force"},
+                                         {"a couple that balances", "una coppia di forze equilibrante"});
             one_of(form, {"couple", "force"});
-            take_name(form["couple"], "the couple's name");
+            take_name(form["couple"], {"the couple's name", "il nome della coppia di forze"});
             CoupleEffort couple;
             couple.where = value.pointer();
-            couple.body = body(required(form, "body", "the body on which it acts"));
+            couple.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
             if (const JsonValue from = form["from"]) couple.from = body(from);
             if (couple.body != none && couple.body == couple.from) {
                 fault(form["from"] ? form["from"] : form["body"],
-                      form["from"] ? "a couple from a body on itself balances nothing; name another" : std::string(frame_rests));
+                      form["from"] ? Words("a couple from a body on itself balances nothing; name another",
+                                           "una coppia di forze da un corpo su se stesso non equilibra nulla; indicarne un altro")
+                                   : frame_rests);
             }
             couple.name = name;
             mechanism_.efforts.emplace_back(std::move(couple));
         } else if (value["joint"]) {
-            const Members form = members(value, {"force", "joint"}, "an actuator");
-            take_name(required(form, "force", "the force's name"), "the force's name");
+            const Members form = members(value, {"force", "joint"}, {"an actuator", "un attuatore"});
+            take_name(required(form, "force", {"the force's name", "il nome della forza"}),
+                      {"the force's name", "il nome della forza"});
             ActuatorEffort actuator;
             actuator.where = value.pointer();
-            constexpr std::string_view remedy = "an actuator works in a prismatic joint";
+            const Words remedy("an actuator works in a prismatic joint", "un attuatore agisce in una coppia prismatica");
             actuator.joint = sliding_joint(form["joint"], remedy);
             if (actuator.joint != none) {
                 const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
-                if (!pair.is_sleeve())
-                    fault(form["joint"], "the joint " + quoted(form["joint"].text()) + " is of kind \"" + std::string(pair.key) +
-                                             "\"; " + std::string(remedy));
+                if (!pair.is_sleeve()) wrong_kind(form["joint"], pair.key, remedy);
             }
             actuator.name = name;
             mechanism_.efforts.emplace_back(std::move(actuator));
         } else {
-            const Members form = members(value, {"force", "body", "at", "along", "couple", "joint"}, "a force that balances");
+            const Members form = members(value, {"force", "body", "at", "along", "couple", "joint"},
+                                         {"a force that balances", "una forza equilibrante"});
             if (form.has_or_misspells("couple") || form.has_or_misspells("joint")) return;
             if (!form.has_or_misspells("force")) {
-                fault(value, "the effort's name is missing: \"force\" or \"couple\"");
+                fault(value, {"the effort's name is missing: \"force\" or \"couple\"",
+                              "manca il nome dell’azione equilibrante: \"force\" o \"couple\""});
                 return;
             }
-            take_name(form["force"], "the force's name");
+            take_name(form["force"], {"the force's name", "il nome della forza"});
             ForceEffort force;
             force.where = value.pointer();
-            force.body = moving_body(required(form, "body", "the body on which it acts (or give \"joint\")"), frame_rests);
-            force.at = point(required(form, "at", "the point at which it acts"));
-            force.along = bearing_or_default(required(form, "along", "the direction of the force"));
+            force.body = moving_body(
+                required(form, "body",
+                         {"the body on which it acts (or give \"joint\")", "il corpo su cui agisce (o assegnare \"joint\")"}),
+                frame_rests);
+            force.at = point(required(form, "at", {"the point at which it acts", "il punto in cui agisce"}));
+            force.along = bearing_or_default(required(form, "along", {"the direction of the force", "la direzione della forza"}));
             force.name = name;
             mechanism_.efforts.emplace_back(std::move(force));
         }
         if (!name.empty() && !effort_names_.insert(name).second) {
-            fault(name_value, "two efforts are named " + quoted(name) + "; results go by the name, so rename one");
+            fault(name_value,
+                  {"two efforts are named {0}; results go by the name, so rename one",
+                   "due azioni equilibranti si chiamano {0}; i risultati vanno per nome, quindi rinominarne una", quoted(name)});
         }
     }
 
     // ----- motion, wishes, scales
 
     void read_motion(JsonValue value) {
-        if (!expect(value, Kind::object, "an act of motion, {\"body\": …, \"velocities\": {…}},")) return;
-        const Members form = members(value, {"body", "velocities", "accelerations"}, "an act of motion");
+        if (!expect(value, Kind::object,
+                    {"an act of motion, {\"body\": …, \"velocities\": {…}},",
+                     "un atto di moto, {\"body\": …, \"velocities\": {…}},"}))
+            return;
+        const Members form = members(value, {"body", "velocities", "accelerations"}, {"an act of motion", "un atto di moto"});
         ActOfMotion motion;
         motion.where = value.pointer();
-        motion.body = moving_body(required(form, "body", "the body that moves"), "the frame does not move; name another body");
-        if (const JsonValue velocities = required(form, "velocities", "what is known of the velocities of its points")) {
+        motion.body =
+            moving_body(required(form, "body", {"the body that moves", "il corpo che si muove"}),
+                        {"the frame does not move; name another body", "il telaio non si muove; indicare un altro corpo"});
+        if (const JsonValue velocities =
+                required(form, "velocities",
+                         {"what is known of the velocities of its points", "ciò che si sa delle velocità dei suoi punti"})) {
             motion.velocities = given_motions(motion.body, velocities, QuantityKind::velocity);
         }
         if (const JsonValue accelerations = form["accelerations"]) {
@@ -801,16 +938,18 @@ private:
     /// The points named move with the body, listed there or not.
     std::vector<GivenMotion> given_motions(BodyIndex on, JsonValue value, QuantityKind kind) {
         std::vector<GivenMotion> motions;
-        if (!expect(value, Kind::object, "an object of vectors by point")) return motions;
+        if (!expect(value, Kind::object, {"an object of vectors by point", "un oggetto con i vettori per punto"})) return motions;
         for (const JsonValue member : value) {
             GivenMotion given;
             given.point = look_up_point(member, member.key());
             carry(on, given.point);
             if (member.is_object()) {
-                const Members form = members(member, {"along"}, "what is known of a vector");
-                given.value = bearing_or_default(required(form, "along", "the direction of the vector"));
+                const Members form = members(member, {"along"}, {"what is known of a vector", "ciò che si sa di un vettore"});
+                given.value =
+                    bearing_or_default(required(form, "along", {"the direction of the vector", "la direzione del vettore"}));
             } else {
-                given.value = vector(member, kind, "a vector [x, y] or {\"along\": X}").value_or(Vector{});
+                given.value = vector(member, kind, {"a vector [x, y] or {\"along\": X}", "un vettore [x, y] o {\"along\": X}"})
+                                  .value_or(Vector{});
             }
             motions.push_back(std::move(given));
         }
@@ -828,20 +967,28 @@ private:
                 return;
             }
             const auto meant = speller_.nearest(value.text(), wishes);
-            fault(value, quoted(value.text()) + " is nothing to find" +
-                             (meant ? did_you_mean(meant)
-                                    : "; what can be found is " + listed(wishes) + " and {\"relative motion\": …}"));
+            fault(value, {"{0} is nothing to find{1}", "{0} non è cosa da trovare{1}", quoted(value.text()),
+                          meant ? did_you_mean(meant)
+                                : Words("; what can be found is {0} and {\"relative motion\": …}",
+                                        "; si può trovare {0} e {\"relative motion\": …}", listed(wishes))});
             return;
         }
-        if (!expect(value, Kind::object, "a wish, as \"velocity\" or {\"relative motion\": …, \"observer\": …},")) return;
-        const Members form = members(value, {"relative motion", "observer"}, "a wish");
+        if (!expect(value, Kind::object,
+                    {"a wish, as \"velocity\" or {\"relative motion\": …, \"observer\": …},",
+                     "una richiesta, come \"velocity\" o {\"relative motion\": …, \"observer\": …},"}))
+            return;
+        const Members form = members(value, {"relative motion", "observer"}, {"a wish", "una richiesta"});
         RelativeMotionQuery query;
         query.where = value.pointer();
-        query.point = point(required(form, "relative motion", "the point whose motion is observed"));
-        const JsonValue observer = required(form, "observer", "the body that carries the observer, or {\"translating with\": Q}");
+        query.point = point(
+            required(form, "relative motion", {"the point whose motion is observed", "il punto di cui si osserva il moto"}));
+        const JsonValue observer = required(form, "observer",
+                                            {"the body that carries the observer, or {\"translating with\": Q}",
+                                             "il corpo solidale all’osservatore, o {\"translating with\": Q}"});
         if (observer && observer.is_object()) {
-            const Members frame = members(observer, {"translating with"}, "an observer");
-            query.translating_with = point(required(frame, "translating with", "the point that carries the observer"));
+            const Members frame = members(observer, {"translating with"}, {"an observer", "un osservatore"});
+            query.translating_with = point(required(
+                frame, "translating with", {"the point that carries the observer", "il punto con cui trasla l’osservatore"}));
         } else {
             query.observer = body(observer);
         }
@@ -849,7 +996,8 @@ private:
     }
 
     void read_scales(JsonValue value) {
-        if (!value || !expect(value, Kind::object, "an object of scales by figure")) return;
+        if (!value || !expect(value, Kind::object, {"an object of scales by figure", "un oggetto con le scale per figura"}))
+            return;
         constexpr std::array figures{
             std::pair{std::string_view("mechanism"), QuantityKind::length},
             std::pair{std::string_view("centres"), QuantityKind::length},
@@ -859,15 +1007,15 @@ private:
             std::pair{std::string_view("forces"), QuantityKind::force},
             std::pair{std::string_view("closure"), QuantityKind::force},
         };
-        const Members form =
-            members(value, {"mechanism", "centres", "velocity", "acceleration", "body", "forces", "closure"}, "\"scales\"");
+        const Members form = members(value, {"mechanism", "centres", "velocity", "acceleration", "body", "forces", "closure"},
+                                     {"\"scales\"", "\"scales\""});
         for (const auto& [figure, kind] : figures) {
             const JsonValue scale = form[figure];
             if (!scale) continue;
-            auto per_millimetre = scale.is_string()
-                                      ? read_scale(scale.text(), kind)
-                                      : tl::expected<Exact, std::string>(tl::make_unexpected(
-                                            "a scale" + scale_example(kind) + " is wanted here, not " + described(scale)));
+            auto per_millimetre = scale.is_string() ? read_scale(scale.text(), kind)
+                                                    : tl::expected<Exact, Words>(tl::make_unexpected(Words(
+                                                          "a scale{0} is wanted here, not {1}", "qui serve una scala{0}, non {1}",
+                                                          scale_example(kind), described(scale))));
             if (per_millimetre) {
                 mechanism_.scales.push_back({std::string(figure), std::move(*per_millimetre), scale.pointer()});
             } else {
@@ -889,7 +1037,7 @@ private:
         sliding_keys_;  ///< where each name stands; contacts have results under theirs too
     std::vector<std::string_view> sliding_names_;
     std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of those that do not slide
-    std::unordered_set<std::string> effort_names_;
+    std::unordered_set<std::string> load_names_, effort_names_;
     std::unordered_set<std::uint64_t> carried_;  ///< (body, point)
 };
 

@@ -17,6 +17,10 @@ namespace {
 /// What may be lost to earlier roots before a small value is taken for what it looks like: 24 of the compass's bits.
 constexpr int bits_in_doubt = 24;
 
+/// Numbers longer than this, numerator and denominator together (some 75 digits), make every number behind them as long and show
+/// nothing on any drawing.
+constexpr std::size_t most_bits = 512;
+
 /// z = x·y as complex numbers: y turned by x's angle, |x| times as long.
 Vector turned(const Vector& x, const Vector& y) { return {x.x * y.x - x.y * y.y, x.x * y.y + x.y * y.x}; }
 
@@ -47,14 +51,14 @@ struct Ray {
     Vector along;
     bool rational_angle = true;
     bool touched = false;  ///< lies where it does through an earlier root
-    std::string name;      ///< "through O2"
+    Words name;            ///< "through O2"
 };
 struct Disc {
     Vector centre;
     Exact radius;
     PointIndex point = none;
     bool touched = false;
-    std::string name;  ///< "A (radius 50 mm)"
+    Words name;  ///< "A (radius 50 mm)"
 };
 using Stroke = std::variant<Ray, Disc>;
 
@@ -66,8 +70,14 @@ struct Candidates {
 
 class Drawing {
 public:
-    Drawing(const Mechanism& mechanism, int bits, int size_exponent) : mechanism_(mechanism), grid_(bits - size_exponent) {
+    Drawing(const Mechanism& mechanism, int bits, int size_exponent, std::size_t longest_given)
+        : mechanism_(mechanism), grid_(bits - size_exponent), rounds_(longest_given > most_bits) {
         pose_.bits = bits;
+        constexpr double digits_of_bit = 0.30103;  // log10 2
+        const auto digits = [](std::size_t of) { return Count{static_cast<int>(digits_of_bit * static_cast<double>(of))}; };
+        if (rounds_)
+            pose_.remarks.push_back(
+                {Sentence::rounded_givens, {digits(longest_given / 2), digits(static_cast<std::size_t>(bits))}});
         pose_.points.resize(mechanism.points.size());
         pose_.leftover.resize(mechanism.points.size());
         touched_.resize(mechanism.points.size(), false);
@@ -90,8 +100,11 @@ private:
     enum class State { waiting, under_way, done, failed };
 
     // --- words ---------------------------------------------------------------------------------------------------------------
-    std::string in_file_units(double metres) const {
-        return number_text(metres / mechanism_.units.length.si.to_double()) + " " + mechanism_.units.length.symbol;
+    Words in_file_units(double metres) const {
+        const std::string number = number_text(metres / mechanism_.units.length.si.to_double());
+        std::string with_comma = number;
+        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+        return {number + " " + mechanism_.units.length.symbol, with_comma + " " + mechanism_.units.length.symbol};
     }
     Amount amount(double metres) const {
         return {metres / mechanism_.units.length.si.to_double(), mechanism_.units.length.symbol};
@@ -104,7 +117,7 @@ private:
     }
     const std::string& name_of(PointIndex point) const { return mechanism_.point(point).name; }
 
-    bool fail(std::string where, std::string message, ErrorCode code = ErrorCode::bad_input) {
+    bool fail(std::string where, Words message, ErrorCode code = ErrorCode::bad_input) {
         errors_.push_back({code, std::move(where), std::move(message)});
         return false;
     }
@@ -163,8 +176,9 @@ private:
         const Vector direction = pose_.at(between.to) - pose_.at(between.from);
         const bool nothing = touched(between) ? is_small(direction) : direction.is_zero();
         if (!nothing) return direction;
-        fail(where, name_of(between.from) + " and " + name_of(between.to) +
-                        " coincide, so they give no direction; name two other points");
+        fail(where, {"{0} and {1} coincide, so they give no direction; name two other points",
+                     "{0} e {1} coincidono, quindi non danno una direzione; indicare altri due punti", name_of(between.from),
+                     name_of(between.to)});
         return std::nullopt;
     }
     bool is_small(const Vector& a) const {
@@ -173,8 +187,11 @@ private:
     Vector on_grid(const Vector& a) const { return {rounded(a.x, grid_), rounded(a.y, grid_)}; }
     Exact grid_step() const { return Exact::power_of_two(-grid_); }
 
-    void set(const NamedPoint& named, const Vector& place, const Exact& leftover, bool is_touched) {
+    void set(const NamedPoint& named, const Vector& exact_place, const Exact& own_leftover, bool is_touched) {
         const auto index = static_cast<std::size_t>(&named - mechanism_.points.data());
+        const bool rounds = rounds_ && std::max(exact_place.x.bits(), exact_place.y.bits()) > most_bits;
+        const Vector place = rounds ? on_grid(exact_place) : exact_place;
+        const Exact leftover = rounds ? own_leftover + grid_step() : own_leftover;
         pose_.points[index] = place;
         pose_.leftover[index] = leftover;
         rough_x_[index] = place.x.to_double();
@@ -246,8 +263,11 @@ private:
     std::optional<Stroke> stroke(const CircleCurve& circle, const std::string&) {
         if (!drawn(circle.centre)) return std::nullopt;
         const auto* point = std::get_if<PointIndex>(&circle.centre);
-        return Disc{at(circle.centre), circle.radius, point == nullptr ? none : *point, touched(circle.centre),
-                    name_of(circle.centre) + " (radius " + in_file_units(circle.radius.to_double()) + ")"};
+        return Disc{at(circle.centre),
+                    circle.radius,
+                    point == nullptr ? PointIndex() : *point,
+                    touched(circle.centre),
+                    {"{0} (radius {1})", "{0} (raggio {1})", name_of(circle.centre), in_file_units(circle.radius.to_double())}};
     }
     std::optional<Stroke> stroke(const LineCurve& line, const std::string& where) {
         bool ready = drawn(line.through);
@@ -255,17 +275,18 @@ private:
         const bool by_bearing = line.by == LineCurve::By::parallel || line.by == LineCurve::By::perpendicular;
         if (by_bearing) ready = drawn(line.bearing) && ready;
         if (!ready) return std::nullopt;
-        Ray ray{at(line.through), {}, true, touched(line.through), "through " + name_of(line.through)};
+        Ray ray{at(line.through), {}, true, touched(line.through), {"through {0}", "per {0}", name_of(line.through)}};
         if (line.by == LineCurve::By::angle) {
             ray.along = direction_of(line.angle, pose_.bits);
             ray.rational_angle = is_rational(line.angle);
         } else if (line.by == LineCurve::By::to) {
             ray.along = pose_.at(line.to) - ray.through;
             ray.touched = ray.touched || touched_[at_index(line.to)];
-            ray.name += " and " + name_of(line.to);
+            ray.name += Words(" and {0}", " e {0}", name_of(line.to));
             if (ray.touched ? is_small(ray.along) : ray.along.is_zero()) {
-                fail(where, name_of(line.through) + " and " + name_of(line.to) +
-                                " coincide, so they give no line; name two other points");
+                fail(where, {"{0} and {1} coincide, so they give no line; name two other points",
+                             "{0} e {1} coincidono, quindi non danno una retta; indicare altri due punti", name_of(line.through),
+                             name_of(line.to)});
                 return std::nullopt;
             }
         } else {
@@ -276,7 +297,7 @@ private:
             }
             ray.along = direction_of(line.bearing, pose_);
             if (ray.along.is_zero()) {
-                fail(where, "the vector [0, 0] gives no direction");
+                fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
                 return std::nullopt;
             }
             if (line.by == LineCurve::By::perpendicular) ray.along = quarter_turn(ray.along);
@@ -324,21 +345,27 @@ private:
             const bool tie = found.touched ? apart < Exact::power_of_two(bits_in_doubt - pose_.bits) * square(estimated_size_)
                                            : apart.is_zero();
             if (!tie) return found.places[first < second ? 0 : 1];
-            fail(named.where,
-                 "both intersections for " + named.name +
-                     " are equally far from \"near\"; give \"side\": \"left\" or \"right\" instead, or move \"near\"");
+            fail(
+                named.where,
+                {"both intersections for {0} are equally far from \"near\"; give \"side\": \"left\" or \"right\" instead, or move \"near\"",
+                 "le due intersezioni per {0} sono ugualmente lontane da \"near\"; assegnare invece \"side\": \"left\" o \"right\", o spostare \"near\"",
+                 named.name});
             return std::nullopt;
         }
         if (meet.side != Meet::Side::none) {
             // Circles: left and right of first centre → second. On a line both intersections lie on the line itself: they are
             // taken as they look when the line's direction points to the right, so that "right" is the one further along it.
             // (Seen from the centre they would change places whenever the centre crosses the line, as a crank pin does.)
-            const bool left = meet.side == Meet::Side::left;
-            return found.places[left ? 0 : 1];
+            const bool first = meet.side == Meet::Side::left || meet.side == Meet::Side::behind;
+            return found.places[first ? 0 : 1];
         }
-        fail(named.where, std::string(how == PositionStep::How::circles ? "the circles" : "the line and the circle") +
-                              " meet twice; choose the intersection for " + named.name +
-                              " by \"near\": [x, y] or by \"side\": \"left\" or \"right\"");
+        fail(
+            named.where,
+            {"{0} meet twice; choose the intersection for {1} by \"near\": [x, y] or by \"side\": \"left\" or \"right\"",
+             "{0} si incontrano due volte; scegliere l’intersezione per {1} con \"near\": [x, y] o con \"side\": \"left\" o \"right\"",
+             how == PositionStep::How::circles ? Words("the circles", "le circonferenze")
+                                               : Words("the line and the circle", "la retta e la circonferenza"),
+             named.name});
         return std::nullopt;
     }
 
@@ -349,10 +376,12 @@ private:
         const Exact doubt = inexact ? Exact::power_of_two(2 * (bits_in_doubt - pose_.bits)) : Exact();
         if (square(slant) <= doubt * squared_length(a.along) * squared_length(b.along)) {
             const bool same = square(cross(across, a.along)) <= doubt * squared_length(a.along) * square(estimated_size_);
-            const std::string apart =
-                same ? std::string("they are one and the same")
-                     : in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)) + " apart";
-            fail(where, "the lines " + a.name + " and " + b.name + " do not meet: they are parallel, " + apart,
+            const Words apart = same ? Words("they are one and the same", "e sono la stessa")
+                                     : Words("{0} apart", "a distanza {0}",
+                                             in_file_units(std::abs(cross(across, a.along).to_double()) / length(a.along)));
+            fail(where,
+                 {"the lines {0} and {1} do not meet: they are parallel, {2}",
+                  "le rette {0} e {1} non si incontrano: sono parallele, {2}", a.name, b.name, apart},
                  ErrorCode::cannot_meet);
             return std::nullopt;
         }
@@ -387,11 +416,12 @@ private:
         }
         if (room.sign() < 0) {
             const double distance = length(to_line);
-            fail(where,
-                 "the circle about " + circle.name + " and the line " + line.name + " do not meet: the line passes " +
-                     in_file_units(distance) + " from the centre, " + in_file_units(distance - circle.radius.to_double()) +
-                     " too far",
-                 ErrorCode::cannot_meet);
+            fail(
+                where,
+                {"the circle about {0} and the line {1} do not meet: the line passes {2} from the centre, {3} too far",
+                 "la circonferenza di centro {0} e la retta {1} non si incontrano: la retta passa a {2} dal centro, {3} di troppo",
+                 circle.name, line.name, in_file_units(distance), in_file_units(distance - circle.radius.to_double())},
+                ErrorCode::cannot_meet);
             return std::nullopt;
         }
         const int scale = magnitude_of_length(line.along) + 1;
@@ -416,9 +446,11 @@ private:
         const bool inexact = a.touched || b.touched;
         if (inexact ? is_small(across) : across.is_zero()) {
             fail(where,
-                 "the circles about " + a.name + " and " + b.name + " do not meet in points: they have the same centre" +
-                     (a.radius == b.radius ? " and radius"
-                                           : ", and radii " + in_file_units(abs(a.radius - b.radius).to_double()) + " apart"),
+                 {"the circles about {0} and {1} do not meet in points: they have the same centre{2}",
+                  "le circonferenze di centro {0} e {1} non si incontrano in punti: hanno lo stesso centro{2}", a.name, b.name,
+                  a.radius == b.radius ? Words(" and radius", " e raggio")
+                                       : Words(", and radii {0} apart", ", e raggi che differiscono di {0}",
+                                               in_file_units(abs(a.radius - b.radius).to_double()))},
                  ErrorCode::cannot_meet);
             return std::nullopt;
         }
@@ -434,8 +466,10 @@ private:
             const double difference = std::abs((a.radius - b.radius).to_double());
             const bool far = distance > sum;
             fail(where,
-                 "the circles about " + a.name + " and " + b.name + " do not meet: their centres are " + in_file_units(distance) +
-                     " apart, " + in_file_units(far ? distance - sum : difference - distance) + (far ? " too far" : " too near"),
+                 {"the circles about {0} and {1} do not meet: their centres are {2} apart, {3} {4}",
+                  "le circonferenze di centro {0} e {1} non si incontrano: i centri distano {2}, {3} {4}", a.name, b.name,
+                  in_file_units(distance), in_file_units(far ? distance - sum : difference - distance),
+                  far ? Words("too far", "di troppo") : Words("too near", "troppo poco")},
                  ErrorCode::cannot_meet);
             return std::nullopt;
         }
@@ -484,8 +518,13 @@ private:
         if (const auto* between = std::get_if<Bearing::Between>(&bearing.form)) return direction_between(*between, where);
         if (const auto* angle = std::get_if<Angle>(&bearing.form)) pose_.exact = pose_.exact && is_rational(*angle);
         Vector result = direction_of(bearing, pose_);
+        if (rounds_ && std::max(result.x.bits(), result.y.bits()) > most_bits) {
+            const int grid = pose_.bits - magnitude_of_length(result);
+            result = {rounded(result.x, grid), rounded(result.y, grid)};
+            pose_.exact = false;
+        }
         if (!result.is_zero()) return result;
-        fail(where, "the vector [0, 0] gives no direction");
+        fail(where, {"the vector [0, 0] gives no direction", "il vettore [0, 0] non dà una direzione"});
         return std::nullopt;
     }
 
@@ -564,7 +603,8 @@ private:
         if (!tangent && centres.empty()) {
             if (!joint.tangent) {
                 fail(joint.where,
-                     "nothing says how the bodies touch at " + name_of(joint.point) + "; give \"profiles\" or \"tangent\"");
+                     {"nothing says how the bodies touch at {0}; give \"profiles\" or \"tangent\"",
+                      "nulla dice come i corpi si toccano in {0}; assegnare \"profiles\" o \"tangent\"", name_of(joint.point)});
                 return;
             }
             tangent = direction(*joint.tangent, joint.where + "/tangent");
@@ -616,9 +656,11 @@ private:
         const Exact excess = squared_length(arm) - square(circle->radius);
         const double misfit = std::abs(excess.to_double()) / (length(arm) + circle->radius.to_double());
         if (is_refused(misfit)) {
-            return fail(joint.where, name_of(joint.point) + " lies " + in_file_units(length(arm)) + " from " + name_of(centre) +
-                                         ", but the circle of body " + mechanism_.body(body).name + " has radius " +
-                                         in_file_units(circle->radius.to_double()) + ": " + in_file_units(misfit) + " off");
+            return fail(joint.where,
+                        {"{0} lies {1} from {2}, but the circle of body {3} has radius {4}: {5} off",
+                         "{0} dista {1} da {2}, ma la circonferenza del corpo {3} ha raggio {4}: scarto {5}",
+                         name_of(joint.point), in_file_units(length(arm)), name_of(centre), mechanism_.body(body).name,
+                         in_file_units(circle->radius.to_double()), in_file_units(misfit)});
         }
         if (!is_noise(misfit)) {
             pose_.remarks.push_back({Sentence::off_its_circle,
@@ -640,11 +682,13 @@ private:
             pose_.remarks.push_back(std::move(message));
         };
         if (is_refused(misfit)) {
-            const std::string onto = centres.size() == 1
-                                         ? "the foot of " + name_of(centres[0]) + " on the line"
-                                         : "the line of the centres " + name_of(centres[0]) + " and " + name_of(centres[1]);
-            return fail(joint.where, name + " is " + in_file_units(misfit) + " off " + onto + ", where the bodies touch; move " +
-                                         name + " there or correct the profile");
+            const Words onto = centres.size() == 1
+                                   ? Words("the foot of {0} on the line", "dal piede di {0} sulla retta", name_of(centres[0]))
+                                   : Words("the line of the centres {0} and {1}", "dalla retta dei centri {0} e {1}",
+                                           name_of(centres[0]), name_of(centres[1]));
+            return fail(joint.where, {"{0} is {1} off {2}, where the bodies touch; move {0} there or correct the profile",
+                                      "{0} dista {1} {2}, dove i corpi si toccano; spostarvi {0} o correggere il profilo", name,
+                                      in_file_units(misfit), onto});
         }
         if (claimed_twice(joint.point)) {
             if (!is_noise(misfit)) remark(centres.size() == 1 ? Sentence::off_its_foot : Sentence::off_its_centres);
@@ -657,7 +701,8 @@ private:
     }
 
     const Mechanism& mechanism_;
-    int grid_;  ///< coordinates are multiples of 2^-grid where they are inexact
+    int grid_;     ///< coordinates are multiples of 2^-grid where they are inexact
+    bool rounds_;  ///< some number of the file is too long to be kept
     Exact estimated_size_;
     Pose pose_;
     std::vector<bool> touched_;  ///< by PointIndex: the place depends on a leftover, its own or an earlier one
@@ -666,15 +711,27 @@ private:
     Errors errors_;
 };
 
-/// Power of two near the largest length that the file gives.
-int estimated_size(const Mechanism& mechanism) {
+/// Of the lengths that a file gives.
+struct Lengths {
+    int size = 0;             ///< power of two near the largest
+    std::size_t longest = 0;  ///< bits of the longest number
+};
+Lengths lengths_of(const Mechanism& mechanism) {
     Exact largest;
+    std::size_t longest = 0;
     std::optional<Vector> first;
-    const auto length_given = [&](const Exact& value) { largest = std::max(largest, abs(value)); };
+    const auto number_given = [&](const Exact& value) { longest = std::max(longest, value.bits()); };
+    const auto size_given = [&](const Exact& value) { largest = std::max(largest, abs(value)); };
+    const auto length_given = [&](const Exact& value) {
+        size_given(value);
+        number_given(value);
+    };
     const auto place_given = [&](const Vector& at) {
+        number_given(at.x);
+        number_given(at.y);
         if (!first) first = at;
-        length_given(at.x - first->x);
-        length_given(at.y - first->y);
+        size_given(at.x - first->x);
+        size_given(at.y - first->y);
     };
     const auto curve_given = [&](const Curve& curve) {
         if (const auto* circle = std::get_if<CircleCurve>(&curve)) length_given(circle->radius);
@@ -682,14 +739,14 @@ int estimated_size(const Mechanism& mechanism) {
     for (const NamedPoint& point : mechanism.points) {
         if (const auto* given = std::get_if<Coordinates>(&point.placement)) place_given(given->at);
         if (const auto* polar = std::get_if<Polar>(&point.placement)) length_given(polar->distance);
-        if (const auto* along = std::get_if<Along>(&point.placement); along != nullptr && !along->is_ratio)
-            length_given(along->amount);
+        if (const auto* along = std::get_if<Along>(&point.placement))
+            along->is_ratio ? number_given(along->amount) : length_given(along->amount);
         if (const auto* meet = std::get_if<Meet>(&point.placement)) {
             curve_given(meet->first);
             curve_given(meet->second);
         }
     }
-    return largest.is_zero() ? 0 : magnitude(largest);
+    return {largest.is_zero() ? 0 : magnitude(largest), longest};
 }
 
 }  // namespace
@@ -698,12 +755,13 @@ Result<Pose> draw_pose(const Mechanism& mechanism, int bits) {
     // The grid must suit the drawing's size, which is known only once it is drawn: two bits to spare, and a second drawing where
     // the lengths given are much larger than what they make (a long radius about a far centre).
     constexpr int spare = 2;
-    const int estimate = estimated_size(mechanism) - spare;
-    auto pose = Drawing(mechanism, bits, estimate).draw();
+    const Lengths given = lengths_of(mechanism);
+    const int estimate = given.size - spare;
+    auto pose = Drawing(mechanism, bits, estimate, given.longest).draw();
     if (!pose || pose->exact) return pose;
     const int true_size = magnitude(pose->size);
     if (true_size >= estimate) return pose;
-    return Drawing(mechanism, bits, true_size).draw();
+    return Drawing(mechanism, bits, true_size, given.longest).draw();
 }
 
 Vector direction_of(const Angle& angle, int bits) {

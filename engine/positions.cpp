@@ -36,9 +36,12 @@ double largest(const std::vector<double>& values) {
 }
 
 Error stuck(const Driver& driver) {
-    return {ErrorCode::no_unique_answer, std::visit([](const auto& given) { return given.where; }, driver),
-            "the drawn position is a dead point or a change point: the driver moves from it in no or in several ways; draw the "
-            "mechanism in another position"};
+    return {ErrorCode::no_unique_answer,
+            std::visit([](const auto& given) { return given.where; }, driver),
+            {"the drawn position is a dead point or a change point: the driver moves from it in no or in several ways; draw the "
+             "mechanism in another position",
+             "la posizione disegnata è un punto morto o un punto di biforcazione: il movente se ne muove in nessun modo o in più "
+             "d’uno; disegnare il meccanismo in un’altra posizione"}};
 }
 
 }  // namespace

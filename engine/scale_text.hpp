@@ -12,8 +12,8 @@
 namespace kinegraph {
 
 /// " such as "1:5" or …": how a scale for such a quantity may be written.
-std::string scale_example(QuantityKind kind);
+Words scale_example(QuantityKind kind);
 /// SI units for each mm on paper.
-tl::expected<Exact, std::string> read_scale(std::string_view text, QuantityKind kind);
+tl::expected<Exact, Words> read_scale(std::string_view text, QuantityKind kind);
 
 }  // namespace kinegraph

@@ -10,20 +10,21 @@ using Kind = JsonValue::Kind;
 
 }  // namespace
 
-std::string described(JsonValue value) {
+Words described(JsonValue value) {
     switch (value.kind()) {
         case Kind::null:
-            return "null";
+            return std::string_view("null");
         case Kind::boolean:
-            return std::string(value.text());
+            return value.text();
         case Kind::number:
-            return "the number " + shown(value.text(), 40);
+            return {"the number {0}", "il numero {0}", shown(value.text(), 40)};
         case Kind::string:
             return quoted(value.text());
         case Kind::array:
-            return value.size() == 0 ? "an empty array" : "an array of " + std::to_string(value.size());
+            if (value.size() == 0) return {"an empty array", "un array vuoto"};
+            return {"an array of {0}", "un array di {0}", std::to_string(value.size())};
         case Kind::object:
-            return "an object";
+            return {"an object", "un oggetto"};
     }
     KG_ASSERT(false, "every kind of value has a description");
 }
@@ -38,10 +39,10 @@ bool is_whole_number(JsonValue value) {
 
 bool is_true(JsonValue value) { return value.kind() == Kind::boolean && value.text() == "true"; }
 
-std::string listed(std::span<const std::string_view> words) {
-    std::string list;
+Words listed(std::span<const std::string_view> words) {
+    Words list;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) list += i + 1 == words.size() ? " and " : ", ";
+        if (i > 0) list += i + 1 == words.size() ? Words(" and ", " e ") : Words(std::string(", "));
         list += '"' + std::string(words[i]) + '"';
     }
     return list;
@@ -57,6 +58,8 @@ bool has_control_character(std::string_view text, bool also_blank) {
     return false;
 }
 
-std::string did_you_mean(const std::optional<std::string>& name) { return name ? " (did you mean " + quoted(*name) + "?)" : ""; }
+Words did_you_mean(const std::optional<std::string>& name) {
+    return name ? Words(" (did you mean {0}?)", " (forse {0}?)", quoted(*name)) : Words();
+}
 
 }  // namespace kinegraph

@@ -17,11 +17,11 @@
 namespace kinegraph {
 
 /// "the number 3", "an array of 2".
-std::string described(JsonValue value);
+Words described(JsonValue value);
 bool is_whole_number(JsonValue value);
 bool is_true(JsonValue value);
 /// "a", "b" and "c".
-std::string listed(std::span<const std::string_view> words);
+Words listed(std::span<const std::string_view> words);
 /// The C0, DEL and C1 characters, at any place of well-formed UTF-8; a tab or line break only where `also_blank`.
 bool has_control_character(std::string_view text, bool also_blank);
 
@@ -72,6 +72,6 @@ private:
 };
 
 /// " (did you mean "4"?)", or nothing.
-std::string did_you_mean(const std::optional<std::string>& name);
+Words did_you_mean(const std::optional<std::string>& name);
 
 }  // namespace kinegraph

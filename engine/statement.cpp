@@ -1,6 +1,7 @@
 // Plain names of symbols: the ASCII form that ids, tables and results share. Knows no typography.
 #include "engine/statement.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "engine/assert.hpp"
@@ -45,13 +46,27 @@ std::string_view stem(Symbol::Letter letter) {
 
 }  // namespace
 
+bool has_own_name(const Symbol& symbol) {
+    if (symbol.letter != Symbol::Letter::F && symbol.letter != Symbol::Letter::M) return false;
+    const std::string_view name = symbol.about;
+    const auto begins = [&](char letter) { return name.starts_with(letter) && (name.size() == 1 || name[1] == '_'); };
+    if (symbol.letter == Symbol::Letter::F) return begins('F');
+    // A torque is as often a T, with its number.
+    const bool numbered = name.size() > 1 && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    return begins('M') || begins('T') || (name.starts_with('T') && numbered);
+}
+
+JointName reader_name(const Mechanism& mechanism, const Joint& joint) {
+    const auto slides_there = [&](const Joint& other) { return other.point == joint.point && other.pair().has_guide(); };
+    if (!joint.named) return {joint.name, false};
+    if (std::count_if(mechanism.joints.begin(), mechanism.joints.end(), slides_there) > 1) return {joint.name, true};
+    return {mechanism.point(joint.point).name, false};
+}
+
 std::string name_of(const Symbol& symbol) {
     if (symbol.letter == Symbol::Letter::image) return lower_case(symbol.about) + symbol.term;
     std::string name(stem(symbol.letter));
-    // What the file calls F_gas, or M, keeps its name.
-    const bool own_name = (symbol.letter == Symbol::Letter::F || symbol.letter == Symbol::Letter::M) &&
-                          (symbol.about == name || symbol.about.starts_with(name + "_"));
-    if (own_name) name.clear();
+    if (has_own_name(symbol)) name.clear();
     if (!symbol.about.empty()) name += (name.empty() ? "" : "_") + symbol.about;
     // That a centre lies at infinity is a property of where it is, not of its name.
     if (!symbol.term.empty() && symbol.term != "∞") name += (name.empty() ? "" : "_") + symbol.term;

@@ -18,6 +18,8 @@ struct Symbol {
     std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
     friend bool operator==(const Symbol&, const Symbol&) = default;
 };
+/// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, M_1, T4; else it is the subscript of F or M.
+bool has_own_name(const Symbol& symbol);
 /// Plain name for ids, tables and results: "v_B", "a_BA_t", "omega_3", "P_13", "b", "b'".
 std::string name_of(const Symbol& symbol);
 
@@ -130,9 +132,14 @@ enum class Sentence {
     bound_velocities,        ///< {0} count of freedoms, {1} count of conditions on them
     still_bodies,            ///< {0} bodies at rest in every motion
     unturning_bodies,        ///< {0} bodies that turn in none
-    check_differs,           ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
-    check_stands_still,      ///< {0} body: moves by the construction, is not determined by the check
-    check_moves,             ///< {0} body: moves by the check, is not determined by the construction
+    body_without_joint,      ///< {0} body, {1} the joint that may be meant, as a file writes it (or absent)
+    body_of_one_joint,       ///< {0} body, {1} its joint, {2} the joint that may be missing (or absent)
+    unjoined_pin,    ///< {0} {1} bodies, {2} point, {3} another point at its place (or absent), {4} the joint that may be missing
+    off_the_frame,   ///< {0} bodies that no joint connects with {1}, the frame, {2} the joint that may be missing (or absent)
+    rounded_givens,  ///< {0} most digits of a number in the file, {1} digits to which points are taken
+    check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
+    check_stands_still,  ///< {0} body: moves by the construction, is not determined by the check
+    check_moves,         ///< {0} body: moves by the check, is not determined by the construction
     // From here on phrases, without a capital and a full stop. What is not determined:
     motion_of_body,        ///< {0} body
     velocity_of_body,      ///< {0} body
@@ -167,10 +174,10 @@ enum class Sentence {
     curvatures_wanted,      ///< {0} joint: the file gives no curvatures
     nothing_drives,         ///< {0} count of freedoms
     stays_free,
-    dead_point_at,             ///< {0} point
-    lacks_drivers,             ///< {0} count of freedoms, {1} count of those driven
-    stands_still,              ///< it can only stand still, and no driver moves it
-    beyond_groups,             ///< no group of bodies that is drawn leads to it
+    dead_point_at,  ///< {0} point
+    lacks_drivers,  ///< {0} count of freedoms, {1} of those driven, {2} of drivers that lack (or absent), {3} the same above one
+    stands_still,   ///< it can only stand still, and no driver moves it
+    beyond_groups,  ///< no group of bodies that is drawn leads to it
     one_line_undetermined,     ///< Kennedy gives one line at most, and the motion is not determined
     one_line_unknown,          ///< … and the velocities are not known
     spring_without_direction,  ///< {0} load's name
@@ -179,6 +186,7 @@ enum class Sentence {
     too_many_efforts,          ///< {0} count of efforts, {1} count of freedoms, {2} symbols (or absent)
     indeterminate,             ///< {0} how many times, {1} joints, {2} symbols (or absent)
     effort_without_work,       ///< {0} symbols (or absent)
+    beyond_trials,             ///< {0} symbols (or absent): too many unknowns hang together
     count_                     ///< not a sentence
 };
 /// Whether it is what stands before or after a colon, and no sentence by itself.
@@ -190,6 +198,11 @@ struct PointName {
 };
 struct BodyName {
     std::string name;
+};
+/// A joint as readers are told of it: by its point, which stands in the drawing, or by a name of its own, which does not.
+struct JointName {
+    std::string name;
+    bool own = false;
 };
 struct Segment {
     std::string from, to;
@@ -208,7 +221,8 @@ struct LineReason {
         parallel_to_tangent,  ///< common tangent of a contact
         parallel_to_normal    ///< common normal of a contact, of pitch curves
     } kind = Kind::known;
-    std::string from, to;  ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
+    std::string from, to;   ///< the segment's ends, or `from` the guide's joint or the point at which a direction is given
+    bool own_name = false;  ///< `from` is the name of a joint and of no point
     friend bool operator==(const LineReason&, const LineReason&) = default;
 };
 /// What ω² is multiplied by at a rolling contact: of the radii R and r, or of r alone on a straight line.
@@ -231,8 +245,13 @@ using Ratios = std::vector<Ratio>;
 /// Of points, joints or bodies, in a row.
 using Names = std::vector<std::string>;
 using Symbols = std::vector<Symbol>;
-using Argument = std::variant<PointName, BodyName, Segment, LineReason, Symbol, RollingLever, Amount, Count, Ratios, Names,
-                              Symbols, std::string>;
+using Argument = std::variant<PointName, BodyName, JointName, Segment, LineReason, Symbol, RollingLever, Amount, Count, Ratios,
+                              Names, Symbols, std::string>;
+
+/// Its point; its own name where another joint that slides stands at the same point.
+JointName reader_name(const Mechanism& mechanism, const Joint& joint);
+/// As the file calls it.
+inline JointName file_name(const Joint& joint) { return {joint.name, joint.named}; }
 
 struct Message {
     Sentence sentence = Sentence::count_;

@@ -138,37 +138,40 @@ std::size_t number_length(std::string_view text) {
 
 }  // namespace
 
-std::string_view name_of(QuantityKind kind) {
+Words name_of(QuantityKind kind) {
     switch (kind) {
         case QuantityKind::dimensionless:
-            return "bare number";
+            return {"bare number", "numero puro"};
         case QuantityKind::length:
-            return "length";
+            return {"length", "lunghezza"};
         case QuantityKind::angle:
-            return "angle";
+            return {"angle", "angolo"};
         case QuantityKind::angular_velocity:
-            return "angular velocity";
+            return {"angular velocity", "velocità angolare"};
         case QuantityKind::angular_acceleration:
-            return "angular acceleration";
+            return {"angular acceleration", "accelerazione angolare"};
         case QuantityKind::velocity:
-            return "velocity";
+            return {"velocity", "velocità"};
         case QuantityKind::acceleration:
-            return "acceleration";
+            return {"acceleration", "accelerazione"};
         case QuantityKind::mass:
-            return "mass";
+            return {"mass", "massa"};
         case QuantityKind::force:
-            return "force";
+            return {"force", "forza"};
         case QuantityKind::moment:
-            return "moment";
+            return {"moment", "momento"};
         case QuantityKind::inertia:
-            return "moment of inertia";
+            return {"moment of inertia", "momento d’inerzia"};
     }
     KG_ASSERT(false, "every kind has a name");
 }
 
-std::string with_article(QuantityKind kind) {
-    const std::string_view name = name_of(kind);
-    return (name.starts_with('a') ? "an " : "a ") + std::string(name);
+Words with_article(QuantityKind kind) {
+    const Words name = name_of(kind);
+    const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle || kind == QuantityKind::moment ||
+                           kind == QuantityKind::inertia;
+    const std::string_view feminine = name.it.starts_with('a') ? "un’" : "una ";
+    return {(name.en.starts_with('a') ? "an " : "a ") + name.en, std::string(masculine ? "un " : feminine) + name.it};
 }
 
 std::span<const KnownUnit> known_units() {
@@ -205,19 +208,23 @@ std::string units_of(QuantityKind kind) {
     return list;
 }
 
-std::string unknown_unit_message(std::string_view text, QuantityKind wanted) {
-    std::string message = "unknown unit " + quoted(text);
-    if (const KnownUnit* meant = unit_meant(text, wanted)) message += " (did you mean \"" + std::string(meant->symbol) + "\"?)";
+Words unknown_unit_message(std::string_view text, QuantityKind wanted) {
+    Words message("unknown unit {0}", "unità sconosciuta {0}", quoted(text));
+    if (const KnownUnit* meant = unit_meant(text, wanted))
+        message += Words(" (did you mean \"{0}\"?)", " (forse \"{0}\"?)", meant->symbol);
     if (wanted != QuantityKind::dimensionless)
-        message += "; the units of " + std::string(name_of(wanted)) + " are " + units_of(wanted);
+        message += Words("; the units of {0} are {1}", "; le unità di {0} sono {1}", name_of(wanted), units_of(wanted));
     return message;
 }
 
-tl::expected<Exact, std::string> read_decimal(std::string_view text) {
-    const auto no_number = [&] { return tl::make_unexpected(quoted(text) + " is no decimal number"); };
+tl::expected<Exact, Words> read_decimal(std::string_view text) {
+    const auto no_number = [&] {
+        return tl::make_unexpected(Words("{0} is no decimal number", "{0} non è un numero decimale", quoted(text)));
+    };
     const auto out_of_range = [&] {
-        return tl::make_unexpected(shown(text, 40) +
-                                   " is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie");
+        return tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60 (in SI units), where a number other than zero must lie",
+                                         "{0} è fuori da 1e-60 … 1e60 (in unità SI), dove deve stare un numero diverso da zero",
+                                         shown(text, 40)));
     };
     std::size_t at = 0;
     const bool negative = text.starts_with('-');
@@ -256,7 +263,8 @@ tl::expected<Exact, std::string> read_decimal(std::string_view text) {
     }
     if (at != text.size()) return no_number();
     if (written > most_digits) {
-        return tl::make_unexpected("a number of " + std::to_string(written) + " digits; 1000 are the most that are read");
+        return tl::make_unexpected(Words("a number of {0} digits; 1000 are the most that are read",
+                                         "un numero di {0} cifre; se ne leggono al massimo 1000", std::to_string(written)));
     }
     if (digits.empty()) return Exact();
     order += exponent;
@@ -281,15 +289,18 @@ bool is_within_range(const Exact& si_value) {
     return smallest <= magnitude && magnitude <= largest;
 }
 
-tl::expected<WrittenQuantity, std::string> read_quantity(std::string_view text, QuantityKind wanted) {
+tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted) {
     const std::size_t length = number_length(text);
     const std::string_view number = text.substr(0, length);
-    const std::string example =
-        wanted == QuantityKind::dimensionless ? std::string() : ", as \"2 " + std::string(default_unit(wanted).symbol) + "\"";
+    const Words example = wanted == QuantityKind::dimensionless
+                              ? Words()
+                              : Words(", as \"2 {0}\"", ", come \"2 {0}\"", default_unit(wanted).symbol);
     if (number.find_first_of("0123456789") == std::string_view::npos) {
         const bool typographic_minus = text.starts_with("−") || text.starts_with("–");
-        return tl::make_unexpected(quoted(text) + " is no quantity; " +
-                                   (typographic_minus ? "a minus is written \"-\"" : "write a number and its unit" + example));
+        return tl::make_unexpected(
+            Words("{0} is no quantity; {1}", "{0} non è una grandezza; {1}", quoted(text),
+                  typographic_minus ? Words("a minus is written \"-\"", "il meno si scrive \"-\"")
+                                    : Words("write a number and its unit{0}", "scrivere un numero e la sua unità{0}", example)));
     }
     auto value = read_decimal(number);
     if (!value) return tl::make_unexpected(value.error());
@@ -297,7 +308,9 @@ tl::expected<WrittenQuantity, std::string> read_quantity(std::string_view text, 
     while (unit.starts_with(' ')) unit.remove_prefix(1);
     while (unit.ends_with(' ')) unit.remove_suffix(1);
     if (unit.empty())
-        return tl::make_unexpected(quoted(text) + " has no unit; add one" + example + ", or write the number without quotes");
+        return tl::make_unexpected(Words("{0} has no unit; add one{1}, or write the number without quotes",
+                                         "{0} non ha unità; aggiungerla{1}, o scrivere il numero senza virgolette", quoted(text),
+                                         example));
     const KnownUnit* known = unit_spelt(unit);
     if (known == nullptr) return tl::make_unexpected(unknown_unit_message(unit, wanted));
     return WrittenQuantity{std::move(*value), known};

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "engine/exact.hpp"
+#include "engine/words.hpp"
 
 namespace kinegraph {
 
@@ -28,9 +29,9 @@ enum class QuantityKind {
 };
 
 /// "length", "angular velocity": as the keys of `units` call it.
-std::string_view name_of(QuantityKind kind);
+Words name_of(QuantityKind kind);
 /// "a length", "an angle".
-std::string with_article(QuantityKind kind);
+Words with_article(QuantityKind kind);
 
 /// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m or kg m².
 struct KnownUnit {
@@ -48,12 +49,12 @@ const KnownUnit& default_unit(QuantityKind kind);
 /// "m, cm, mm, in, ft".
 std::string units_of(QuantityKind kind);
 /// `unknown unit "Nm" (did you mean "N m"?); units of moment are N m, …`. `wanted` may be dimensionless: no list then.
-std::string unknown_unit_message(std::string_view text, QuantityKind wanted);
+Words unknown_unit_message(std::string_view text, QuantityKind wanted);
 
 /// A decimal as JSON writes it (a leading + is let pass), exactly. Refused, with the reason: what is no decimal, more than
 /// 1000 digits, a non-zero magnitude so far outside 1e-60 … 1e60 that no unit brings it back. Costs no more than the text's
 /// length, whatever the exponent says.
-tl::expected<Exact, std::string> read_decimal(std::string_view text);
+tl::expected<Exact, Words> read_decimal(std::string_view text);
 
 /// The rule of magnitudes: zero, or 1e-60 ≤ |si_value| ≤ 1e60.
 bool is_within_range(const Exact& si_value);
@@ -66,7 +67,7 @@ struct WrittenQuantity {
 };
 
 /// Number, optional space, unit. `wanted` serves the messages alone: the unit may be of another kind.
-tl::expected<WrittenQuantity, std::string> read_quantity(std::string_view text, QuantityKind wanted);
+tl::expected<WrittenQuantity, Words> read_quantity(std::string_view text, QuantityKind wanted);
 
 /// Text of a user as a message may show it: in quotes, control characters and broken UTF-8 spelt out, long text cut short.
 std::string quoted(std::string_view text);

@@ -50,7 +50,7 @@ Mechanism mechanism_of(const Data& data) {
 Solution solved(const Mechanism& mechanism) {
     auto solution = solve(mechanism);
     if (!solution) {
-        ADD_FAILURE() << solution.error().front().message;
+        ADD_FAILURE() << solution.error().front().message.en;
         return {};
     }
     return *std::move(solution);

@@ -101,7 +101,7 @@ protected:
         ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && " + command + " 2>said >/dev/null").c_str()), 0)
             << what << ": " << contents(folder_ / "said");
         const auto theirs = decode_png(contents(folder_ / "page.png"));
-        ASSERT_TRUE(theirs) << what << ": " << theirs.error();
+        ASSERT_TRUE(theirs) << what << ": " << theirs.error().en;
         const Picture ours = decode_png(to_png(page, fonts(), dpi)).value();
         const double share = share_far_off(ours, window ? cut(*theirs, ours.width, ours.height) : *theirs);
         EXPECT_LE(share, may_differ) << what;

@@ -93,13 +93,13 @@ bool wholly_known(const NumericMotion& motion) {
 std::optional<Solution> solved(const std::string& text, const std::string& name) {
     auto mechanism = read_mechanism(text, name);
     if (!mechanism) {
-        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message;
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en;
         return std::nullopt;
     }
     try {
         auto solution = solve(*std::move(mechanism));
         if (solution) return *std::move(solution);
-        ADD_FAILURE() << solution.error().front().message;
+        ADD_FAILURE() << solution.error().front().message.en;
     } catch (const std::exception& fault) {
         ADD_FAILURE() << fault.what();
     }
@@ -135,9 +135,9 @@ void hold_solution(const Solution& solution, Tally& tally) {
 void hold_text(const std::string& bare_text, std::uint64_t seed, Tally& tally) {
     const std::string name = "seed " + std::to_string(seed);
     const auto bare = read_mechanism(bare_text, name);
-    ASSERT_TRUE(bare) << bare.error().front().where << ": " << bare.error().front().message;
+    ASSERT_TRUE(bare) << bare.error().front().where << ": " << bare.error().front().message.en;
     const auto pose = draw_pose(*bare);
-    ASSERT_TRUE(pose) << pose.error().front().message;
+    ASSERT_TRUE(pose) << pose.error().front().message.en;
     const std::string text = under_random_loads(bare_text, *bare, *pose, seed, 0);
     if (std::getenv("KINEGRAPH_SEED") != nullptr) std::cerr << text;
     const auto solution = solved(text, name);

@@ -121,6 +121,29 @@ TEST_F(CommandLine, CheckSaysThatAFileIsInOrder) {
     EXPECT_EQ(run("check - <four_bar.json").out, "standard input: in order (4 bodies, 4 joints, 1 driver)\n");
 }
 
+TEST_F(CommandLine, SpeaksOneLanguage) {
+    const struct {
+        const char* arguments;
+        const char* said;
+    } rows[] = {
+        {"solve --lang it", "kinegraph: FILE è obbligatorio \\(kinegraph solve --help dice di più\\)"},
+        {"solve missing.json --lang=it", "missing.json: non si può leggere: file o cartella inesistente"},
+        {"check missing.json --lang it", "missing.json: non si può leggere: file o cartella inesistente"},
+        {"check . --lang it", "\\.: è una cartella, non un file di meccanismo"},
+        {"solve four_bar.json --lang it --paper A5", "kinegraph: --paper: .*A5.* non è fra .*"},
+        {"solve four_bar.json --lang it --bogus", "kinegraph: argomento inatteso: --bogus.*"},
+        {"solve four_bar.json --lang it -o a.bmp", "kinegraph: -o a.bmp: l’estensione .*"},
+        {"solve four_bar.json --lang it -o a.svg --figure forces", "four_bar.json: --figure forces: non c’è questa figura; .*"},
+        {"diff four_bar.json four_bar.json --lang it", "four_bar.json: non è né PNG né SVG"},
+    };
+    for (const auto& row : rows) {
+        const Outcome outcome = run(row.arguments);
+        EXPECT_EQ(outcome.status, 2) << row.arguments;
+        EXPECT_TRUE(lines_are(outcome.err, row.said)) << row.arguments << '\n' << outcome.err;
+    }
+    EXPECT_EQ(run("check four_bar.json --lang it").out, "four_bar.json: in ordine (4 corpi, 4 coppie, 1 movente)\n");
+}
+
 TEST_F(CommandLine, PairsPrintsTheCatalogueOrAMechanismsPairs) {
     const Outcome catalogue = run("pairs --lang it");
     EXPECT_EQ(catalogue.status, 0);

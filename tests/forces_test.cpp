@@ -22,7 +22,7 @@ std::size_t at(auto index) { return at_index(index); }
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
     if (mechanism) return *std::move(mechanism);
-    throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message);
+    throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
 }
 
 std::string example(const std::string& name) {
@@ -38,7 +38,7 @@ struct Statics {
 
     explicit Statics(const Mechanism& mechanism) {
         auto solved = solve(mechanism);
-        if (!solved) throw std::runtime_error(solved.error().front().message);
+        if (!solved) throw std::runtime_error(solved.error().front().message.en);
         solution = *std::move(solved);
     }
     explicit Statics(const std::string& text) : Statics(read(text)) {}

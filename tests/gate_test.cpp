@@ -132,7 +132,7 @@ TEST(Gate, AllowsWhatTheReaderReads) {
         refused += errors.empty() ? 0 : 1;
         if (!read_mechanism(text, "spoilt.json")) continue;
         ++read;
-        ASSERT_TRUE(errors.empty()) << errors.front().where << ": " << errors.front().message << '\n' << text;
+        ASSERT_TRUE(errors.empty()) << errors.front().where << ": " << errors.front().message.en << '\n' << text;
     }
     // Both happen often, or nothing has been compared.
     EXPECT_GT(read, unless_sanitized(5000, 200));

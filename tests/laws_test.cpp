@@ -23,7 +23,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 Solution solved(const Mechanism& mechanism) {
     auto solution = solve(mechanism);
     if (!solution) {
-        ADD_FAILURE() << solution.error().front().where << ": " << solution.error().front().message;
+        ADD_FAILURE() << solution.error().front().where << ": " << solution.error().front().message.en;
         return {};
     }
     return *std::move(solution);
@@ -31,7 +31,7 @@ Solution solved(const Mechanism& mechanism) {
 Mechanism from_text(const std::string& text) {
     auto mechanism = read_mechanism(text, "law");
     if (!mechanism) {
-        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message;
+        ADD_FAILURE() << mechanism.error().front().where << ": " << mechanism.error().front().message.en;
         return {};
     }
     return *std::move(mechanism);
@@ -254,7 +254,7 @@ TEST(Similar, FasterDriversScaleVelocitiesAndSquareAccelerations) {
 Pose pose_of(const Mechanism& mechanism, int bits = 100) {
     auto pose = draw_pose(mechanism, bits);
     if (!pose) {
-        ADD_FAILURE() << pose.error().front().message;
+        ADD_FAILURE() << pose.error().front().message.en;
         return {};
     }
     return *std::move(pose);

@@ -380,7 +380,7 @@ std::vector<Fault> faults_of(const Page& page, const Fonts& fonts) {
 std::size_t pixels_in_common(const Page& page, const Fonts& fonts, double dpi) {
     const auto picture_of = [&](const Page& part) {
         auto picture = decode_png(to_png(part, fonts, dpi));
-        if (!picture) throw std::runtime_error(picture.error());
+        if (!picture) throw std::runtime_error(picture.error().en);
         return *std::move(picture);
     };
     const Page drawn = strokes_of(page);

@@ -19,7 +19,7 @@ constexpr double pi_ = std::numbers::pi;
 
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "test.json");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().message + "\n" + text);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().message.en + "\n" + text);
     return *std::move(mechanism);
 }
 Mechanism example(const std::string& name) { return read(tests::contents(tests::example_file(name))); }
@@ -31,9 +31,9 @@ struct Drawn {
 };
 Drawn drawn(Mechanism mechanism, int driver = 0) {
     auto pose = draw_pose(mechanism);
-    if (!pose) throw std::runtime_error(pose.error().front().message);
+    if (!pose) throw std::runtime_error(pose.error().front().message.en);
     auto positions = Positions::of(mechanism, *pose, driver);
-    if (!positions) throw std::runtime_error(positions.error().front().message);
+    if (!positions) throw std::runtime_error(positions.error().front().message.en);
     return {std::move(mechanism), *std::move(pose), *std::move(positions)};
 }
 

@@ -27,7 +27,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 std::string lines_of(const Errors& errors) {
     std::string lines;
-    for (const Error& error : errors) lines += error.where + ": " + error.message + "\n";
+    for (const Error& error : errors) lines += error.where + ": " + error.message.en + "\n";
     return lines;
 }
 
@@ -69,6 +69,39 @@ TEST(Reader, RefusesEveryBrokenFileInTheseWords) {
     for (const auto& file : files) {
         auto expected = file;
         EXPECT_EQ(refusal(text_of(file)), text_of(expected.replace_extension(".txt"))) << file.filename();
+    }
+}
+
+TEST(Reader, EveryFaultHasItsOwnWordsInBothLanguages) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR) / "broken")) {
+        if (entry.path().extension() != ".json") continue;
+        const auto refused = read_mechanism(text_of(entry.path()), "test.json");
+        ASSERT_FALSE(refused);
+        for (const Error& error : refused.error()) EXPECT_NE(error.message.en, error.message.it) << entry.path().filename();
+    }
+}
+
+TEST(Reader, ABodyIsDrivenByItsAngularVelocity) {
+    EXPECT_EQ(
+        refusal(with(R"("drivers": [{"body": 2, "speed": 150}])")),
+        "/drivers/0/speed: a body turns: give \"omega\"; \"speed\" is of a \"joint\" that slides, or of a point of the body, "
+        "\"at\" P \"along\" X\n");
+}
+
+TEST(Reader, LoadsHaveNamesOfTheirOwn) {
+    EXPECT_EQ(refusal(with(
+                  R"("loads": [{"force": "Q", "body": 2, "at": "A", "value": [1, 0]}, {"couple": "Q", "body": 3, "value": 1}])")),
+              "/loads/1/couple: two loads are named \"Q\"; figures go by the name, so rename one\n");
+}
+
+TEST(Reader, OnALineAMeetIsAheadOrBehind) {
+    const std::string circle = R"({"circle": "O", "radius": 2})", line = R"({"line": [0, 1], "angle": 180})";
+    for (const char* side : {"ahead", "behind"}) {
+        const std::string by = std::string(R"(], "side": ")") + side + "\"}";
+        EXPECT_EQ(refusal(with_points("\"P\": {\"meet\": [" + line + ", " + circle + by)), "read");
+        EXPECT_EQ(
+            refusal(with_points("\"P\": {\"meet\": [" + circle + ", " + circle + by)),
+            std::string("/points/P/side: \"") + side + "\" is a side on a line; of two circles take \"left\" or \"right\"\n");
     }
 }
 
@@ -377,7 +410,7 @@ TEST(JsonSource, KeepsLiteralsThatNoDoubleHolds) {
 TEST(JsonSource, TellsTheLineEvenBehindHugeNumbers) {
     const auto source = JsonSource::read("[1e400,\n -" + std::string(350, '1') + ".0,\n  x]");
     ASSERT_FALSE(source);
-    EXPECT_EQ(source.error()[0].message.substr(0, 18), "line 3, column 3: ");
+    EXPECT_EQ(source.error()[0].message.en.substr(0, 18), "line 3, column 3: ");
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ TEST(Sheet, LongNamesPushNothingAside) {
                        {"revolute": "O4", "bodies": ["the foundation", "rocking lever"]}],
             "drivers": [{"body": "driving crank", "omega": 5}]})",
         "long.json");
-    ASSERT_TRUE(mechanism) << mechanism.error().front().message;
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
     auto solution = solve(std::move(*mechanism));
     ASSERT_TRUE(solution);
     for (const Paper paper : {Paper::a4, Paper::a3}) expect_clean(lay_out(*solution, {paper, Language::en, {}}, fonts()));
@@ -236,7 +236,7 @@ std::string chain_of(int dyads) {
 
 TEST(Sheet, ALongChainGoesOnOverItsPages) {
     auto mechanism = read_mechanism(chain_of(5), "chain.json");
-    ASSERT_TRUE(mechanism) << mechanism.error().front().message;
+    ASSERT_TRUE(mechanism) << mechanism.error().front().message.en;
     const auto solution = solve(std::move(*mechanism));
     ASSERT_TRUE(solution);
     for (const Orientation orientation : {Orientation::landscape, Orientation::portrait})

@@ -97,6 +97,21 @@ TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
     refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
 }
 
+TEST_F(Sweep, SaysItInItalianToo) {
+    const auto says = [&](const std::string& arguments, int status, const std::string& pattern) {
+        const Outcome outcome = run(arguments + " --lang it -o out.csv");
+        EXPECT_EQ(outcome.status, status) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, pattern));
+    };
+    says("sweep four_bar.json --driver 3", 2,
+         R"(four_bar\.json: --driver 3: nessun movente si chiama così \(forse "2"\?\); ci sono 2)");
+    says("sweep four_bar.json --plot x", 2, R"(four_bar\.json: --plot: non c’è la grandezza "x".*)");
+    says("sweep four_bar.json --from 20mm", 2, R"(four_bar\.json: --from "20mm" è una lunghezza; qui serve un angolo)");
+    says("sweep four_bar.json -o out.txt", 2, R"(kinegraph: -o out\.txt: .* può essere \.csv, \.json, \.svg, \.png o \.pdf .*)");
+    says("sweep four_bar.json --steps 4", 0,
+         R"(four_bar\.json: massimo scarto dalla verifica numerica: [0-9],[0-9]e-[0-9]+ della .*)");
+}
+
 TEST_F(Sweep, RefusesWhatIsOutOfReach) {
     write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
     const auto before = snapshot();

@@ -281,8 +281,8 @@ TEST(Opening, NamesTheFileAndThePackage) {
     const auto none = Fonts::open();
     ::unsetenv("KINEGRAPH_FONT_DIR");
     ASSERT_FALSE(none.has_value());
-    EXPECT_NE(none.error().find("/nowhere/STIXGeneral-Regular.otf"), std::string::npos);
-    EXPECT_NE(none.error().find("fonts-stix"), std::string::npos);
+    EXPECT_NE(none.error().en.find("/nowhere/STIXGeneral-Regular.otf"), std::string::npos);
+    EXPECT_NE(none.error().en.find("fonts-stix"), std::string::npos);
 }
 
 }  // namespace

@@ -272,7 +272,7 @@ TEST(ThemeFile, TellsEveryFaultWithItsPlace) {
         const auto read = read_theme(text);
         ASSERT_FALSE(read) << text;
         std::vector<std::string> lines;
-        for (const kinegraph::Error& error : read.error()) lines.push_back(error.where + ": " + error.message);
+        for (const kinegraph::Error& error : read.error()) lines.push_back(error.where + ": " + error.message.en);
         EXPECT_EQ(lines, said) << text;
     }
     EXPECT_FALSE(read_theme(""));

@@ -18,7 +18,7 @@ std::size_t at(auto index) { return at_index(index); }
 
 Solution solved(const std::string& text) {
     auto mechanism = read_mechanism(text, "trials");
-    EXPECT_TRUE(mechanism) << (mechanism ? "" : mechanism.error().front().message);
+    EXPECT_TRUE(mechanism) << (mechanism ? "" : mechanism.error().front().message.en);
     auto solution = solve(*std::move(mechanism));
     EXPECT_TRUE(solution);
     return *std::move(solution);

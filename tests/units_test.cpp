@@ -15,14 +15,14 @@ Exact exact(std::string_view decimal) { return *Exact::from_decimal(decimal); }
 /// In SI; the text must be a quantity.
 Exact si(std::string_view text) {
     const auto quantity = kinegraph::read_quantity(text, QuantityKind::length);
-    EXPECT_TRUE(quantity) << text << ": " << quantity.error();
+    EXPECT_TRUE(quantity) << text << ": " << quantity.error().en;
     return quantity ? quantity->in_si() : Exact();
 }
 
 std::string refusal(std::string_view text, QuantityKind wanted = QuantityKind::length) {
     const auto quantity = kinegraph::read_quantity(text, wanted);
     EXPECT_FALSE(quantity) << text;
-    return quantity ? "" : quantity.error();
+    return quantity ? "" : quantity.error().en;
 }
 
 TEST(Units, LengthsAreExact) {

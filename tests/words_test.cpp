@@ -172,6 +172,23 @@ TEST(Words, NamesHoldNoTypography) {
     EXPECT_EQ(name_of({Symbol::Letter::point, "O2", ""}), "O2");
 }
 
+TEST(Words, AJointsNameIsNoPoint) {
+    const LineReason own{LineReason::Kind::parallel_to_guide, "ram", "", true},
+        word{LineReason::Kind::parallel_to_guide, "guide 2", "", true};
+    EXPECT_EQ(plain(typeset(own, Language::en)), "∥\u00a0guide\u00a0ram");
+    EXPECT_EQ(typeset(own, Language::en).back().face, Face::regular);
+    EXPECT_EQ(plain(typeset(word, Language::en)), "∥\u00a0guide 2");
+}
+
+TEST(Words, ACoupleMayHaveASymbolOfItsOwn) {
+    const auto set = [](const char* name) { return plain(typeset(Symbol{Symbol::Letter::M, name, ""}, Language::en)); };
+    EXPECT_EQ(set("T4"), "T_4");
+    EXPECT_EQ(set("M_1"), "M_1");
+    EXPECT_EQ(set("C"), "M_C");
+    EXPECT_EQ(set("Twist"), "M_Twist");
+    EXPECT_EQ(name_of(Symbol{Symbol::Letter::M, "T4", ""}), "T4");
+}
+
 TEST(Words, DirectionsOfLines) {
     EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::perpendicular_to_segment, "O2", "A"}, Language::en)), "⟂\u00a0O_2A");
     EXPECT_EQ(plain(typeset(LineReason{LineReason::Kind::parallel_to_guide, "B", ""}, Language::it)), "∥\u00a0guida\u00a0B");

@@ -12,7 +12,7 @@ namespace kinegraph::app {
 
 /// What the module exports, under the name `kinegraph_type`.
 struct TypeFunctions {
-    tl::expected<render::Typefaces, std::string> (*open_typefaces)();
+    tl::expected<render::Typefaces, Words> (*open_typefaces)();
 };
 
 }  // namespace kinegraph::app

@@ -105,19 +105,20 @@ bool reaches(const Picture& picture, int x, int y) { return x < picture.width &&
 
 bool is_png(std::string_view bytes) { return bytes.starts_with(signature); }
 
-tl::expected<Picture, std::string> decode_png(std::string_view bytes) {
+tl::expected<Picture, Words> decode_png(std::string_view bytes) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     const auto failed = [&image] {
         const std::string why = image.message;
         png_image_free(&image);
-        return tl::unexpected("is no PNG that can be read: " + why);
+        return tl::unexpected(Words("is no PNG that can be read: {0}", "non è un PNG leggibile: {0}", why));
     };
     if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return failed();
     if (image.width > 65535 || image.height > 65535 || std::size_t{image.width} * image.height > most_pixels) {
         const std::string size = std::to_string(image.width) + " × " + std::to_string(image.height);
         png_image_free(&image);
-        return tl::unexpected("has " + size + " pixels; 72 million are the most, and 65535 in a row or column");
+        return tl::unexpected(Words("has {0} pixels; 72 million are the most, and 65535 in a row or column",
+                                    "ha {0} pixel; al massimo sono 72 milioni, e 65535 in una riga o colonna", size));
     }
     static_assert(sizeof(Colour) == 3, "pixels are decoded in place");
     Picture picture;

@@ -10,6 +10,7 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/words.hpp"
 #include "render/page/page.hpp"
 
 namespace kinegraph::render {
@@ -31,7 +32,7 @@ constexpr std::size_t most_pixels = 72'000'000;
 
 bool is_png(std::string_view bytes);
 /// Any PNG as eight bits of red, green and blue; what is transparent lies on white. Error: why it is no picture.
-tl::expected<Picture, std::string> decode_png(std::string_view bytes);
+tl::expected<Picture, Words> decode_png(std::string_view bytes);
 std::string encode_png(const Picture& picture);
 
 struct PictureDifference {

@@ -125,7 +125,7 @@ void draw_driver(Sketch& sketch, const SlideDriver& slide) {
     Spot side = turned(along);
     if (side.y > 0 || (side.y == 0 && side.x > 0)) side = -1.0 * side;
     const Spot start = sketch.spot(joint) + (sketch.measures.slider_side + 5.0) * side;
-    draw_straight(sketch, start, along, slide.speed.to_double(), joint.bodies[0], joint.name);
+    draw_straight(sketch, start, along, slide.speed.to_double(), joint.bodies[0], reader_name(sketch.mechanism, joint).name);
 }
 
 /// Ahead of the point, or beside it where a body or a line runs that way.

@@ -57,6 +57,7 @@ struct Figure {
     Spot origin;                       ///< where the origin of its coordinates lies
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
+    std::vector<RichText> unnamed;     ///< names left out, since with all of them none could be read
     bool has_scale = true;             ///< a diagram has none, nor has a polygon of which all vectors are zero
     bool has_table = false;            ///< what is known of its vectors, or their powers, stands in it
     bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again

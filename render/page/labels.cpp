@@ -817,7 +817,8 @@ private:
 double room_of_names(const Figure& figure, const Fonts& fonts) {
     constexpr double air = 2 * label_gap;
     double sum = 0;
-    for (const LabelRequest& request : figure.labels) {
+    for (std::size_t i = 0; i < std::min(figure.labels.size(), most_names); ++i) {
+        const LabelRequest& request = figure.labels[i];
         const ShapedLine shaped = fonts.shape(request.text, request.size);
         sum += (shaped.width + air) * (shaped.ascent + shaped.descent + air);
     }
@@ -878,7 +879,8 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
     if (!boxed) figure.box = box_of(figure.marks);
     const double measure = std::max(figure.box.width(), room ? std::min(room->x, wide_key) : wide_key);
-    std::vector<LabelRequest> requests = figure.labels;
+    const std::size_t names = std::min(figure.labels.size(), most_names);
+    std::vector<LabelRequest> requests(figure.labels.begin(), figure.labels.begin() + static_cast<std::ptrdiff_t>(names));
     LabelKey key(fonts);
     std::optional<Placing> placing;
     // With labels gone others may find a place; a number that finds none is no longer tried.
@@ -898,6 +900,7 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     for (std::size_t i = 0; i < requests.size(); ++i) set_label(figure, requests[i], placing->chosen(i), placing->shaped(i));
     if (!key.empty()) set_key(figure, key, measure);
     if (closed) figure.marks.emplace_back(GroupEnd{});
+    for (std::size_t i = names; i < figure.labels.size(); ++i) figure.unnamed.push_back(std::move(figure.labels[i].text));
     figure.labels.clear();
     return true;
 }

@@ -7,6 +7,9 @@
 
 namespace kinegraph::render {
 
+/// On a page of any size nobody reads more: the richest example has 41.
+constexpr std::size_t most_names = 80;
+
 enum class Labelling {
     free,        ///< labels leave the room where nothing in it is free
     strict,      ///< rather than leave the room, a label goes into the key
@@ -18,7 +21,8 @@ enum class Labelling {
 /// Appends the TextMarks (class "label") and grows the box. Obstacles are the figure's own marks.
 /// `room`: the width and height (mm) that figure and labels should not exceed; a label wider than half of it ends in an ellipsis
 /// (its aria-label says it all). What finds no place is listed in a key below the figure, by a number at its object where that
-/// finds one; labels that must stay in the room go there rather than leave it. False: none was set.
+/// finds one; labels that must stay in the room go there rather than leave it. Of more than `most_names` the first are set and
+/// the rest are the figure's `unnamed`. False: none was set.
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
                   Labelling labelling = Labelling::free);
 

@@ -57,7 +57,7 @@ std::string listed(const Names& names) {
 }
 
 /// What a misspelt word may have meant, or all that it could be.
-std::string remedy(std::string_view word, const Names& names, const char* all) {
+Words remedy(std::string_view word, const Names& names, const Words& all) {
     constexpr std::size_t near = 2;
     std::size_t least = near + 1;
     std::string_view best;
@@ -66,7 +66,8 @@ std::string remedy(std::string_view word, const Names& names, const char* all) {
             least = distance;
             best = name;
         }
-    return best.empty() ? std::string("; ") + all + " are " + listed(names) : " (did you mean " + quoted(best) + "?)";
+    return best.empty() ? Words("; {0} are {1}", "; {0} sono {1}", all, listed(names))
+                        : Words(" (did you mean {0}?)", " (forse {0}?)", quoted(best));
 }
 
 class ThemeReader {
@@ -75,25 +76,27 @@ public:
 
     Result<Theme> read() {
         for (const JsonValue& twice : source_.duplicates())
-            fault(twice, quoted(twice.key()) + " stands twice in this object; take one of them out");
+            fault(twice, {"{0} stands twice in this object; take one of them out",
+                          "{0} compare due volte in questo oggetto; toglierne una", quoted(twice.key())});
         const JsonValue root = source_.root();
-        if (is_object(root, "a theme")) read_theme(root);
+        if (is_object(root, {"a theme", "un tema"})) read_theme(root);
         if (errors_.empty()) return std::move(theme_);
         return tl::make_unexpected(std::move(errors_));
     }
 
 private:
-    void fault(JsonValue at, std::string message) { errors_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)}); }
+    void fault(JsonValue at, Words message) { errors_.push_back({ErrorCode::bad_input, at.pointer(), std::move(message)}); }
 
-    bool is_object(JsonValue value, const std::string& what) {
-        if (!value.is_object()) fault(value, what + " is a JSON object");
+    bool is_object(JsonValue value, const Words& what) {
+        if (!value.is_object()) fault(value, {"{0} is a JSON object", "{0} è un oggetto JSON", what});
         return value.is_object();
     }
 
-    void check_keys(JsonValue object, const Names& known, const char* all) {
+    void check_keys(JsonValue object, const Names& known, const Words& all) {
         for (const JsonValue member : object)
             if (std::find(known.begin(), known.end(), member.key()) == known.end())
-                fault(member, "unknown key " + quoted(member.key()) + remedy(member.key(), known, all));
+                fault(member, {"unknown key {0}{1}", "chiave sconosciuta {0}{1}", quoted(member.key()),
+                               remedy(member.key(), known, all)});
     }
 
     void read_theme(JsonValue root) {
@@ -102,13 +105,14 @@ private:
             if (named)
                 theme_ = *std::move(named);
             else if (base.is_string())
-                fault(base,
-                      "no theme is named " + quoted(base.text()) + remedy(base.text(), theme_names(), "the built-in themes"));
+                fault(base, {"no theme is named {0}{1}", "nessun tema si chiama {0}{1}", quoted(base.text()),
+                             remedy(base.text(), theme_names(), {"the built-in themes", "i temi del programma"})});
             else
-                fault(base, "the name of a built-in theme is wanted here: " + listed(theme_names()));
+                fault(base, {"the name of a built-in theme is wanted here: {0}",
+                             "qui serve il nome di un tema del programma: {0}", listed(theme_names())});
         }
         check_keys(root, {"based on", "paper", "text", "secondary", "skeleton", "faint", "accent", "bodies", "lines"},
-                   "the keys of a theme");
+                   {"the keys of a theme", "le chiavi di un tema"});
         read(root["paper"], theme_.paper);
         read(root["text"], theme_.text);
         read(root["secondary"], theme_.secondary);
@@ -116,8 +120,8 @@ private:
         read(root["skeleton"], theme_.skeleton);
         read(root["faint"], theme_.faint);
         if (const JsonValue bodies = root["bodies"]) read_bodies(bodies);
-        if (const JsonValue lines = root["lines"]; lines && is_object(lines, "\"lines\"")) {
-            check_keys(lines, {"link", "vector", "outline", "thin"}, "the weights of line");
+        if (const JsonValue lines = root["lines"]; lines && is_object(lines, std::string_view("\"lines\""))) {
+            check_keys(lines, {"link", "vector", "outline", "thin"}, {"the weights of line", "gli spessori di linea"});
             read(lines["link"], theme_.link, 0.3, 4);
             read(lines["vector"], theme_.vector, 0.1, 2);
             read(lines["outline"], theme_.outline, 0.05, 1);
@@ -128,15 +132,16 @@ private:
     void read_bodies(JsonValue list) {
         constexpr std::size_t most = 24;
         if (!list.is_array() || list.size() == 0 || list.size() > most) {
-            fault(list, "1 to 24 bodies are wanted here, as an array");
+            fault(list, {"1 to 24 bodies are wanted here, as an array", "qui servono da 1 a 24 corpi, in un array"});
             return;
         }
         // What a body does not say it has from the theme that this one is based on.
         std::vector<BodyColour> bodies;
         for (const JsonValue each : list) {
             bodies.push_back(theme_.body(BodyIndex(bodies.size() + 1)));
-            if (!is_object(each, "a body's look")) continue;
-            check_keys(each, {"line", "tint", "letter", "dashes"}, "the keys of a body's look");
+            if (!is_object(each, {"a body's look", "l’aspetto di un corpo"})) continue;
+            check_keys(each, {"line", "tint", "letter", "dashes"},
+                       {"the keys of a body's look", "le chiavi dell’aspetto di un corpo"});
             read(each["line"], bodies.back().line);
             read(each["tint"], bodies.back().tint);
             read(each["letter"], bodies.back().letter);
@@ -148,7 +153,10 @@ private:
     void read_dashes(JsonValue list, std::vector<double>& dashes) {
         constexpr std::size_t most = 8;
         if (!list.is_array() || list.size() % 2 != 0 || list.size() > most) {
-            fault(list, "an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for a full line");
+            fault(
+                list,
+                {"an even number of lengths is wanted here, 8 at most: dash, gap, dash, gap (mm); none for a full line",
+                 "qui serve un numero pari di lunghezze, al massimo 8: tratto, vuoto, tratto, vuoto (mm); nessuna per una linea continua"});
             return;
         }
         dashes.clear();
@@ -166,7 +174,7 @@ private:
         const bool written = value.is_string() && text.size() == 7 && text[0] == '#' &&
                              std::from_chars(text.data() + 1, text.data() + text.size(), number, 16).ptr == text.data() + 7;
         if (!written) {
-            fault(value, "a colour is wanted here, as \"#RRGGBB\"");
+            fault(value, {"a colour is wanted here, as \"#RRGGBB\"", "qui serve un colore, come \"#RRGGBB\""});
             return;
         }
         colour = {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8 & 0xFF),
@@ -187,7 +195,8 @@ private:
             char digits[16];
             return std::string(digits, std::to_chars(digits, digits + sizeof digits, bound).ptr);
         };
-        fault(value, "a length from " + plain(least) + " to " + plain(most) + " mm is wanted here");
+        fault(value, {"a length from {0} to {1} mm is wanted here", "qui serve una lunghezza da {0} a {1} mm", plain(least),
+                      plain(most)});
     }
 
     const JsonSource& source_;

@@ -189,6 +189,19 @@ private:
                 append(text, one_piece(": " + word("scale refused", context_.language)));
                 refused.push_back(std::move(text));
             }
+        for (const Figure& figure : pages_.drawn) {
+            if (figure.unnamed.empty()) continue;
+            RichText text = figure.caption;
+            append(text, one_piece(": " + word("names left out", context_.language) + " "));
+            constexpr std::size_t most_listed = 12;
+            for (std::size_t i = 0; i < std::min(figure.unnamed.size(), most_listed); ++i) {
+                if (i > 0) append(text, one_piece(", "));
+                append(text, figure.unnamed[i]);
+            }
+            if (figure.unnamed.size() > most_listed)
+                append(text, one_piece(" … (" + std::to_string(figure.unnamed.size()) + ")"));
+            refused.push_back(std::move(text));
+        }
         if (solution_.remarks.empty() && refused.empty()) return;
         Section section;
         set_heading(section, word("remarks", context_.language));

@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/words.hpp"
 #include "render/ink/path.hpp"
 #include "render/text/glyphs.hpp"
 #include "render/text/rich_text.hpp"
@@ -45,7 +46,7 @@ class Fonts final : public Glyphs {
 public:
     explicit Fonts(Typefaces faces);
     /// With the faces that open_typefaces() opens.
-    static tl::expected<Fonts, std::string> open();
+    static tl::expected<Fonts, Words> open();
     Fonts(Fonts&&) noexcept;
     Fonts& operator=(Fonts&&) noexcept;
     ~Fonts() override;

@@ -148,7 +148,7 @@ private:
 
 }  // namespace
 
-tl::expected<Typefaces, std::string> open_typefaces() {
+tl::expected<Typefaces, Words> open_typefaces() {
     const char* chosen = std::getenv("KINEGRAPH_FONT_DIR");
     const std::string directory = chosen != nullptr && *chosen != '\0' ? chosen : debian_directory;
     Typefaces opened;
@@ -158,16 +158,17 @@ tl::expected<Typefaces, std::string> open_typefaces() {
         const bool read = blob != nullptr;
         const Owned<hb_face_t> face(read ? hb_face_create(blob.get(), 0) : nullptr);
         if (!face || hb_face_get_glyph_count(face.get()) == 0)
-            return tl::unexpected(
-                path + (read ? " is no font" : " cannot be read") +
-                ": install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR");
+            return tl::unexpected(Words(
+                "{0} {1}: install the Debian package fonts-stix, or name the directory of its files in KINEGRAPH_FONT_DIR",
+                "{0} {1}: installare il pacchetto Debian fonts-stix, o indicare la cartella dei suoi file in KINEGRAPH_FONT_DIR",
+                path, read ? Words("is no font", "non è un font") : Words("cannot be read", "non si può leggere")));
         opened[i] = std::make_unique<OpenTypeFace>(std::move(blob), face.get());
     }
     return opened;
 }
 
 // Here and not in text.cpp, so that a program that brings its typefaces from elsewhere links neither library.
-tl::expected<Fonts, std::string> Fonts::open() {
+tl::expected<Fonts, Words> Fonts::open() {
     return open_typefaces().map([](Typefaces&& faces) { return Fonts(std::move(faces)); });
 }
 

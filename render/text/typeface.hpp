@@ -14,6 +14,8 @@
 
 #include <tl/expected.hpp>
 
+#include "engine/words.hpp"
+
 #include "render/text/glyphs.hpp"
 
 namespace kinegraph::render {
@@ -64,6 +66,6 @@ using Typefaces = std::array<std::unique_ptr<Typeface>, 4>;
 
 /// Opens the four faces of STIX General, from $KINEGRAPH_FONT_DIR or where Debian has them. Error: names the missing file and the
 /// Debian package (`fonts-stix`).
-tl::expected<Typefaces, std::string> open_typefaces();
+tl::expected<Typefaces, Words> open_typefaces();
 
 }  // namespace kinegraph::render

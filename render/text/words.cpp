@@ -272,6 +272,19 @@ constexpr std::array sentences{
     Row{Sentence::unturning_bodies,
         "{0|Body|Bodies} {0} {0|does|do} not turn in any motion that this position allows: no angular velocity can be driven there.",
         "{0|Il corpo|I corpi} {0} non {0|ruota|ruotano} in alcun moto possibile in questa configurazione: la velocità angolare non può essere assegnata."},
+    Row{Sentence::body_without_joint, "Body {0} has no joint, so nothing holds it; give it one[, perhaps {1}].",
+        "Il corpo {0} non ha coppie: nulla lo trattiene; assegnargliene una[, forse {1}]."},
+    Row{Sentence::body_of_one_joint,
+        "Body {0} has one joint only, {1}, and nothing else holds or drives it; give it another[, perhaps {2}].",
+        "Il corpo {0} ha una sola coppia, {1}, e nient’altro lo trattiene o lo comanda; assegnargliene un’altra[, forse {2}]."},
+    Row{Sentence::unjoined_pin,
+        "Bodies {0} and {1} meet in {2}[, where {3} lies too], but no joint joins them there; if they are pinned, add {4}.",
+        "I corpi {0} e {1} si incontrano in {2}[, dove sta anche {3}], ma nessuna coppia li unisce lì; se c’è una cerniera, aggiungere {4}."},
+    Row{Sentence::off_the_frame, "No joint connects bodies {0} with the frame, {1}; give the one that does[, perhaps {2}].",
+        "Nessuna coppia collega i corpi {0} al telaio, {1}; assegnare quella che manca[, forse {2}]."},
+    Row{Sentence::rounded_givens,
+        "Numbers of {0} digits are given; points are rounded to {1} digits of the drawing’s size, as the compass rounds.",
+        "I dati hanno {0} cifre; i punti sono arrotondati a {1} cifre della grandezza del disegno, come fa il compasso."},
     Row{Sentence::check_differs,
         "The numeric check does not confirm {0}: {1} by the construction, off by {2}[; nor {3} more of its kind].",
         "La verifica numerica non conferma {0}: {1} dalla costruzione, con uno scarto di {2}[; né {3} {3|altra|altre} dello stesso tipo]."},
@@ -346,8 +359,9 @@ constexpr std::array sentences{
         "resta libero: in questa configurazione il movente non muove nulla (punto morto)"},
     Row{Sentence::dead_point_at, "dead point at {0}: the two lines on which its velocity must lie are parallel",
         "punto morto in {0}: le due rette su cui deve stare la sua velocità sono parallele"},
-    Row{Sentence::lacks_drivers, "the mechanism has {0} {0|freedom|freedoms} and {1} of them driven; give one driver more",
-        "il meccanismo ha {0} {0|grado|gradi} di libertà, di cui {1} {1|comandato|comandati}; assegnare un movente in più"},
+    Row{Sentence::lacks_drivers,
+        "the mechanism has {0} {0|freedom|freedoms} and {1} of them driven{2|; give one driver more|}[; give {3} drivers more]",
+        "il meccanismo ha {0} {0|grado|gradi} di libertà, di cui {1} {1|comandato|comandati}{2|; assegnare un movente in più|}[; assegnare {3} moventi in più]"},
     Row{Sentence::stands_still, "dead point: it can only stand still here, and no driver moves it",
         "punto morto: qui può solo stare fermo, e nessun movente lo muove"},
     Row{Sentence::beyond_groups,
@@ -376,6 +390,9 @@ constexpr std::array sentences{
     Row{Sentence::effort_without_work,
         "the effort does no work in the motion that is free at this position: a dead point, where a force grows without limit[; not determined: {0}]",
         "l’azione equilibrante non compie lavoro nel moto libero in questa configurazione: un punto morto, dove una forza cresce senza limite[; non determinate: {0}]"},
+    Row{Sentence::beyond_trials,
+        "no order of bodies resolves them, and more unknowns hang together than are tried at once[; not determined: {0}]",
+        "nessun ordine dei corpi le risolve, e le incognite legate fra loro sono più di quante se ne provino insieme[; non determinate: {0}]"},
 };
 
 struct FixedWords {
@@ -441,6 +458,8 @@ constexpr std::array fixed_words{
     FixedWords{"remarks", "Remarks", "Osservazioni"},
     FixedWords{"scale refused", "at the scale that the file asks for it does not fit the sheet.",
                "alla scala richiesta dal file non sta nel foglio."},
+    FixedWords{"names left out", "there is no room to read all names; left out are",
+               "non c’è spazio per leggere tutti i nomi; mancano"},
     FixedWords{"unsolved", "Not determined", "Non determinato"},
     FixedWords{"a remark", "remark", "osservazione"},
     FixedWords{"one unsolved", "unsolved", "non determinato"},
@@ -740,6 +759,8 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
                 return name(value.name);
             } else if constexpr (std::is_same_v<T, BodyName>) {
                 return {piece(value.name)};
+            } else if constexpr (std::is_same_v<T, JointName>) {
+                return value.own ? RichText{piece(value.name)} : name(value.name);
             } else if constexpr (std::is_same_v<T, Count>) {
                 return {piece((value.value < 0 ? "−" : "") + std::to_string(std::abs(value.value)))};
             } else if constexpr (std::is_same_v<T, Symbol>) {
@@ -813,6 +834,7 @@ bool is_empty(const Argument& arg) {
     if (const auto* text = std::get_if<std::string>(&arg)) return text->empty();
     if (const auto* point = std::get_if<PointName>(&arg)) return point->name.empty();
     if (const auto* body = std::get_if<BodyName>(&arg)) return body->name.empty();
+    if (const auto* joint = std::get_if<JointName>(&arg)) return joint->name.empty();
     if (const auto* names = std::get_if<Names>(&arg)) return names->empty();
     if (const auto* symbols = std::get_if<Symbols>(&arg)) return symbols->empty();
     return false;
@@ -962,9 +984,9 @@ RichText typeset(const Symbol& symbol, Language language) {
     }
     result.sub = symbol.about;
     // A force that the file calls F_gas or M is written so, not F with a script F_gas.
-    if (symbol.letter == Letter::F || symbol.letter == Letter::M) {
-        if (result.sub == result.text) result.sub.clear();
-        if (result.sub.starts_with(result.text + "_")) result.sub.erase(0, 2);
+    if (has_own_name(symbol)) {
+        result.text = result.sub[0];
+        result.sub.erase(0, result.sub.find('_') == 1 ? 2 : 1);
     }
     // g of the weight and i of inertia are words, not quantities.
     const bool of_body = symbol.letter == Letter::F && !result.sub.empty() && (result.sub[0] == 'g' || result.sub[0] == 'i') &&
@@ -1007,10 +1029,12 @@ RichText typeset(const LineReason& reason, Language language) {
         case Kind::known:
             break;
     }
-    if (!reason.from.empty()) {
-        text.back().text += " ";
-        append(text, point_name(reason.from));
-    }
+    if (reason.from.empty()) return text;
+    // A name that says what it is needs no word before it: "∥ guide 2".
+    if (reason.own_name && reason.from.starts_with(word("guide", language)))
+        return {piece((perpendicular ? "⟂ " : "∥ ") + reason.from)};
+    text.back().text += " ";
+    append(text, reason.own_name ? RichText{piece(reason.from)} : point_name(reason.from));
     return text;
 }
 

@@ -1,4 +1,5 @@
-// Words: every sentence, heading and name the sheet says, in English and Italian. The only file that speaks. Terms differ by
+// Words: every sentence, heading and name the sheet says, in English and Italian. Faults of
+// files and of the command line carry theirs themselves (engine/words.hpp). Terms differ by
 // language, not only by translation (instant centre P_ij / centro di istantanea rotazione C_ij, decimal comma, × / ∧).
 #pragma once
 

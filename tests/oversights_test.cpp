@@ -1,0 +1,91 @@
+// What a beginner gets wrong: said with the likely remedy where more is free than is driven, and nowhere else.
+#include <gtest/gtest.h>
+
+#include "constructions/oversights.hpp"
+#include "tests/solved.hpp"
+#include "tests/told.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+/// A four-bar linkage whose bodies, joints and further members are given.
+std::string four_bar(const std::string& bodies, const std::string& joints, const std::string& more = "") {
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
+        "points": {"O2": [0, 0], "A": [20, 30], "B": [100, 60], "C": [100, 60], "O4": [120, 0], "D": [60, 90]},
+        "bodies": {)" +
+           bodies + R"(}, "joints": [)" + joints + R"(], "drivers": [{"body": 2, "omega": 3}])" + more + "}";
+}
+const std::string bodies = R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"])";
+const std::string crank = R"({"revolute": "O2", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]})";
+const std::string pin_b = R"({"revolute": "B", "bodies": [3, 4]})";
+const std::string pin_o4 = R"({"revolute": "O4", "bodies": [1, 4]})";
+
+std::vector<std::string> remarks(const std::string& text) {
+    const Solution solution = solved(text);
+    std::vector<std::string> all;
+    for (const Message& each : oversights(solution.mechanism, solution.pose, solution.mobility)) all.push_back(english(each));
+    return all;
+}
+using Lines = std::vector<std::string>;
+
+TEST(Oversights, NoneWhereAllIsDriven) {
+    EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_b + "," + pin_o4)), Lines{});
+    for (const std::string& name : example_names()) {
+        const Solution solution = example(name);
+        const auto said = oversights(solution.mechanism, solution.pose, solution.mobility);
+        EXPECT_TRUE(said.empty()) << name << ": " << english(said.front());
+    }
+}
+
+TEST(Oversights, AFrameJointThatIsMissing) {
+    EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_b)),
+              Lines{"Body 4 has one joint only, B, and nothing else holds or drives it; give it another, perhaps "
+                    "{\"revolute\": \"O4\", \"bodies\": [\"1\", \"4\"]}."});
+}
+
+TEST(Oversights, APointThatTwoBodiesShareWithoutAPin) {
+    EXPECT_EQ(remarks(four_bar(bodies, crank + "," + pin_o4)),
+              Lines{"Bodies 3 and 4 meet in B, but no joint joins them there; if they are pinned, add "
+                    "{\"revolute\": \"B\", \"bodies\": [\"3\", \"4\"]}."});
+}
+
+TEST(Oversights, TwoPointsAtOnePlace) {
+    EXPECT_EQ(remarks(four_bar(R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "C"])", crank + "," + pin_o4)),
+              Lines{"Bodies 3 and 4 meet in B, where C lies too, but no joint joins them there; if they are pinned, add "
+                    "{\"revolute\": \"B\", \"bodies\": [\"3\", \"4\"]}."});
+}
+
+TEST(Oversights, ABodyWithoutAJoint) {
+    EXPECT_EQ(remarks(four_bar(bodies + R"(, "5": ["D"])", crank + "," + pin_b + "," + pin_o4)),
+              Lines{"Body 5 has no joint, so nothing holds it; give it one, perhaps "
+                    "{\"revolute\": \"D\", \"bodies\": [\"1\", \"5\"]}."});
+}
+
+TEST(Oversights, BodiesThatNothingConnectsWithTheFrame) {
+    const std::string ring = R"({"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
+                                {"revolute": "D", "bodies": [2, 4]})";
+    EXPECT_EQ(remarks(four_bar(bodies, ring)),
+              Lines{"No joint connects bodies 2, 3, 4 with the frame, 1; give the one that does, "
+                    "perhaps {\"revolute\": \"O2\", \"bodies\": [\"1\", \"2\"]}."});
+}
+
+TEST(Oversights, ComeBeforeTheCallForDrivers) {
+    const Solution forgotten = solved(four_bar(bodies, crank + "," + pin_b));
+    ASSERT_FALSE(forgotten.remarks.empty());
+    EXPECT_EQ(forgotten.remarks.front().sentence, Sentence::body_of_one_joint);
+    ASSERT_FALSE(forgotten.unsolved.empty());
+    EXPECT_EQ(english(forgotten.unsolved.front().why), "the mechanism has 3 freedoms and 1 of them driven");
+}
+
+TEST(Oversights, TheDriversThatLackAreCounted) {
+    // Two cranks more, each driven by nothing but held by both its joints.
+    const std::string five = R"("2": ["O2", "A"], "3": ["A", "B"], "4": ["B", "D"], "5": ["D", "O4"])";
+    const std::string joints = crank + R"(, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "D", "bodies": [4, 5]},
+                                         {"revolute": "O4", "bodies": [1, 5]})";
+    const Solution one_more = solved(four_bar(five, joints));
+    ASSERT_FALSE(one_more.unsolved.empty());
+    EXPECT_EQ(english(one_more.unsolved.front().why), "the mechanism has 2 freedoms and 1 of them driven; give one driver more");
+}
+
+}  // namespace
+}  // namespace kinegraph::tests

@@ -1,0 +1,77 @@
+#include "tests/through_all.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "constructions/oversights.hpp"
+#include "constructions/solve.hpp"
+#include "render/backends/backends.hpp"
+#include "render/sheet/sheet.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+using namespace render;
+
+void expect(bool holds, const char* what) {
+    if (!holds) throw std::runtime_error(what);
+}
+void expect_finite(std::initializer_list<double> numbers) {
+    for (const double number : numbers) expect(std::isfinite(number), "a mark stands nowhere");
+}
+void expect_finite(Spot spot) { expect_finite({spot.x, spot.y}); }
+
+struct IsFinite {
+    void operator()(const MoveTo& move) const { expect_finite(move.to); }
+    void operator()(const LineTo& line) const { expect_finite(line.to); }
+    void operator()(const CurveTo& curve) const {
+        for (const Spot spot : {curve.control_1, curve.control_2, curve.to}) expect_finite(spot);
+    }
+    void operator()(const ArcTo& arc) const { expect_finite({arc.centre.x, arc.centre.y, arc.radius, arc.from, arc.to}); }
+    void operator()(const Close&) const {}
+    void operator()(const Path& path) const {
+        for (const render::Segment& segment : path.segments) std::visit(*this, segment);
+        expect_finite({path.pen.width});
+    }
+    void operator()(const Axis& axis) const {
+        expect_finite(axis.tail);
+        expect_finite(axis.tip);
+    }
+    void operator()(const TextMark& text) const {
+        expect_finite({text.angle, text.pivot.x, text.pivot.y});
+        for (const Glyph& glyph : text.glyphs) expect_finite({glyph.origin.x, glyph.origin.y, glyph.size});
+    }
+    void operator()(const GroupBegin&) const {}
+    void operator()(const GroupEnd&) const {}
+};
+
+}  // namespace
+
+HowFar through_all(std::string_view text, const Fonts& fonts) {
+    HowFar far;
+    auto mechanism = read_mechanism(text, "fuzz.json");
+    if (!mechanism) {
+        for (const Error& error : mechanism.error())
+            expect(!error.message.en.empty() && !error.message.it.empty(), "a fault has words in both languages");
+        return far;
+    }
+    far.read = true;
+    const auto solution = solve(*std::move(mechanism));
+    if (!solution) return far;
+    far.solved = true;
+    oversights(solution->mechanism, solution->pose, solution->mobility);
+    // What is no number is no JSON.
+    const std::string results = results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });
+    expect(nlohmann::json::accept(results), "the results are no JSON");
+    results_table(*solution, Language::it);
+    const std::vector<Page> pages = lay_out(*solution, {}, fonts);
+    for (const Page& page : pages)
+        for (const Mark& mark : page.marks) std::visit(IsFinite(), mark);
+    to_svg(pages, fonts);
+    far.drawn = true;
+    return far;
+}
+
+}  // namespace kinegraph::tests
