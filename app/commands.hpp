@@ -26,9 +26,28 @@ struct SolveRequest {
     bool steps = false;            ///< the solution as a sequence of pages
     double dpi = 150;
     bool exact = false;
+    std::vector<std::string> at;    ///< positions: "30°", "every 30°"; empty: the drawn one
+    std::string driver;             ///< whose coordinate `at` is; empty: the first of the file
     std::vector<std::string> with;  ///< figures on request: "joukowsky"
 };
 Status solve_command(const SolveRequest& request);
+
+/// sweep FILE: the results in one position after another.
+struct SweepRequest {
+    std::string file;
+    std::vector<std::string> outputs;
+    std::string format;
+    std::string driver;    ///< its name; empty: the first of the file
+    std::string from, to;  ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
+    long steps = 360;
+    std::vector<std::string> plots;   ///< columns by name, parted by commas; empty: what suits
+    std::vector<std::string> traces;  ///< "P" or "P,on BODY"
+    int poses = 0;
+    render::SheetOptions sheet;
+    std::string theme = "colour";
+    double dpi = 150;
+};
+Status sweep_command(const SweepRequest& request);
 
 /// check FILE: the file is read, its points are found, what was probably forgotten is said; nothing is solved or written.
 Status check_command(const std::string& file, Language language);

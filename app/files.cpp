@@ -12,6 +12,7 @@
 #include <cstring>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace kinegraph::app {
 namespace {
@@ -70,6 +71,20 @@ std::string followed(std::string path) {
     return path;
 }
 
+std::string temporary_beside(const std::string& target, int number) {
+    return folder_of(target) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
+}
+/// A new file beside the target; < 0: it cannot be made.
+int create_beside(const std::string& target, std::string& name) {
+    for (int number = 0; number < 10000; ++number) {
+        const std::string candidate = temporary_beside(target, number);
+        const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0) name = candidate;
+        if (file >= 0 || errno != EEXIST) return file;
+    }
+    return -1;
+}
+
 /// One output under way: what lies on disk for it besides its target is removed with it.
 class Pending {
 public:
@@ -84,7 +99,7 @@ public:
 
     /// Safe on disk beside the target; nothing that is seen has changed.
     bool prepare() {
-        if (output_.path == "-") {
+        if (output_.path == "-" || output_.written == "-") {
             to_stream_ = true;
             return true;
         }
@@ -98,7 +113,11 @@ public:
         if (existed_ && ::access(output_.path.c_str(), W_OK) != 0) return false;
         ours_ = existed_ && (::geteuid() == 0 || ::geteuid() == status.st_uid);
         target_ = followed(output_.path);
-        const int file = create(temporary_);
+        if (!output_.written.empty()) {
+            temporary_ = output_.written;
+            return !existed_ || ::chmod(temporary_.c_str(), status.st_mode & 07777) == 0;
+        }
+        const int file = create_beside(target_, temporary_);
         if (file < 0) return false;
         const bool written = write_to(file, output_.bytes) && (!existed_ || ::fchmod(file, status.st_mode & 07777) == 0);
         const int why = errno;
@@ -107,7 +126,7 @@ public:
     }
     /// Straight to where it goes, if that is no plain file.
     bool stream() const {
-        if (!to_stream_) return true;
+        if (!to_stream_ || output_.written == "-") return true;
         if (output_.path == "-") return write_to(STDOUT_FILENO, output_.bytes);
         const int file = ::open(output_.path.c_str(), O_WRONLY | O_CLOEXEC);
         if (file < 0) return false;
@@ -134,18 +153,7 @@ private:
         errno = why;
         return false;
     }
-    std::string beside(int number) const {
-        return folder_of(target_) + "/.kinegraph-" + std::to_string(::getpid()) + '-' + std::to_string(number);
-    }
-    int create(std::string& name) const {
-        for (int number = 0; number < 10000; ++number) {
-            const std::string candidate = beside(number);
-            const int file = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (file >= 0) name = candidate;
-            if (file >= 0 || errno != EEXIST) return file;
-        }
-        return -1;
-    }
+    std::string beside(int number) const { return temporary_beside(target_, number); }
     void back_up() {
         for (int number = 0; number < 10000; ++number) {
             const std::string candidate = beside(number);
@@ -168,8 +176,10 @@ private:
     bool existed_ = false, ours_ = false, to_stream_ = false, renamed_ = false, kept_ = false;
 };
 
-Words spoken(const Pending& output) {
-    return output.path() == "-" ? Words("standard output", "uscita standard") : Words(output.path());
+/// Why it could not be written, as the last call left it.
+NotWritten not_written(const std::string& path) {
+    const Words why = reason();
+    return {path == "-" ? Words("standard output", "uscita standard") : Words(path), why};
 }
 
 }  // namespace
@@ -217,13 +227,47 @@ std::optional<NotWritten> write_all(const std::vector<Output>& outputs) {
     all.reserve(outputs.size());
     for (const Output& output : outputs) all.push_back(std::make_unique<Pending>(output));
     for (const auto& pending : all)
-        if (!pending->prepare()) return NotWritten{spoken(*pending), reason()};
+        if (!pending->prepare()) return not_written(pending->path());
     for (const auto& pending : all)
-        if (!pending->stream()) return NotWritten{spoken(*pending), reason()};
+        if (!pending->stream()) return not_written(pending->path());
     for (const auto& pending : all)
-        if (!pending->rename(pending == all.back())) return NotWritten{spoken(*pending), reason()};
+        if (!pending->rename(pending == all.back())) return not_written(pending->path());
     for (const auto& pending : all) pending->keep();
     return std::nullopt;
+}
+
+tl::expected<Growing, NotWritten> Growing::open(const std::string& path) {
+    Growing made;
+    made.path_ = path;
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (path == "-") {
+        made.file_ = ::dup(STDOUT_FILENO);
+    } else if (exists && S_ISDIR(status.st_mode)) {
+        errno = EISDIR;
+    } else if (exists && !S_ISREG(status.st_mode)) {
+        made.file_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        made.file_ = create_beside(followed(path), made.temporary_);
+    }
+    if (made.file_ < 0) return tl::unexpected(not_written(path));
+    return made;
+}
+Growing::Growing(Growing&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})), file_(std::exchange(other.file_, -1)) {}
+Growing::~Growing() {
+    if (file_ >= 0) ::close(file_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+std::optional<NotWritten> Growing::add(std::string_view bytes) {
+    if (write_to(file_, bytes)) return std::nullopt;
+    return not_written(path_);
+}
+Output Growing::finish() && {
+    ::close(std::exchange(file_, -1));
+    Output output{path_, {}, temporary_.empty() ? "-" : temporary_};
+    temporary_.clear();
+    return output;
 }
 
 Status print(const std::string& text, Language language) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -24,10 +25,29 @@ bool same_file(const std::string& one, const std::string& other);
 struct Output {
     std::string path;
     std::string bytes;
+    std::string written = {};  ///< a temporary file that holds them already; of what was streamed "-"
 };
 struct NotWritten {
     Words path;
     Words why;
+};
+/// An output that grows, of any length: in a temporary file beside its target, or straight to what is no plain file (a device,
+/// a pipe, standard output). What is not handed on by finish() is removed.
+class Growing {
+public:
+    static tl::expected<Growing, NotWritten> open(const std::string& path);
+    Growing(Growing&& other) noexcept;
+    Growing& operator=(Growing&&) = delete;
+    ~Growing();
+    /// What cannot be written, if it cannot.
+    std::optional<NotWritten> add(std::string_view bytes);
+    /// To be given to write_all with the rest of the run.
+    Output finish() &&;
+
+private:
+    Growing() = default;
+    std::string path_, temporary_;
+    int file_ = -1;
 };
 /// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as it was.
 /// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.

@@ -15,6 +15,8 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/files.hpp"
@@ -134,12 +136,15 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
         ->type_name("FORMAT");
 }
 
-/// What is drawn, on which paper.
-void add_sheet(CLI::App& command, SolveWords& words) {
+void add_paper(CLI::App& command, SolveWords& words) {
     add_language(command, words.language, "Language of sheet, table and messages: en or it");
     add_choice(command, "--paper", words.paper, "Size of the sheet: A4, A3 or letter", {"A4", "A3", "letter"}, "PAPER");
     add_choice(command, "--orientation", words.orientation, "How the sheet lies: landscape or portrait",
                {"landscape", "portrait"}, "HOW");
+}
+
+/// What is drawn.
+void add_sheet(CLI::App& command, SolveWords& words) {
     command
         .add_option("--figure", words.request.figure,
                     "One figure alone, on a page of its size: mechanism, centres, velocity, acceleration, forces, closure, "
@@ -177,13 +182,104 @@ void add_look(CLI::App& command, SolveRequest& request) {
     command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
 }
 
+void add_driver(CLI::App& command, std::string& driver) {
+    command
+        .add_option("--driver", driver,
+                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. Others rest")
+        ->type_name("NAME");
+}
+
 void add_solve(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
     auto words = std::make_shared<SolveWords>();
     add_outputs(*command, words->request);
+    add_paper(*command, *words);
     add_sheet(*command, *words);
     add_look(*command, words->request);
+    command
+        ->add_option("--at", words->request.at,
+                     "The position in which it is solved: the driver's turn or slide from the drawn one, 30°, 0.5 rad, 20 mm; "
+                     "may be given again, a sheet each; every 30° for a whole turn")
+        ->allow_extra_args(false)
+        ->type_name("TURN");
+    add_driver(*command, words->request.driver);
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
+}
+
+/// What is typed to sweep a mechanism: the request, and what it says in words.
+struct SweepWords {
+    SweepRequest request;
+    SolveWords sheet;
+
+    SweepRequest meant() const {
+        SweepRequest full = request;
+        const SolveRequest words = sheet.meant();
+        full.sheet.language = words.language;
+        full.sheet.paper = words.paper;
+        full.sheet.orientation = words.orientation;
+        return full;
+    }
+};
+
+void add_travel(CLI::App& command, SweepRequest& request) {
+    command
+        .add_option(
+            "--from", request.from,
+            "Where it starts, from the drawn position: 90°, 1.57 rad, 20 mm; without --from and --to a full turn, or from "
+            "limit to limit")
+        ->type_name("TURN");
+    command.add_option("--to", request.to, "Where it ends")->type_name("TURN");
+    command.add_option("--steps", request.steps, "Steps from the first position to the last")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+void add_plots(CLI::App& command, SweepRequest& request) {
+    command
+        .add_option("--plot", request.plots,
+                    "Columns of one unit in one plot, up to four, by their names: \"x B,x C\"; may be given again. Without it "
+                    "what slides or turns last, and the efforts")
+        ->allow_extra_args(false)
+        ->type_name("QUANTITIES");
+    command
+        .add_option("--trace", request.traces,
+                    "The path of a point, \"P\", or as a body sees it, \"P,on BODY\"; may be given again")
+        ->allow_extra_args(false)
+        ->type_name("P[,on BODY]");
+    command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
+        ->check(CLI::Range(0, 360))
+        ->type_name("N");
+    command.add_option("--date", request.sheet.date, "A date for the title block, as it is to be printed")->type_name("TEXT");
+    command.add_option("--author", request.sheet.author, "A name for the title block")->type_name("TEXT");
+    command.add_option("--theme", request.theme, "The look: colour, print, dark, or the path of a theme file")
+        ->type_name("THEME")
+        ->capture_default_str();
+    command.add_option("--dpi", request.dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
+        ->check(resolution_fits)
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+void add_sweep(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "sweep", "The results in one position after another: rows of numbers, plots, paths of points");
+    auto words = std::make_shared<SweepWords>();
+    SweepRequest& request = words->request;
+    command->add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
+    command
+        ->add_option("-o,--output", request.outputs,
+                     "OUT.csv or .json (SI units), .svg, .png or .pdf (the sheet with plots); may be given again. Without it CSV "
+                     "goes to standard output")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    command->add_option("--format", request.format, "What to write where the name of the output does not say it")
+        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
+        ->type_name("FORMAT");
+    add_driver(*command, request.driver);
+    add_travel(*command, request);
+    add_plots(*command, request);
+    add_paper(*command, words->sheet);
+    command->callback([&action, words] { action = [words] { return sweep_command(words->meant()); }; });
 }
 
 void add_check(CLI::App& program, Action& action) {
@@ -263,6 +359,7 @@ Status run(int count, char** arguments, Language language) {
     program.require_subcommand(1);
     Action action;
     add_solve(program, action);
+    add_sweep(program, action);
     add_check(program, action);
     add_diff(program, action);
     add_pairs(program, action);
@@ -283,8 +380,16 @@ Status run(int count, char** arguments, Language language) {
                           language);
         }
     }
+    // "--at every 30°" in two words; CLI11 takes its words from the last to the first.
+    std::vector<std::string> words;
+    for (int i = count; i-- > 1;) {
+        if (!words.empty() && arguments[i] == std::string("every") && i > 1 && arguments[i - 1] == std::string("--at"))
+            words.back() = "every " + words.back();
+        else
+            words.emplace_back(arguments[i]);
+    }
     try {
-        program.parse(count, arguments);
+        program.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {
         return print(program.help(), language);
     } catch (const CLI::CallForVersion&) {

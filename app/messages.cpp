@@ -41,6 +41,7 @@ Status say(const Words& file, const Errors& errors, Language language) {
     for (const Error& error : errors) {
         say(file, error.where.empty() ? error.message : Words(error.where + ": ") + error.message, language);
         if (error.code == ErrorCode::output) status = Status::output;
+        if (error.code == ErrorCode::no_unique_answer) status = Status::unsolved;
     }
     return status;
 }

@@ -1,15 +1,14 @@
 // solve FILE: reads, solves, draws what is asked and writes it, all or nothing.
 #include <algorithm>
-#include <filesystem>
+#include <array>
+#include <iterator>
 #include <optional>
 
 #include "app/commands.hpp"
-#include "app/files.hpp"
-#include "app/module.hpp"
-#include "app/modules/type.hpp"
-#include "app/painter.hpp"
+#include "app/driver_choice.hpp"
+#include "app/outputs.hpp"
 #include "constructions/solve.hpp"
-#include "render/backends/backends.hpp"
+#include "engine/moved.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"
 #include "render/text/words.hpp"
@@ -17,136 +16,8 @@
 namespace kinegraph::app {
 namespace {
 
-enum class Format { svg, png, pdf, json };
-
-std::optional<Format> format_named(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (name == "svg") return Format::svg;
-    if (name == "png") return Format::png;
-    if (name == "pdf") return Format::pdf;
-    if (name == "json") return Format::json;
-    return std::nullopt;
-}
-
-/// Where a path's last dot is, or its end: "out/sheet.svg" → 9, "a.b/sheet" → 9.
-std::size_t ending_of(const std::string& path) {
-    const std::size_t name = path.rfind('/') + 1;  // 0 where there is no slash
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string::npos || dot <= name ? path.size() : dot;
-}
-
-struct Target {
-    std::string path;
-    Format format = Format::svg;
-    bool standard() const { return path == "-"; }
-    std::string path_of_page(std::size_t page) const {
-        if (page == 0) return path;
-        std::string numbered = path;
-        return numbered.insert(ending_of(path), '-' + std::to_string(page + 1));
-    }
-};
-
-bool is_painted(const Target& target) { return target.format == Format::png || target.format == Format::pdf; }
-
-/// What is to be written, or why the command line cannot be meant so.
-tl::expected<std::vector<Target>, Words> targets_of(const SolveRequest& request) {
-    std::vector<std::string> paths = request.outputs;
-    if (paths.empty() && !request.format.empty()) paths.emplace_back("-");
-    std::vector<Target> targets;
-    for (const std::string& path : paths) {
-        if (path.empty() || path.ends_with('/'))
-            return tl::unexpected(Words("-o \"{0}\" names no file", "-o \"{0}\" non indica un file", path));
-        const std::size_t ending = ending_of(path);
-        std::optional<Format> format;
-        if (path != "-" && ending < path.size()) format = format_named(path.substr(ending + 1));
-        if (!format) format = format_named(request.format);
-        if (!format && path == "-")
-            return tl::unexpected(
-                Words("-o - needs --format svg, png, pdf or json", "-o - richiede --format svg, png, pdf o json"));
-        if (!format)
-            return tl::unexpected(
-                Words("-o {0}: the ending does not say what to write; it may be .svg, .png, .pdf or .json (or --format says it)",
-                      "-o {0}: l’estensione non dice che cosa scrivere; può essere .svg, .png, .pdf o .json (o lo dice --format)",
-                      path));
-        for (const Target& other : targets)
-            if (other.path == path)
-                return tl::unexpected(path == "-" ? Words("standard output can carry one output only",
-                                                          "l’uscita standard può portare un solo risultato")
-                                                  : Words("-o {0} is given twice", "-o {0} è dato due volte", path));
-        if (path != "-" && same_file(path, request.file))
-            return tl::unexpected(Words("-o {0} would overwrite the mechanism file itself",
-                                        "-o {0} sovrascriverebbe il file del meccanismo", path));
-        targets.push_back({path, *format});
-    }
-    return targets;
-}
-
-/// "./a.svg" and "a.svg" alike.
-std::string plain(const std::string& path) { return std::filesystem::path(path).lexically_normal().string(); }
-
 /// What programs read is English whatever the sheet speaks.
 std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
-
-/// All bytes of a run, under the names they get. Remarks are added to `remarks`.
-std::vector<Output> outputs_of(const Solution& solution, const std::vector<Target>& targets, const SolveRequest& request,
-                               const std::vector<render::Page>& pages, const std::optional<render::Fonts>& fonts,
-                               const std::optional<Painter>& painter, std::vector<std::string>& remarks) {
-    std::vector<Output> outputs;
-    for (const Target& target : targets) {
-        if (target.format == Format::json) {
-            outputs.push_back({target.path, results_json(solution, request.exact, in_english)});
-            continue;
-        }
-        if (target.format == Format::pdf) {
-            outputs.push_back({target.path, painter->to_pdf(pages, *fonts)});
-            continue;
-        }
-        const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
-        if (target.format == Format::svg) {
-            std::vector<std::string> texts =
-                count == 1 ? std::vector{render::to_svg(pages.front(), *fonts)} : render::to_svg(pages, *fonts);
-            for (std::size_t page = 0; page < count; ++page)
-                outputs.push_back({target.path_of_page(page), std::move(texts[page])});
-        } else {
-            for (std::size_t page = 0; page < count; ++page)
-                outputs.push_back({target.path_of_page(page), painter->to_png(pages[page], *fonts, request.dpi)});
-        }
-        if (count < pages.size())
-            remarks.push_back(in(
-                {"the sheet has {0} pages and standard output carries the first only; a PDF has them all, and so has -o with a name",
-                 "il foglio ha {0} pagine e l’uscita standard porta solo la prima; un PDF le ha tutte, e così -o con un nome",
-                 std::to_string(pages.size())},
-                request.language));
-    }
-    if (fonts) {
-        std::string absent;
-        for (const std::string& character : fonts->missing()) absent += (absent.empty() ? "" : ", ") + character;
-        if (!absent.empty())
-            remarks.push_back(in({"the font has no {0}: drawn as its code in a box",
-                                  "il font non ha {0}: disegnato come codice in un riquadro", absent},
-                                 request.language));
-    }
-    return outputs;
-}
-
-/// A built-in theme, or that of a file; else it has been said what is wrong.
-tl::expected<render::Theme, Status> theme_of(const std::string& name, Language language) {
-    if (auto built_in = render::built_in_theme(name)) return *std::move(built_in);
-    const auto text = read_whole(name, {"theme file", "file di tema"});
-    if (!text) {
-        std::string known;
-        for (const std::string_view each : render::theme_names()) known.append(known.empty() ? "" : ", ").append(each);
-        say(spoken(name),
-            {"{0} (--theme is one of {1}, or the path of a theme file)",
-             "{0} (--theme è uno fra {1}, o il percorso di un file di tema)", text.error(), known},
-            language);
-        return tl::unexpected(Status::bad_input);
-    }
-    auto theme = render::read_theme(*text);
-    if (!theme) return tl::unexpected(say(spoken(name), theme.error(), language));
-    return *std::move(theme);
-}
 
 /// Why Joukowsky's lever cannot be drawn; empty where it can.
 Words why_no_lever(const Solution& solution) {
@@ -164,13 +35,100 @@ Words why_no_lever(const Solution& solution) {
     return {};
 }
 
+/// Positions asked for, as the driver's coordinates: exactly, and as they are told.
+struct Asked {
+    Exact coordinate;
+    Words text;
+};
+tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism, int driver) {
+    constexpr std::size_t most = 720;
+    std::vector<Asked> all;
+    const auto add = [&](const Exact& coordinate) {
+        all.push_back({coordinate, coordinate_text(mechanism, driver, coordinate.to_double())});
+    };
+    for (const std::string& text : request.at) {
+        const bool every = text.starts_with("every ");
+        const auto read = coordinate_of(mechanism, driver, every ? text.substr(6) : text);
+        if (!read) return tl::unexpected(std::string("--at: ") + read.error());
+        if (!every) {
+            add(*read);
+            continue;
+        }
+        if (!turns(mechanism, driver))
+            return tl::unexpected(Words("--at {0}: a slide has no whole turn; give its positions",
+                                        "--at {0}: uno scorrimento non ha giro intero; dare le sue posizioni", text));
+        if (read->sign() <= 0 || *read * Exact(static_cast<int>(most)) < 2 * pi())
+            return tl::unexpected(Words("--at {0}: a turn is divided into 1 to {1} positions",
+                                        "--at {0}: un giro si divide in 1–{1} posizioni", text, std::to_string(most)));
+        for (Exact turn = 0; turn < 2 * pi(); turn += *read) add(turn);
+    }
+    if (all.size() > most)
+        return tl::unexpected(
+            Words("--at: at most {0} positions in one run", "--at: al più {0} posizioni in un comando", std::to_string(most)));
+    return all;
+}
+
+/// Its title says in which position a sheet is.
+void name_position(Mechanism& mechanism, const std::string& driver, const Words& turn) {
+    Words& title = mechanism.title;
+    if (title.empty()) title = mechanism.source;
+    title = Words(in(title, Language::en), in(title, Language::it)) + Words(" ({0}: {1})", " ({0}: {1})", driver, turn);
+}
+
+/// The mechanism solved in the positions asked for; else it has been said what is wrong.
+tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism, const SolveRequest& request) {
+    const Words file = spoken(request.file);
+    const auto wrong = [&](const Words& why, Status status = Status::bad_input) {
+        say(file, why, request.language);
+        return tl::unexpected(status);
+    };
+    const auto wrong_file = [&](const Errors& errors) { return tl::unexpected(say(file, errors, request.language)); };
+    const auto driver = driver_named(mechanism, request.driver);
+    if (!driver) return wrong(driver.error());
+    const auto asked = positions_asked(request, mechanism, *driver);
+    if (!asked) return wrong(asked.error());
+    const auto pose = draw_pose(mechanism);
+    if (!pose) return wrong_file(pose.error());
+    auto positions = Positions::of(mechanism, *pose, *driver);
+    if (!positions) return wrong_file(positions.error());
+    const Mover mover(mechanism, *pose);
+    const std::string name = name_of_driver(mechanism, *driver);
+    std::vector<Solution> solutions;
+    for (const auto& [coordinate, text] : *asked) {
+        if (coordinate.is_zero()) {
+            auto drawn = solve(mechanism);
+            if (!drawn) return wrong_file(drawn.error());
+            solutions.push_back(*std::move(drawn));
+        } else {
+            Positions here = *positions;
+            if (!here.move_to(coordinate.to_double()))
+                return wrong(std::string("--at: ") +
+                             out_of_reach(text, name, coordinate_text(mechanism, *driver, here.limit().value_or(0))));
+            if (here.is_singular())
+                return wrong(
+                    {"--at: at {0} the mechanism is at a change point, where it has no one answer; ask for a position beside it",
+                     "--at: a {0} il meccanismo è in un punto di biforcazione, senza risposta unica; chiedere una posizione vicina",
+                     text},
+                    Status::unsolved);
+            Moved moved = mover.moved(here, coordinate);
+            solutions.push_back(
+                solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; }));
+        }
+        name_position(solutions.back().mechanism, name, text);
+    }
+    return solutions;
+}
+
 /// The file read and solved; else it has been said what is wrong.
-tl::expected<Solution, Status> solution_of(const SolveRequest& request) {
+tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
     auto mechanism = mechanism_of(request.file, request.language);
     if (!mechanism) return tl::unexpected(mechanism.error());
+    if (!request.at.empty()) return solved_at(*mechanism, request);
     auto solution = solve(*std::move(mechanism));
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
-    return *std::move(solution);
+    std::vector<Solution> solutions;
+    solutions.push_back(*std::move(solution));
+    return solutions;
 }
 
 bool wants_lever(const SolveRequest& request) {
@@ -221,88 +179,87 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
         remark({"--steps adds pages to what is drawn, and no drawing is asked for",
                 "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"});
     if (request.exact && std::none_of(targets.begin(), targets.end(), is_json))
-
         remark({"--exact adds to the JSON results only, and none are asked for",
                 "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"});
 }
 
-/// The names of further pages are known only now; none may be another output's, or the mechanism file's. Says so where one is.
-bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language) {
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (plain(outputs[i].path) != plain(outputs[j].path)) continue;
-            refuse({"two outputs of this run would both be {0}", "due risultati di questo comando sarebbero entrambi {0}",
-                    outputs[i].path},
-                   language);
-            return true;
-        }
-        if (outputs[i].path != "-" && same_file(outputs[i].path, file)) {
-            refuse({"{0} (a further page) would overwrite the mechanism file itself",
-                    "{0} (una pagina seguente) sovrascriverebbe il file del meccanismo", outputs[i].path},
-                   language);
-            return true;
-        }
-    }
-    return false;
-}
-
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
-tl::expected<std::vector<Output>, Status> made(const Solution& solution, const std::vector<Target>& targets,
+tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions, const std::vector<Target>& targets,
                                                const render::Theme& theme, const SolveRequest& request,
                                                std::vector<std::string>& remarks) {
-    if (targets.empty()) return std::vector<Output>{{"-", render::results_table(solution, request.language)}};
-    if (std::all_of(targets.begin(), targets.end(), [](const Target& target) { return target.format == Format::json; }))
-        return outputs_of(solution, targets, request, {}, {}, {}, remarks);
-    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
-                         .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
-    if (!typefaces) {
-        refuse(typefaces.error(), request.language);
-        return tl::unexpected(Status::output);
+    std::vector<Output> outputs;
+    if (targets.empty()) {
+        std::string tables;
+        for (const Solution& solution : solutions)
+            tables += (tables.empty() ? "" : "\n") + render::results_table(solution, request.language);
+        return std::vector<Output>{{"-", std::move(tables)}};
     }
-    const std::optional<render::Fonts> opened(std::in_place, *std::move(typefaces));
-    std::optional<Painter> painter;
-    if (std::any_of(targets.begin(), targets.end(), is_painted)) {
-        auto loaded = Painter::open();
-        if (!loaded) {
-            refuse(loaded.error(), request.language);
-            return tl::unexpected(Status::output);
+    std::optional<Press> press;
+    std::vector<render::Page> pages;
+    if (std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); })) {
+        auto opened = Press::open(targets, request.language);
+        if (!opened) return tl::unexpected(opened.error());
+        press.emplace(*std::move(opened));
+        for (const Solution& solution : solutions) {
+            auto more = pages_of(solution, theme, request, press->fonts());
+            if (!more) return tl::unexpected(more.error());
+            std::move(more->begin(), more->end(), std::back_inserter(pages));
         }
-        painter.emplace(*std::move(loaded));
     }
-    const auto pages = pages_of(solution, theme, request, *opened);
-    if (!pages) return tl::unexpected(pages.error());
-    return outputs_of(solution, targets, request, *pages, opened, painter, remarks);
+    for (const Target& target : targets) {
+        if (target.is_drawn()) {
+            press->print(pages, target, request.dpi, outputs, remarks);
+            continue;
+        }
+        for (std::size_t i = 0; i < solutions.size(); ++i)
+            if (i == 0 || !target.standard())
+                outputs.push_back({target.path_of_page(i), results_json(solutions[i], request.exact, in_english)});
+        if (target.standard() && solutions.size() > 1)
+            remarks.push_back(in({"standard output carries the first position only; -o with a name writes them all",
+                                  "l’uscita standard porta solo la prima posizione; -o con un nome le scrive tutte"},
+                                 request.language));
+    }
+    if (press) press->remark_missing(remarks);
+    return outputs;
 }
 
 }  // namespace
 
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language;
-    const auto targets = targets_of(request);
+    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
+    const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
-    if (request.theme == "-" && request.file == "-")
-        return refuse({"standard input can be the mechanism file or the theme, not both",
-                       "l’ingresso standard può essere il file del meccanismo o il tema, non entrambi"},
-                      language);
-    const auto theme = theme_of(request.theme, language);
+    const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
-    const auto solution = solution_of(request);
-    if (!solution) return solution.error();
+    const auto solutions = solutions_of(request);
+    if (!solutions) return solutions.error();
 
     std::vector<std::string> remarks;
     const auto tell = [&](const Message& message) { return render::tell(message, language); };
-    for (const Message& remark : solution->remarks) remarks.push_back(tell(remark));
-    const auto outputs = made(*solution, *targets, *theme, request, remarks);
+    const auto add = [&](std::string remark) {
+        if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(std::move(remark));
+    };
+    for (const Solution& solution : *solutions)
+        for (const Message& remark : solution.remarks) add(tell(remark));
+    const auto outputs = made(*solutions, *targets, *theme, request, remarks);
     if (!outputs) return outputs.error();
-    remark_on_request(request, *solution, *targets, remarks);
+    remark_on_request(request, solutions->front(), *targets, remarks);
     if (names_clash(*outputs, request.file, language)) return Status::bad_input;
     if (const auto failure = write_all(*outputs)) return fail_to_write(*failure, language);
-    const auto tell_of = [&](const char* kind, const std::string& line) {
-        say(spoken(request.file), render::word(kind, language) + ": " + line, language);
+    const auto tell_of = [&](const Words& where, const char* kind, const std::string& line) {
+        say(where, render::word(kind, language) + ": " + line, language);
     };
-    for (const std::string& remark : remarks) tell_of("a remark", remark);
-    for (const Unsolved& unsolved : solution->unsolved) tell_of("one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
-    return solution->unsolved.empty() ? Status::done : Status::unsolved;
+    for (const std::string& remark : remarks) tell_of(spoken(request.file), "a remark", remark);
+    Status status = Status::done;
+    for (const Solution& solution : *solutions) {
+        const Words where = request.at.empty() ? spoken(request.file) : solution.mechanism.title;
+        for (const Unsolved& unsolved : solution.unsolved) {
+            tell_of(where, "one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
+            status = Status::unsolved;
+        }
+    }
+    return status;
 }
 
 }  // namespace kinegraph::app

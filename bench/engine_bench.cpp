@@ -9,6 +9,7 @@
 #include <string>
 #include <variant>
 
+#include "constructions/cycle.hpp"
 #include "constructions/solve.hpp"
 #include "engine/check.hpp"
 #include "engine/mobility.hpp"
@@ -138,6 +139,37 @@ void BM_ReplayWattSixBar(benchmark::State& state) { replay(state, example("watt_
 BENCHMARK(BM_ReplayWattSixBar);
 void BM_ReplayExamWithForces(benchmark::State& state) { replay(state, example("exam_2001"), true); }
 BENCHMARK(BM_ReplayExamWithForces);
+
+/// A row of a cycle: the joints closed by Newton, the record replayed, without the check. `with_values` false: Newton alone.
+void cycle(benchmark::State& state, const std::string& text, bool with_values) {
+    const Mechanism mechanism = read(text);
+    const Pose pose = *draw_pose(mechanism);
+    auto cycle = *Cycle::of(mechanism, pose, 0);
+    const Travel travel = *travel_of(cycle.positions(), true, {}, {});
+    cycle.begin(travel, false);
+    Positions positions = cycle.positions();
+    int i = 0;
+    double longest = 0;
+    for (auto _ : state) {
+        const double coordinate = travel.from + (travel.to - travel.from) * (i++ % 360) / 360;
+        if (with_values) {
+            const auto row = cycle.row(coordinate);
+            if (row) longest = std::max(longest, row->back());
+        } else if (!positions.move_to(coordinate)) {
+            return state.SkipWithError("out of reach");
+        }
+        benchmark::DoNotOptimize(longest);
+    }
+    state.counters["plans"] = cycle.plans();
+}
+void BM_PositionFourBar(benchmark::State& state) { cycle(state, example("four_bar"), false); }
+BENCHMARK(BM_PositionFourBar);
+void BM_CycleFourBar(benchmark::State& state) { cycle(state, example("four_bar"), true); }
+BENCHMARK(BM_CycleFourBar);
+void BM_PositionJansen(benchmark::State& state) { cycle(state, example("jansen_leg"), false); }
+BENCHMARK(BM_PositionJansen);
+void BM_CycleJansen(benchmark::State& state) { cycle(state, example("jansen_leg"), true); }
+BENCHMARK(BM_CycleJansen);
 
 /// Pose, mobility, all centres, both polygons, the second way and the check.
 void BM_FourBar(benchmark::State& state) { solve_text(state, example("four_bar")); }

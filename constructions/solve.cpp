@@ -65,8 +65,9 @@ bool is_moving(const Mechanism& mechanism) {
 /// Draws everything on one board and collects what it found.
 class Solver {
 public:
-    explicit Solver(Solution& solution)
+    Solver(Solution& solution, FinerPose finer)
         : solution_(solution),
+          draw_finer_(std::move(finer)),
           mechanism_(solution.mechanism),
           wanted_(wanted_of(mechanism_)),
           board_(mechanism_, solution.pose, [this]() -> const Pose& { return finer_pose(); }),
@@ -203,9 +204,7 @@ private:
 
     const Pose& finer_pose() {
         if (!finer_) {
-            auto finer = draw_pose(mechanism_, 2 * solution_.pose.bits);
-            KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
-            finer_ = std::make_unique<Pose>(std::move(*finer));
+            finer_ = std::make_unique<Pose>(draw_finer_());
         }
         return *finer_;
     }
@@ -424,6 +423,7 @@ private:
     }
 
     Solution& solution_;
+    FinerPose draw_finer_;
     const Mechanism& mechanism_;
     Wanted wanted_;
     std::unique_ptr<Pose> finer_;
@@ -442,9 +442,22 @@ Result<Solution> solve(Mechanism mechanism) {
     if (!pose) return tl::unexpected(std::move(pose.error()));
     Solution solution;
     solution.mechanism = std::move(mechanism);
-    solution.pose = std::move(*pose);
+    solution.pose = *std::move(pose);
     solution.mobility = mobility_of(solution.mechanism, solution.pose);
-    Solver(solution).run();
+    Solver(solution, [&solution] {
+        auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
+        KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
+        return *std::move(finer);
+    }).run();
+    return solution;
+}
+
+Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer) {
+    Solution solution;
+    solution.mechanism = std::move(mechanism);
+    solution.pose = std::move(pose);
+    solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
+    Solver(solution, finer).run();
     return solution;
 }
 

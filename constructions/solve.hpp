@@ -10,5 +10,7 @@ namespace kinegraph {
 /// Errors: only those of the pose (curves that do not meet, misfits). What the mechanism cannot give is in Solution::unsolved,
 /// with its reason.
 Result<Solution> solve(Mechanism mechanism);
+/// The same in a pose that is not drawn from the file; `finer` gives it with twice the bits.
+Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer);
 
 }  // namespace kinegraph

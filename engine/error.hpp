@@ -11,9 +11,10 @@
 namespace kinegraph {
 
 enum class ErrorCode {
-    bad_input,    ///< the file or the command line is wrong (exit 2)
-    cannot_meet,  ///< curves that do not meet (exit 2)
-    output,       ///< the output can't be written, or a font is missing (exit 4)
+    bad_input,         ///< the file or the command line is wrong (exit 2)
+    cannot_meet,       ///< curves that do not meet (exit 2)
+    no_unique_answer,  ///< the mechanism is at a dead point, a change point, locked (exit 3)
+    output,            ///< the output can't be written, or a font is missing (exit 4)
 };
 
 struct Error {

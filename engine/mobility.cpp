@@ -411,10 +411,10 @@ std::optional<Verdict> judge_in_reals(const Mechanism& mechanism, const Pose& po
     return verdict;
 }
 
-Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose) {
+Verdict judge_in_reals(const Mechanism& mechanism, const Pose& pose, const FinerPose& given) {
     if (auto verdict = judge_in_reals(mechanism, pose, nullptr)) return *std::move(verdict);
-    const auto finer = draw_pose(mechanism, 2 * pose.bits);
     // A drawing that closes on 100 bits and not on 200 hangs on a coincidence of its numbers; then nothing shrinks.
+    const Result<Pose> finer = given ? Result<Pose>(given()) : draw_pose(mechanism, 2 * pose.bits);
     const auto verdict = judge_in_reals(mechanism, pose, finer ? &*finer : &pose);
     KG_ASSERT(verdict, "a finer pose decides every pivot");
     return *verdict;
@@ -466,9 +466,9 @@ Verdict judge_within_precision(const Mechanism& mechanism, const Pose& pose) {
     return verdict;
 }
 
-Verdict judge(const Mechanism& mechanism, const Pose& pose) {
+Verdict judge(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
     if (pose.is_rounded()) return judge_within_precision(mechanism, pose);
-    return pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose);
+    return pose.exact ? judge_exactly(mechanism, pose) : judge_in_reals(mechanism, pose, finer);
 }
 
 void count_joints(const Mechanism& mechanism, Mobility& mobility) {
@@ -494,10 +494,10 @@ Mobility::Verdict Mobility::verdict() const {
     return gruebler > 0 ? Verdict::mechanism : Verdict::labile;
 }
 
-Mobility mobility_of(const Mechanism& mechanism, const Pose& pose) {
+Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer) {
     Mobility mobility;
     count_joints(mechanism, mobility);
-    Verdict verdict = judge(mechanism, pose);
+    Verdict verdict = judge(mechanism, pose, finer);
     int rank = 0;
     for (std::size_t i = 0; i < verdict.owners.size(); ++i) {
         const auto [joint, driver] = verdict.owners[i];

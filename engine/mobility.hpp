@@ -42,8 +42,8 @@ struct Mobility {
 
 /// Rank by exact arithmetic (residues modulo two large primes; never too high) on an exact pose; on a pose with a leftover by
 /// elimination in 512-bit floating point, where a suspiciously small pivot is judged on a pose twice as fine; where the data are
-/// rounded, on poses shifted within their precision.
-Mobility mobility_of(const Mechanism& mechanism, const Pose& pose);
+/// rounded, on poses shifted within their precision. The finer pose is drawn from the file, or `finer` where that gives one.
+Mobility mobility_of(const Mechanism& mechanism, const Pose& pose, const FinerPose& finer = {});
 
 /// Joints, in the file's order, whose constraints are independent of those before, but by less than a thousandth (lengths over
 /// the drawing's size): in doubles, for a remark.

@@ -2,6 +2,7 @@
 // bound on what the compass left over. The only place where square roots and angles are met; knows nothing of motion.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,6 +66,9 @@ struct ShiftedDrawing {
 /// the one further back, wherever the circle's centre lies. A gear's normal is its line of action, the common tangent turned
 /// counter-clockwise by the pressure angle (0 where none is given); the other line, turned clockwise, is its mirror image.
 Result<Pose> draw_pose(const Mechanism& mechanism, int bits = 100);
+
+/// The same pose with twice its bits, for verdicts on what is suspiciously small.
+using FinerPose = std::function<Pose()>;
 
 /// A bearing in this pose: a rational direction, not of unit length. Equal angles give equal directions, a quarter turn apart
 /// exactly perpendicular ones; multiples of 45° are exact.

@@ -163,8 +163,7 @@ TEST_P(LoadedExample, TrianglesAndClosedPolygonHaveOneScale) {
         EXPECT_LE(scales.size(), 1u);
         for (const FreeBody& body : solution.free_bodies)
             if (body.body > frame) {
-                EXPECT_TRUE(
-                    bodies.contains(legal_id("body-" + solution.mechanism.bodies[at_index(body.body)].name)));
+                EXPECT_TRUE(bodies.contains(legal_id("body-" + solution.mechanism.bodies[at_index(body.body)].name)));
             }
     }
 }

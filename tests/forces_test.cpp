@@ -46,8 +46,8 @@ struct Statics {
     const std::string& body(BodyIndex index) const { return solution.mechanism.bodies[at(index)].name; }
     /// "A: 3 on 2", "A: pin on 2".
     std::string name(const JointForce& action) const {
-        return solution.mechanism.joints[at(action.joint)].name + ": " + (action.from == none ? "pin" : body(action.from)) + " on " +
-               body(action.on);
+        return solution.mechanism.joints[at(action.joint)].name + ": " + (action.from == none ? "pin" : body(action.from)) +
+               " on " + body(action.on);
     }
     const JointForce& action(const std::string& named) const {
         for (const JointForce& each : solution.forces)

@@ -6,6 +6,7 @@
 
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
@@ -20,7 +21,28 @@ namespace {
 struct Shows {
     bool centres = false;
     std::optional<Symbol::Letter> turnings{};
+    const std::vector<Way>* ways = nullptr;
 };
+
+/// On paper, at a scale of m for each mm.
+std::vector<Spot> spots_of(const Way& way, double scale) {
+    std::vector<Spot> spots;
+    for (const auto& place : way.places) spots.push_back({place.x / scale, -place.y / scale});
+    return spots;
+}
+
+/// Other positions thin behind the mechanism, paths of points a little stronger.
+void draw_ways(Sketch& sketch, const std::vector<Way>& ways) {
+    for (const Way& way : ways) {
+        if (way.places.size() < 2) continue;
+        const Theme& theme = sketch.theme;
+        sketch.construction.emplace_back(GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
+        sketch.construction.emplace_back(
+            polyline(spots_of(way, sketch.scale()),
+                     way.is_path ? Pen{theme.outline, theme.accent, {}, false} : Pen{theme.thin, theme.skeleton, {}, false}));
+        sketch.construction.emplace_back(GroupEnd{});
+    }
+}
 
 /// The mechanism with the centres that are near enough to be shown, m.
 Box extent_with_centres(const Subject& subject) {
@@ -61,6 +83,7 @@ private:
     };
     Drawn drawn(const Trial& trial, Dimensions dimensions, const std::set<std::string>& left_out) const {
         Sketch sketch(subject, context, trial.scale, "");
+        if (shows.ways != nullptr) draw_ways(sketch, *shows.ways);
         draw_drivers(sketch);
         draw_compass(sketch);
         draw_in_colour(sketch);
@@ -71,7 +94,10 @@ private:
         const bool dimensioned = !sketch.dimensions.empty();
         name_points(sketch);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
-        figure.caption = one_piece(word(shows.centres ? "mechanism and instant centres" : "mechanism", context.language));
+        figure.caption = one_piece(word(shows.ways != nullptr ? "mechanism and its way"
+                                        : shows.centres       ? "mechanism and instant centres"
+                                                              : "mechanism",
+                                        context.language));
         sketch.close(figure, room, trial.last || trial.asked, trial.scale, subject.mechanism.units.length, trial.strict);
         return {std::move(figure), dimensioned};
     }
@@ -180,6 +206,13 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
 Box extent_of_mechanism(const Solution& solution, bool with_centres) {
     const Subject subject(solution);
     return with_centres ? extent_with_centres(subject) : subject.box;
+}
+
+Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y) {
+    MechanismFigure figure{context, {room_x, room_y}, {.ways = &ways}};
+    for (const Way& way : ways)
+        for (const Spot spot : spots_of(way, 1)) figure.subject.box.include(spot);
+    return figure.fitted(any_scale);
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {

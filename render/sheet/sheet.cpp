@@ -328,9 +328,9 @@ private:
         Figure figure;
     };
     std::map<std::size_t, std::vector<Known>> known_;  // by figure
-    std::set<std::string> crowded_;     // bands whose figures may be smaller than is well readable
-    std::set<std::string> cornerless_;  // … whose figure leaves their equations no corner
-    std::set<std::string> roomier_;     // figures that got more room for the scale asked for
+    std::set<std::string> crowded_;                    // bands whose figures may be smaller than is well readable
+    std::set<std::string> cornerless_;                 // … whose figure leaves their equations no corner
+    std::set<std::string> roomier_;                    // figures that got more room for the scale asked for
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> plan_;
     std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band

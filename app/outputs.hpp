@@ -1,0 +1,56 @@
+// Outputs: what -o and --format ask for, and the drawings that go there: themes, typefaces, pages as bytes. Shared by the
+// commands that draw.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/files.hpp"
+#include "app/painter.hpp"
+#include "render/page/theme.hpp"
+#include "render/text/text.hpp"
+
+namespace kinegraph::app {
+
+enum class Format { svg, png, pdf, json, csv };
+
+struct Target {
+    std::string path;
+    Format format = Format::svg;
+    bool standard() const { return path == "-"; }
+    bool is_drawn() const { return format != Format::json && format != Format::csv; }
+    std::string path_of_page(std::size_t page) const;  ///< OUT.svg, OUT-2.svg, OUT-3.svg …
+};
+
+/// What is to be written, or why the command line cannot be meant so. Without `outputs` a stated `format` goes to standard
+/// output.
+tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::string>& outputs, const std::string& format,
+                                                    const std::string& file, std::span<const Format> formats);
+
+/// A built-in theme, or that of a file; else it has been said what is wrong.
+tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language);
+
+/// The names of further pages are known only late; none may be another output's, or the mechanism file's. Says so where one is.
+bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
+
+/// Type, and where PNG or PDF is asked for, cairo.
+class Press {
+public:
+    /// What the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
+    static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language);
+    const render::Fonts& fonts() const { return *fonts_; }
+    /// Adds the pages' bytes for a drawn target, and to `remarks` what standard output cannot carry.
+    void print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,
+               std::vector<std::string>& remarks) const;
+    /// The characters that the font has not got.
+    void remark_missing(std::vector<std::string>& remarks) const;
+
+private:
+    Language language_ = Language::en;
+    std::optional<render::Fonts> fonts_;
+    std::optional<Painter> painter_;
+};
+
+}  // namespace kinegraph::app

@@ -1,0 +1,446 @@
+// sweep FILE: the results in one position after another, as rows that are written while they are found.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/driver_choice.hpp"
+#include "app/outputs.hpp"
+#include "app/sweep_drawing.hpp"
+#include "constructions/cycle.hpp"
+#include "constructions/solve.hpp"
+#include "render/sheet/cycle_sheet.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+void append(std::string& text, double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value);
+    text.append(digits.data(), end.ptr);
+}
+
+std::string in_quotes(const std::string& name, const char* quote) {
+    std::string text = "\"";
+    for (const char c : name) {
+        if (c == '"') text += quote;
+        if (c == '\\' && *quote == '\\') text += '\\';
+        text += c;
+    }
+    return text + '"';
+}
+
+/// The rows of a cycle in the form of a file.
+class RowFile {
+public:
+    RowFile(Growing file, Format format) : file_(std::move(file)), format_(format) {}
+
+    void head(const std::vector<Column>& columns, const std::string& driver, const Travel& travel) {
+        if (format_ == Format::json) {
+            text_ = "{\n  \"driver\": " + in_quotes(driver, "\\") + ",\n  \"from\": ";
+            append(text_, travel.from);
+            text_ += ",\n  \"to\": ";
+            append(text_, travel.to);
+            text_ += ",\n  \"limits\": [" + limit(travel.starts_at_limit, travel.from) + ", " +
+                     limit(travel.ends_at_limit, travel.to) + "],\n  \"change points\": [";
+            for (std::size_t i = 0; i < travel.change_points.size(); ++i) {
+                if (i > 0) text_ += ", ";
+                append(text_, travel.change_points[i]);
+            }
+            text_ += "],\n  \"columns\": [";
+        }
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            if (i > 0) text_ += format_ == Format::json ? ", " : ",";
+            const bool plain = format_ == Format::csv && columns[i].name.find('"') == std::string::npos;
+            text_ += plain ? columns[i].name : in_quotes(columns[i].name, format_ == Format::json ? "\\" : "\"");
+        }
+        text_ += format_ == Format::json ? "],\n  \"rows\": [" : "\n";
+    }
+    void row(std::span<const double> values) {
+        if (format_ == Format::json) text_ += rows_++ == 0 ? "\n    [" : ",\n    [";
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (i > 0) text_ += format_ == Format::json ? ", " : ",";
+            append(text_, values[i]);
+        }
+        text_ += format_ == Format::json ? "]" : "\n";
+        constexpr std::size_t at_a_time = 1 << 16;
+        if (text_.size() > at_a_time) flush();
+    }
+    void tail(const Cycle& cycle) {
+        if (format_ == Format::json) {
+            text_ += rows_ == 0 ? "],\n  \"largest difference\": " : "\n  ],\n  \"largest difference\": ";
+            const Cycle::Difference off = cycle.difference();
+            if (off.column < 0) {
+                text_ += "null";
+            } else {
+                text_ += "{\"column\": " + in_quotes(cycle.columns()[static_cast<std::size_t>(off.column)].name, "\\") +
+                         ", \"turn\": ";
+                append(text_, off.coordinate);
+                text_ += ", \"share\": ";
+                append(text_, off.share);
+                text_ += "}";
+            }
+            text_ += "\n}\n";
+        }
+        flush();
+    }
+    /// What could not be written, if it could not.
+    const std::optional<NotWritten>& failure() const { return failure_; }
+    Output finish() { return std::move(file_).finish(); }
+
+private:
+    static std::string limit(bool is_one, double at) {
+        std::string text;
+        if (is_one) append(text, at);
+        return is_one ? text : "null";
+    }
+    void flush() {
+        if (!failure_) failure_ = file_.add(text_);
+        text_.clear();
+    }
+
+    Growing file_;
+    Format format_;
+    std::string text_;
+    std::optional<NotWritten> failure_;
+    long rows_ = 0;
+};
+
+/// On a terminal, once it takes over a second.
+class Progress {
+public:
+    explicit Progress(long all) : all_(all), shows_(::isatty(STDERR_FILENO) != 0) {}
+    ~Progress() {
+        if (shown_) std::fputs("\r     \r", stderr);
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void at(long done) {
+        constexpr long seldom = 512;
+        if (!shows_ || done % seldom != 0) return;
+        const auto now = std::chrono::steady_clock::now();
+        if (now < next_) return;
+        next_ = now + std::chrono::milliseconds(200);
+        shown_ = true;
+        std::fprintf(stderr, "\r%3ld %%", 100 * done / all_);
+    }
+
+private:
+    long all_;
+    bool shows_, shown_ = false;
+    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+};
+
+/// What a sweep is asked for, read against the mechanism.
+struct Asked {
+    int driver = 0;
+    std::optional<double> from, to;
+};
+tl::expected<Asked, Words> asked_of(const SweepRequest& request, const Mechanism& mechanism) {
+    Asked asked;
+    const auto driver = driver_named(mechanism, request.driver);
+    if (!driver) return tl::unexpected(driver.error());
+    asked.driver = *driver;
+    for (const auto& [text, option, value] :
+         {std::tuple(&request.from, "--from ", &asked.from), std::tuple(&request.to, "--to ", &asked.to)}) {
+        if (text->empty()) continue;
+        const auto read = coordinate_of(mechanism, *driver, *text);
+        if (!read) return tl::unexpected(std::string(option) + read.error());
+        *value = read->to_double();
+    }
+    if (asked.from && asked.to && *asked.from == *asked.to)
+        return tl::unexpected(Words("--from and --to are the same position; solve --at gives one",
+                                    "--from e --to sono la stessa posizione; solve --at ne dà una"));
+    if (request.steps < 2) return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
+    return asked;
+}
+
+/// Sums over the rows of an effort: its mean and extremes.
+class EffortSums {
+public:
+    explicit EffortSums(const std::vector<Column>& columns) {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            if (columns[i].quantity.kind == Quantity::Kind::effort) sums_.push_back({i});
+    }
+    void take(std::span<const double> row) {
+        for (Sum& sum : sums_) {
+            const double value = row[sum.column];
+            if (sum.rows > 0) {
+                sum.integral += (value + sum.last) / 2 * (row[0] - sum.last_turn);
+                sum.way += row[0] - sum.last_turn;
+            }
+            if (sum.rows == 0 || value < sum.least) sum.least = value, sum.least_at = row[0];
+            if (sum.rows == 0 || value > sum.most) sum.most = value, sum.most_at = row[0];
+            sum.last = value;
+            sum.last_turn = row[0];
+            ++sum.rows;
+        }
+    }
+    /// A line each.
+    std::vector<Words> told(const Cycle& cycle, const Mechanism& mechanism, int driver) const {
+        std::vector<Words> lines;
+        for (const Sum& sum : sums_) {
+            if (sum.rows < 2) continue;
+            const Column& column = cycle.columns()[sum.column];
+            const Unit& unit = column.unit == QuantityKind::moment ? mechanism.units.moment : mechanism.units.force;
+            const auto text = [&](double value) {
+                std::array<char, 32> digits{};
+                std::snprintf(digits.data(), digits.size(), "%.6g ", value / unit.si.to_double());
+                return decimal(digits.data()) + unit.symbol;
+            };
+            const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)), mean = sum.integral / sum.way;
+            lines.emplace_back("{0}: mean {1}, least {2} at {3}, greatest {4} at {5}",
+                               "{0}: media {1}, minimo {2} a {3}, massimo {4} a {5}", column.name,
+                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least),
+                               coordinate_text(mechanism, driver, sum.least_at), text(sum.most),
+                               coordinate_text(mechanism, driver, sum.most_at));
+        }
+        return lines;
+    }
+
+private:
+    struct Sum {
+        std::size_t column = 0;
+        double integral = 0, way = 0, last = 0, last_turn = 0, least = 0, most = 0, least_at = 0, most_at = 0;
+        long rows = 0;
+    };
+    std::vector<Sum> sums_;
+};
+
+/// What is said of a sweep when it is done.
+class Report {
+public:
+    Report(const SweepRequest& request, const Mechanism& mechanism, int driver)
+        : request_(request), mechanism_(mechanism), driver_(driver) {}
+
+    void line(const Words& words) const { say(spoken(request_.file), words, request_.sheet.language); }
+    void on_travel(const Travel& travel) const {
+        if (travel.starts_at_limit || travel.ends_at_limit)
+            line({"driver {0} goes from {1} to {2}, {3}", "il movente {0} va da {1} a {2}, {3}",
+                  name_of_driver(mechanism_, driver_), text(travel.from), text(travel.to),
+                  travel.starts_at_limit ? Words("its limits", "i suoi limiti") : Words("its limit", "il suo limite")});
+        for (const double each : travel.change_points)
+            line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
+                  "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza salti",
+                  coordinate_text(mechanism_, driver_, each, 1e-6)});
+        if (mechanism_.drivers.size() > 1)
+            line({"the other drivers rest where they are drawn, with the rates of the file",
+                  "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del file"});
+    }
+    /// As rounding leaves it.
+    void on_difference(const Cycle& cycle) const {
+        const Cycle::Difference off = cycle.difference();
+        if (off.column < 0) return;
+        std::array<char, 32> share{};
+        std::snprintf(share.data(), share.size(), "%.1e", off.share);
+        line({"largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
+              "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
+              decimal(share.data()), cycle.columns()[static_cast<std::size_t>(off.column)].name, text(off.coordinate)});
+    }
+    void on_rows_left_out(long count, double first, double last) const {
+        if (count == 1)
+            line({"1 row is left out, where the mechanism gives no unique answer: {0}",
+                  "1 riga è omessa, dove il meccanismo non dà una risposta unica: {0}", text(first)});
+        if (count > 1)
+            line({"{0} rows are left out, where the mechanism gives no unique answer: {1} … {2}",
+                  "{0} righe sono omesse, dove il meccanismo non dà una risposta unica: {1} … {2}", std::to_string(count),
+                  text(first), text(last)});
+    }
+
+private:
+    Words text(double coordinate) const { return coordinate_text(mechanism_, driver_, coordinate); }
+    const SweepRequest& request_;
+    const Mechanism& mechanism_;
+    int driver_;
+};
+
+/// The drawing as a run needs it: what is asked, read against the columns before the first row.
+struct Drawing {
+    std::vector<std::vector<std::size_t>> plots;
+    std::vector<Trace> traces;
+    CycleTable table;
+    long stride = 1;  ///< more rows than a pen can draw are not kept
+
+    void keep(long i, double coordinate, const std::optional<std::span<const double>>& row) {
+        if (!row)
+            table.left_out.push_back(coordinate);
+        else if (i % stride == 0)
+            table.rows.emplace_back(row->begin(), row->end());
+    }
+};
+
+class Sweep {
+public:
+    Sweep(const SweepRequest& request, const Mechanism& mechanism, Cycle cycle, int driver, const Travel& travel)
+        : request_(request), mechanism_(mechanism), cycle_(std::move(cycle)), driver_(driver), travel_(travel) {}
+
+    Status run(const std::vector<Target>& targets) {
+        missing_ = cycle_.begin(travel_);
+        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        if (const auto wrong = prepare_drawing(draws)) {
+            say(spoken(request_.file), *wrong, language());
+            return Status::bad_input;
+        }
+        const auto theme = theme_of(request_.theme, request_.file, language());
+        if (!theme) return theme.error();
+        std::vector<RowFile> files;
+        for (const Target& target : targets) {
+            if (target.is_drawn()) continue;
+            auto file = Growing::open(target.path);
+            if (!file) return fail_to_write(file.error(), language());
+            files.emplace_back(*std::move(file), target.format);
+            files.back().head(cycle_.columns(), name_of_driver(mechanism_, driver_), travel_);
+        }
+        EffortSums efforts(cycle_.columns());
+        const auto fails = [&]() -> std::optional<NotWritten> {
+            for (const RowFile& file : files)
+                if (file.failure()) return file.failure();
+            return std::nullopt;
+        };
+        if (!write_rows(files, efforts, draws, fails)) return fail_to_write(*fails(), language());
+        for (RowFile& file : files) file.tail(cycle_);
+        if (const auto failure = fails()) return fail_to_write(*failure, language());
+        std::vector<Output> outputs;
+        for (RowFile& file : files) outputs.push_back(file.finish());
+        if (draws)
+            if (const auto status = draw(targets, *theme, outputs)) return *status;
+        if (names_clash(outputs, request_.file, language())) return Status::bad_input;
+        if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
+        return report(efforts);
+    }
+
+private:
+    Language language() const { return request_.sheet.language; }
+
+    std::optional<Words> prepare_drawing(bool draws) {
+        auto traces = traces_of(request_.traces, mechanism_);
+        if (!traces) return traces.error();
+        auto plots = plots_of(request_.plots, cycle_.columns());
+        if (!plots) return plots.error();
+        if (!draws && !(request_.plots.empty() && request_.traces.empty() && request_.poses == 0))
+            remarks_.push_back(in({"--plot, --trace and --poses add to the drawing, and none is asked for",
+                                   "--plot, --trace e --poses aggiungono al disegno, e nessuno è richiesto"},
+                                  language()));
+        drawing_.plots = *std::move(plots);
+        drawing_.traces = *std::move(traces);
+        drawing_.table.driver = name_of_driver(mechanism_, driver_);
+        drawing_.table.turns = turns(mechanism_, driver_);
+        drawing_.table.travel = travel_;
+        drawing_.table.columns = cycle_.columns();
+        constexpr long most_drawn = 3600;
+        drawing_.stride = (request_.steps + most_drawn - 1) / most_drawn;
+        return std::nullopt;
+    }
+
+    /// False: a file could not be written.
+    template <class Fails>
+    bool write_rows(std::vector<RowFile>& files, EffortSums& efforts, bool draws, Fails fails) {
+        Progress progress(request_.steps);
+        for (long i = 0; i <= request_.steps; ++i) {
+            progress.at(i);
+            // At a limit the driver has no velocity to give.
+            if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) continue;
+            const double share = static_cast<double>(i) / static_cast<double>(request_.steps);
+            const double coordinate = i == request_.steps ? travel_.to : travel_.from + share * (travel_.to - travel_.from);
+            const auto row = cycle_.row(coordinate);
+            if (draws) drawing_.keep(i, coordinate, row);
+            if (row) {
+                efforts.take(*row);
+                for (RowFile& file : files) file.row(*row);
+            } else {
+                if (left_out_++ == 0) first_left_out_ = coordinate;
+                last_left_out_ = coordinate;
+            }
+            if (fails()) return false;
+        }
+        return true;
+    }
+
+    /// Adds the sheets; a status where something is missing, which has been said.
+    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
+        Mechanism plain = mechanism_;
+        plain.find = {};
+        plain.find.stated = plain.find.velocity = true;
+        auto drawn = solve(std::move(plain));
+        if (!drawn) return say(spoken(request_.file), drawn.error(), language());
+        drawing_.table.transmission = transmission_of(mechanism_, cycle_.positions(), driver_, travel_);
+        const auto press = Press::open(targets, language());
+        if (!press) return press.error();
+        render::SheetOptions options = request_.sheet;
+        options.theme = theme;
+        const std::vector<render::Way> ways = ways_of(mechanism_, cycle_.positions(), travel_, request_.poses, drawing_.traces);
+        const auto pages = render::lay_out_cycle(*drawn, drawing_.table, drawing_.plots, ways, options, press->fonts());
+        for (const Target& target : targets)
+            if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
+        press->remark_missing(remarks_);
+        return std::nullopt;
+    }
+
+    Status report(const EffortSums& efforts) const {
+        const Report report(request_, mechanism_, driver_);
+        const auto tell_of = [&](const char* kind, const std::string& line) {
+            report.line(render::word(kind, language()) + ": " + line);
+        };
+        for (const std::string& remark : remarks_) tell_of("a remark", remark);
+        report.on_travel(travel_);
+        for (const Words& line : efforts.told(cycle_, mechanism_, driver_)) report.line(line);
+        report.on_rows_left_out(left_out_, first_left_out_, last_left_out_);
+        report.on_difference(cycle_);
+        const auto tell = [&](const Message& message) { return render::tell(message, language()); };
+        for (const Unsolved& unsolved : missing_) tell_of("one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
+        return left_out_ == 0 && missing_.empty() ? Status::done : Status::unsolved;
+    }
+
+    const SweepRequest& request_;
+    const Mechanism& mechanism_;
+    Cycle cycle_;
+    int driver_;
+    Travel travel_;
+    Drawing drawing_;
+    std::vector<Unsolved> missing_;
+    std::vector<std::string> remarks_;
+    long left_out_ = 0;
+    double first_left_out_ = 0, last_left_out_ = 0;
+};
+
+}  // namespace
+
+Status sweep_command(const SweepRequest& request) {
+    const Words name = spoken(request.file);
+    const Language language = request.sheet.language;
+    const auto wrong = [&](const Words& why) {
+        say(name, why, language);
+        return Status::bad_input;
+    };
+    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
+    auto targets = targets_of(request.outputs, request.format, request.file, formats);
+    if (!targets) return refuse(targets.error(), language);
+    if (targets->empty()) targets->push_back({"-", Format::csv});
+    const auto mechanism = mechanism_of(request.file, language);
+    if (!mechanism) return mechanism.error();
+    const auto asked = asked_of(request, *mechanism);
+    if (!asked) return wrong(asked.error());
+    const auto pose = draw_pose(*mechanism);
+    if (!pose) return say(name, pose.error(), language);
+    auto cycle = Cycle::of(*mechanism, *pose, asked->driver);
+    if (!cycle) return say(name, cycle.error(), language);
+    const auto travel = travel_of(cycle->positions(), turns(*mechanism, asked->driver), asked->from, asked->to);
+    if (!travel) {
+        const TravelFault& fault = travel.error();
+        const std::string driver = name_of_driver(*mechanism, asked->driver);
+        const auto at = [&](double coordinate) { return coordinate_text(*mechanism, asked->driver, coordinate); };
+        return wrong(fault.limit ? out_of_reach(at(fault.wanted), driver, at(*fault.limit))
+                                 : Words("driver {0} has no limit; give --from and --to",
+                                         "il movente {0} non ha limiti; dare --from e --to", driver));
+    }
+    return Sweep(request, *mechanism, *std::move(cycle), asked->driver, *travel).run(*targets);
+}
+
+}  // namespace kinegraph::app

@@ -1,0 +1,723 @@
+#include "constructions/cycle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <list>
+#include <numbers>
+#include <utility>
+
+#include "constructions/solve.hpp"
+#include "engine/check.hpp"
+#include "engine/check_forces.hpp"
+#include "engine/moved.hpp"
+#include "engine/replay.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Spot = VectorOf<double>;
+using Kind = Quantity::Kind;
+
+Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
+Vector exactly(const Spot& a) { return {Exact::from_double(a.x), Exact::from_double(a.y)}; }
+Spot unit_of(const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; }
+
+/// What is found at each position: the file's `find` without what has no column.
+Find found_in_rows(const Find& asked) {
+    Find find;
+    find.stated = true;
+    find.velocity = !asked.stated || asked.velocity || !asked.relative_motion.empty();
+    find.acceleration = !asked.stated || asked.acceleration || !asked.relative_motion.empty();
+    find.forces = !asked.stated || asked.forces;
+    return find;
+}
+
+bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
+    return std::count_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& other) {
+               return other.point == motion.point && other.bodies.front() != frame;
+           }) > 1;
+}
+
+/// One value of a solution that a column can hold. Without an element it vanishes.
+struct Entry {
+    Quantity quantity;
+    ElementIndex element;
+    Spot vector;
+    double scalar = 0;
+};
+std::vector<Entry> entries_of(const Solution& solution) {
+    std::vector<Entry> entries;
+    const auto add = [&](const Quantity& quantity, const auto& found) {
+        if (!found) return;
+        entries.push_back({quantity, found.element(), {}, 0});
+        if constexpr (requires { found->x; }) {
+            entries.back().vector = rough(*found);
+        } else {
+            entries.back().scalar = found->to_double();
+        }
+    };
+    const auto add_both = [&](const Quantity& quantity, const auto& found) {
+        add(quantity.along(Quantity::Component::x), found);
+        add(quantity.along(Quantity::Component::y), found);
+    };
+    for (std::size_t body = 1; body < solution.bodies.size(); ++body) {
+        const auto index = BodyIndex(body);
+        add({.kind = Kind::omega, .body = index}, solution.bodies[body].omega);
+        add({.kind = Kind::alpha, .body = index}, solution.bodies[body].alpha);
+    }
+    for (const PointMotion& point : solution.points) {
+        if (std::find(point.bodies.begin(), point.bodies.end(), frame) != point.bodies.end()) continue;
+        add_both(velocity_of(point), point.velocity);
+        add_both(acceleration_of(point), point.acceleration);
+    }
+    for (const Sliding& sliding : solution.sliding) {
+        add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, sliding.velocity);
+        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, sliding.acceleration);
+    }
+    std::vector<const JointForce*> told;
+    for (const JointForce& force : solution.forces) {
+        // Of action and reaction the one that the results name first.
+        if (std::any_of(told.begin(), told.end(), [&](const JointForce* other) {
+                return other->joint == force.joint && other->on == force.from && other->from == force.on;
+            }))
+            continue;
+        told.push_back(&force);
+        Quantity quantity = quantity_of(force);
+        add_both(quantity, force.force);
+        quantity.kind = Kind::couple;
+        if (solution.mechanism.joint(force.joint).pair().transmits_couple()) add(quantity, force.couple);
+    }
+    for (std::size_t e = 0; e < solution.efforts.size(); ++e)
+        add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
+    return entries;
+}
+
+/// Names and units of the columns that a solution gives rise to.
+class ColumnWriter {
+public:
+    ColumnWriter(const Solution& solution, bool turns, bool has_time) : solution_(solution), m_(solution.mechanism) {
+        columns_.push_back({Column::Kind::turn, {}, "turn", turns ? QuantityKind::angle : QuantityKind::length});
+        if (has_time) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::dimensionless});
+    }
+    std::vector<Column> write() && {
+        for (const Entry& entry : entries_of(solution_)) write(entry.quantity);
+        return std::move(columns_);
+    }
+
+private:
+    void add(Column::Kind kind, const Quantity& quantity, std::string name, QuantityKind unit) {
+        columns_.push_back({kind, quantity, std::move(name), unit});
+    }
+    const std::string& body(BodyIndex index) const { return m_.body(index).name; }
+    std::string point_name(const Quantity& q) const {
+        const PointMotion* several = nullptr;
+        for (const PointMotion& motion : solution_.points)
+            if (motion.point == q.point && has_several_carriers(solution_, motion)) several = &motion;
+        return m_.point(q.point).name + (several == nullptr ? "" : " on " + body(q.body));
+    }
+    std::string joint_name(const Quantity& q) const {
+        const Joint& joint = m_.joint(q.joint);
+        const bool shared =
+            joint.pair().touches() && std::any_of(solution_.sliding.begin(), solution_.sliding.end(), [&](const Sliding& other) {
+                return other.joint != q.joint && m_.joint(other.joint).name == joint.name;
+            });
+        return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
+    }
+    std::string action(const Quantity& q) const {
+        return m_.joint(q.joint).name + " " + (q.other == none ? "pin" : body(q.other)) + " on " + body(q.body);
+    }
+    void write(const Quantity& q) {
+        const bool is_x = q.component == Quantity::Component::x;
+        const std::string axis = is_x ? "x" : "y";
+        switch (q.kind) {
+            case Kind::omega:
+                add(Column::Kind::angle, q, "angle " + body(q.body), QuantityKind::angle);
+                return add(Column::Kind::result, q, "omega " + body(q.body), QuantityKind::angular_velocity);
+            case Kind::alpha:
+                return add(Column::Kind::result, q, "alpha " + body(q.body), QuantityKind::angular_acceleration);
+            case Kind::velocity:
+                if (is_x) {
+                    add(Column::Kind::place_x, q, "x " + point_name(q), QuantityKind::length);
+                    add(Column::Kind::place_y, q, "y " + point_name(q), QuantityKind::length);
+                }
+                return add(Column::Kind::result, q, "v" + axis + " " + point_name(q), QuantityKind::velocity);
+            case Kind::acceleration:
+                return add(Column::Kind::result, q, "a" + axis + " " + point_name(q), QuantityKind::acceleration);
+            case Kind::sliding_velocity:
+                if (m_.joint(q.joint).along) add(Column::Kind::slid, q, "s " + joint_name(q), QuantityKind::length);
+                return add(Column::Kind::along, q, "v " + joint_name(q), QuantityKind::velocity);
+            case Kind::sliding_acceleration:
+                return add(Column::Kind::along, q, "a " + joint_name(q), QuantityKind::acceleration);
+            case Kind::force:
+                return add(Column::Kind::result, q, "F" + axis + " " + action(q), QuantityKind::force);
+            case Kind::couple:
+                return add(Column::Kind::result, q, "C " + action(q), QuantityKind::moment);
+            default: {
+                const Effort& effort = m_.efforts[at_index(q.given)];
+                const auto name = std::visit([](const auto& each) { return each.name; }, effort);
+                add(Column::Kind::result, q, "effort " + name,
+                    std::holds_alternative<CoupleEffort>(effort) ? QuantityKind::moment : QuantityKind::force);
+            }
+        }
+    }
+
+    const Solution& solution_;
+    const Mechanism& m_;
+    std::vector<Column> columns_;
+};
+
+/// A position planned: its record in doubles, what of its givens moves, and which element each column reads.
+struct PlannedPosition {
+    struct Source {
+        bool known = false;
+        ElementIndex element;
+    };
+    Replay replay;
+    std::vector<std::pair<int, Given>> moving;  ///< with their index in the program
+    std::vector<Source> sources;                ///< by column
+};
+
+bool hangs_on_position(const Given& given, const Mechanism& mechanism) {
+    const auto between = [](const Bearing& bearing) { return std::holds_alternative<Bearing::Between>(bearing.form); };
+    switch (given.kind) {
+        case Given::Kind::place:
+        case Given::Kind::guide:
+        case Given::Kind::guide_unit:
+        case Given::Kind::normal:
+        case Given::Kind::other_normal:
+        case Given::Kind::tangent:
+        case Given::Kind::push:
+            return true;
+        case Given::Kind::load_unit:
+        case Given::Kind::load_unit_back: {
+            const auto* force = std::get_if<ForceLoad>(&mechanism.loads[at_index(given.index)]);
+            return force == nullptr || between(force->magnitude->second);
+        }
+        case Given::Kind::effort_unit:
+            return between(std::get<ForceEffort>(mechanism.efforts[at_index(given.index)]).along);
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+// --- rows ---------------------------------------------------------------------------------------------------------------------
+
+class Cycle::Rows {
+public:
+    Rows(const Mechanism& mechanism, const Pose& pose, int driver, Positions positions)
+        : mechanism_(mechanism), pose_(pose), driver_(driver), positions_(std::move(positions)), mover_(mechanism, pose) {
+        const Driver& given = mechanism.drivers[at_index(driver)];
+        turns_ = std::holds_alternative<SpinDriver>(given);
+        const Exact rate = given_rate(Given::Kind::driver_velocity);
+        rate_ = given_rate(Given::Kind::driver_acceleration).is_zero() ? rate.to_double() : 0;
+        for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
+            const auto& pushes = mechanism.joints[k].pushes;
+            senses_.push_back(pushes && dot(*pushes, pose.normals[k]).sign() < 0 ? -1 : 1);
+        }
+        find_directions();
+    }
+
+    std::vector<Unsolved> begin(const Travel& travel, bool checked) {
+        is_checked_ = checked;
+        // Anywhere but where something is likely to be special.
+        for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
+            if (!positions_.move_to(travel.from + share * (travel.to - travel.from)) || positions_.is_singular()) continue;
+            positions_.read(places_);
+            Solution solution = planned_here();
+            columns_ = ColumnWriter(solution, turns_, rate_ != 0).write();
+            values_.resize(columns_.size());
+            solution.mechanism.find = mechanism_.find;
+            check_mechanism_ = solution.mechanism;
+            check_pose_ = solution.pose;
+            has_forces_ = !solution.forces.empty() || !solution.efforts.empty();
+            std::vector<Unsolved> missing = solution.unsolved;
+            keep(solution);
+            return missing;
+        }
+        return {};
+    }
+
+    std::optional<std::span<const double>> row(double coordinate) {
+        if (!positions_.move_to(coordinate) || positions_.is_singular()) return std::nullopt;
+        positions_.read(places_);
+        PlannedPosition* plan = replayed();
+        if (plan == nullptr) {
+            // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its values are
+            // exact.
+            const Solution solution = planned_here();
+            keep(solution);
+            if (!fill_from(solution)) return std::nullopt;
+        } else if (!fill(*plan)) {
+            return std::nullopt;
+        }
+        if (is_checked_) hold_against_check();
+        return values_;
+    }
+
+    Difference difference() const {
+        Difference worst;
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const auto& off = off_.size() > i ? off_[i] : Off{};
+            const double unit = measure(columns_[i].quantity.kind);
+            if (!off.held || unit == 0) continue;
+            const double share = off.most / unit;
+            if (worst.column < 0 || share > worst.share) worst = {share, static_cast<int>(i), off.coordinate};
+        }
+        return worst;
+    }
+
+    /// The largest of a kind. Kinds that one motion ties together share their measure across the drawing's size.
+    double measure(Kind kind) const {
+        const double l = pose_.size.to_double();
+        const auto of = [&](Kind each) { return largest_[static_cast<std::size_t>(each)]; };
+        const double v = std::max({of(Kind::velocity), of(Kind::sliding_velocity), of(Kind::omega) * l});
+        const double a = std::max({of(Kind::acceleration), of(Kind::sliding_acceleration), of(Kind::alpha) * l, v * v / l});
+        const double f = std::max({of(Kind::force), of(Kind::couple) / l});
+        switch (kind) {
+            case Kind::omega:
+                return v / l;
+            case Kind::alpha:
+                return a / l;
+            case Kind::velocity:
+            case Kind::sliding_velocity:
+                return v;
+            case Kind::acceleration:
+            case Kind::sliding_acceleration:
+                return a;
+            case Kind::force:
+                return f;
+            case Kind::couple:
+                return f * l;
+            default:
+                return of(kind);
+        }
+    }
+    Positions& positions() { return positions_; }
+    const std::vector<Column>& columns() const { return columns_; }
+    int plans() const { return planned_; }
+
+private:
+    Exact given_rate(Given::Kind kind) const {
+        return std::get<Exact>(given_value({.kind = kind, .index = driver_, .constant = {}, .name = {}}, mechanism_, pose_));
+    }
+
+    /// Of each body: the direction from its first point to its second, as drawn.
+    void find_directions() {
+        for (const Body& body : mechanism_.bodies) {
+            double angle = 0;
+            for (std::size_t i = 1; i < body.points.size() && angle == 0; ++i) {
+                const Spot along = rough(pose_.at(body.points[i]) - pose_.at(body.points[0]));
+                if (along.x != 0 || along.y != 0) {
+                    angle = std::atan2(along.y, along.x);
+                    break;
+                }
+            }
+            directions_.push_back(angle);
+        }
+    }
+
+    // --- by record ------------------------------------------------------------------------------------------------------------
+    Solution planned_here() {
+        ++planned_;
+        Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
+        moved.mechanism.find = found_in_rows(mechanism_.find);
+        return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+    }
+
+    PlannedPosition& keep(const Solution& solution) {
+        const std::vector<Entry> entries = entries_of(solution);
+        std::vector<ElementIndex> wanted;
+        for (const Entry& entry : entries)
+            if (entry.element != none) wanted.push_back(entry.element);
+        const Cut record =
+            cut(solution.protocol.program, wanted, has_forces_ ? solution.settled.forces : solution.settled.accelerations);
+        PlannedPosition plan{
+            Replay(record.program, givens_of(record.program, solution.mechanism, solution.pose), solution.pose.size.to_double()),
+            {},
+            std::vector<PlannedPosition::Source>(columns_.size())};
+        for (std::size_t i = 0; i < record.program.givens.size(); ++i)
+            if (hangs_on_position(record.program.givens[i], mechanism_))
+                plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const auto found = std::find_if(entries.begin(), entries.end(),
+                                            [&](const Entry& entry) { return entry.quantity == columns_[i].quantity; });
+            if (found == entries.end()) continue;
+            plan.sources[i] = {true, found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
+        }
+        // Verdicts of special positions (a right angle, a body at rest) serve nowhere else; the oldest go.
+        constexpr std::size_t most = 24;
+        if (kept_.size() == most) kept_.pop_back();
+        kept_.push_front(std::move(plan));
+        return kept_.front();
+    }
+
+    /// The plan whose guards hold here, replayed; the one that served last is tried first.
+    PlannedPosition* replayed() {
+        for (auto plan = kept_.begin(); plan != kept_.end(); ++plan) {
+            if (replays(*plan)) continue;
+            if (plan != kept_.begin()) kept_.splice(kept_.begin(), kept_, plan);
+            return &kept_.front();
+        }
+        return nullptr;
+    }
+    /// The guard that flipped, if one did.
+    std::optional<int> replays(PlannedPosition& plan) {
+        for (const auto& [index, given] : plan.moving) plan.replay.give(index, value_here(given));
+        return plan.replay.run();
+    }
+
+    ValueOf<double> value_here(const Given& given) const {
+        const std::size_t i = at_index(given.index);
+        const auto between = [&](PointIndex from, PointIndex to) {
+            return unit_of(places_.points[at_index(to)] - places_.points[at_index(from)]);
+        };
+        const auto along = [&](const Bearing& bearing) {
+            const auto& ends = std::get<Bearing::Between>(bearing.form);
+            return between(ends.from, ends.to);
+        };
+        switch (given.kind) {
+            case Given::Kind::place:
+                return PointOf<double>{places_.points[i].x, places_.points[i].y, 1};
+            case Given::Kind::guide:
+                return places_.guides[i];
+            case Given::Kind::guide_unit:
+                return unit_of(places_.guides[i]);
+            case Given::Kind::normal:
+                return places_.normals[i];
+            case Given::Kind::tangent:
+                return places_.tangents[i];
+            case Given::Kind::push:
+                return senses_[i] * places_.normals[i];
+            case Given::Kind::other_normal: {
+                const Spot &n = places_.normals[i], &t = places_.tangents[i];
+                return (2 * dot(n, t) / squared_length(t)) * t - n;
+            }
+            case Given::Kind::effort_unit:
+                return along(std::get<ForceEffort>(mechanism_.efforts[i]).along);
+            default:
+                break;
+        }
+        const Load& load = mechanism_.loads[i];
+        if (const auto* force = std::get_if<ForceLoad>(&load)) return along(force->magnitude->second);
+        const auto& ends = std::get<SpringLoad>(load).between;
+        return given.kind == Given::Kind::load_unit ? between(ends[0], ends[1]) : between(ends[1], ends[0]);
+    }
+
+    /// X of a slide, or the common tangent of a contact or a curved slot.
+    Spot direction_of_sliding(JointIndex joint) const {
+        const std::size_t i = at_index(joint);
+        const Spot& guide = places_.guides[i];
+        if (guide.x != 0 || guide.y != 0) return unit_of(guide);
+        const Spot& tangent = places_.tangents[i];
+        return unit_of(tangent.x != 0 || tangent.y != 0 ? tangent : quarter_turn(places_.normals[i]));
+    }
+
+    bool fill(const PlannedPosition& plan) {
+        return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
+            const auto& [known, element] = plan.sources[i];
+            if (!known) return std::nullopt;
+            if (element == none) return std::pair{Spot{}, 0.0};
+            return std::pair{plan.replay.vector(element), plan.replay.scalar(element)};
+        });
+    }
+    bool fill_from(const Solution& solution) {
+        const std::vector<Entry> entries = entries_of(solution);
+        return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
+            for (const Entry& entry : entries)
+                if (entry.quantity == columns_[i].quantity) return std::pair{entry.vector, entry.scalar};
+            return std::nullopt;
+        });
+    }
+    /// `found(i)` gives the vector or scalar that column i is a part of. False: not all of them are found and finite.
+    template <class Found>
+    bool fill_each(Found found) {
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const auto place = place_value(columns_[i]);
+            const auto result = place ? std::nullopt : found(i);
+            if (!place && !result) return false;
+            values_[i] = place ? *place : part_of(columns_[i], result->first, result->second);
+            if (!std::isfinite(values_[i])) return false;
+        }
+        return true;
+    }
+    /// What the position itself gives.
+    std::optional<double> place_value(const Column& column) const {
+        const Quantity& q = column.quantity;
+        switch (column.kind) {
+            case Column::Kind::turn:
+                return positions_.coordinate();
+            case Column::Kind::time:
+                return positions_.coordinate() / rate_;
+            case Column::Kind::angle:
+                return directions_[at_index(q.body)] + positions_.turn(q.body);
+            case Column::Kind::place_x:
+                return places_.points[at_index(q.point)].x;
+            case Column::Kind::place_y:
+                return places_.points[at_index(q.point)].y;
+            case Column::Kind::slid:
+                return positions_.slid(q.joint);
+            default:
+                return std::nullopt;
+        }
+    }
+    double part_of(const Column& column, const Spot& vector, double scalar) const {
+        if (column.kind == Column::Kind::along) return dot(direction_of_sliding(column.quantity.joint), vector);
+        if (column.quantity.component == Quantity::Component::whole) return scalar;
+        return column.quantity.component == Quantity::Component::x ? vector.x : vector.y;
+    }
+
+    // --- by check -------------------------------------------------------------------------------------------------------------
+    void hold_against_check() {
+        put_into_check_pose();
+        const NumericMotion motion = check_motion(check_mechanism_, check_pose_);
+        std::optional<NumericForces> forces;
+        if (has_forces_) forces = check_forces(check_mechanism_, check_pose_, motion);
+        off_.resize(columns_.size());
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const Column& column = columns_[i];
+            if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
+            const auto found = numeric(column, motion, forces ? &*forces : nullptr);
+            if (!found) continue;
+            double& largest = largest_[static_cast<std::size_t>(column.quantity.kind)];
+            largest = std::max({largest, std::abs(values_[i]), std::abs(*found)});
+            const double off = std::abs(values_[i] - *found);
+            if (!off_[i].held || off > off_[i].most) off_[i] = {true, off, positions_.coordinate()};
+        }
+    }
+    void put_into_check_pose() {
+        const auto put = [](const std::vector<Spot>& from, std::vector<Vector>& to) {
+            for (std::size_t i = 0; i < from.size(); ++i)
+                if (from[i].x != 0 || from[i].y != 0 || !to[i].is_zero()) to[i] = exactly(from[i]);
+        };
+        put(places_.points, check_pose_.points);
+        put(places_.guides, check_pose_.guides);
+        put(places_.normals, check_pose_.normals);
+        put(places_.tangents, check_pose_.tangents);
+        for (std::size_t i = 0; i < places_.guides.size(); ++i)
+            if (mechanism_.joints[i].along) check_pose_.guide_units[i] = exactly(unit_of(places_.guides[i]));
+    }
+
+    /// What the check says to a column; nothing where it leaves it open.
+    std::optional<double> numeric(const Column& column, const NumericMotion& motion, const NumericForces* forces) const {
+        const Quantity& q = column.quantity;
+        const auto part = [&](const std::array<double, 2>& v) { return v[q.component == Quantity::Component::x ? 0 : 1]; };
+        switch (q.kind) {
+            case Kind::omega:
+            case Kind::alpha: {
+                const auto& state = motion.bodies[at_index(q.body)];
+                if (!(q.kind == Kind::omega ? state.velocity_known : state.acceleration_known)) return std::nullopt;
+                return q.kind == Kind::omega ? state.omega : state.alpha;
+            }
+            case Kind::velocity:
+            case Kind::acceleration: {
+                const auto& state = motion.bodies[at_index(q.body)];
+                const Vector& place = check_pose_.at(q.point);
+                if (!(q.kind == Kind::velocity ? state.velocity_known : state.acceleration_known)) return std::nullopt;
+                return part(q.kind == Kind::velocity ? motion.velocity(q.body, place) : motion.acceleration(q.body, place));
+            }
+            case Kind::sliding_velocity:
+            case Kind::sliding_acceleration:
+                return numeric_sliding(q, motion);
+            case Kind::force:
+            case Kind::couple:
+                for (const NumericForces::Action& action : forces->actions)
+                    if (action.known && action.joint == q.joint && action.on == q.body && action.from == q.other)
+                        return q.kind == Kind::couple ? action.couple : part(action.force);
+                return std::nullopt;
+            default:
+                if (!forces->effort_known[at_index(q.given)]) return std::nullopt;
+                return forces->efforts[at_index(q.given)];
+        }
+    }
+    std::optional<double> numeric_sliding(const Quantity& q, const NumericMotion& motion) const {
+        const Joint& joint = mechanism_.joint(q.joint);
+        const BodyIndex i = joint.bodies[0], j = joint.bodies[1];
+        const auto &slider = motion.bodies[at_index(i)], &guide = motion.bodies[at_index(j)];
+        const Vector& place = check_pose_.at(joint.point);
+        const Spot along = direction_of_sliding(q.joint);
+        const auto apart = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+            return Spot{a[0] - b[0], a[1] - b[1]};
+        };
+        if (!slider.velocity_known || !guide.velocity_known) return std::nullopt;
+        const Spot velocity = apart(motion.velocity(i, place), motion.velocity(j, place));
+        if (q.kind == Kind::sliding_velocity) return dot(along, velocity);
+        if (!slider.acceleration_known || !guide.acceleration_known) return std::nullopt;
+        const Spot coriolis = 2 * guide.omega * quarter_turn(velocity);
+        return dot(along, apart(motion.acceleration(i, place), motion.acceleration(j, place)) - coriolis);
+    }
+
+    struct Off {
+        bool held = false;
+        double most = 0, coordinate = 0;
+    };
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    int driver_;
+    bool turns_ = true;
+    double rate_ = 0;  ///< zero: no time
+    Positions positions_;
+    Mover mover_;
+    std::vector<double> senses_, directions_;
+    Places places_;
+    std::vector<Column> columns_;
+    std::vector<double> values_;
+    bool has_forces_ = false, is_checked_ = true;
+    std::list<PlannedPosition> kept_;
+    int planned_ = 0;
+    Mechanism check_mechanism_;
+    Pose check_pose_;
+    std::vector<Off> off_;
+    std::array<double, static_cast<std::size_t>(Kind::virtual_power) + 1> largest_{};
+};
+
+Cycle::Cycle(std::unique_ptr<Rows> rows) : rows_(std::move(rows)) {}
+Cycle::Cycle(Cycle&&) noexcept = default;
+Cycle::~Cycle() = default;
+
+Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, int driver) {
+    auto positions = Positions::of(mechanism, pose, driver);
+    if (!positions) return tl::unexpected(std::move(positions.error()));
+    return Cycle(std::make_unique<Rows>(mechanism, pose, driver, *std::move(positions)));
+}
+
+const Positions& Cycle::positions() const { return rows_->positions(); }
+std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
+const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
+std::optional<std::span<const double>> Cycle::row(double coordinate) { return rows_->row(coordinate); }
+Cycle::Difference Cycle::difference() const { return rows_->difference(); }
+int Cycle::plans() const { return rows_->plans(); }
+
+// --- how far ------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+}  // namespace
+
+tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
+                                            std::optional<double> to) {
+    Positions tried = positions;
+    Travel travel;
+    const auto note_change_points = [&] {
+        for (const double each : tried.change_points())
+            if (std::find(travel.change_points.begin(), travel.change_points.end(), each) == travel.change_points.end())
+                travel.change_points.push_back(each);
+    };
+    const auto out_of_reach = [&](double wanted) {
+        return tl::unexpected(TravelFault{wanted, tried.limit().value_or(tried.coordinate())});
+    };
+    // What is not given: as far as it goes, a full turn at most where both ends are free.
+    const double far = turns ? 64 * full_turn : 100 * positions.size();
+    if (from) {
+        if (!tried.move_to(*from)) return out_of_reach(*from);
+        travel.from = *from;
+    }
+    if (to) {
+        if (!tried.move_to(*to)) return out_of_reach(*to);
+        travel.to = *to;
+    } else {
+        const double wanted = turns ? (from ? *from : 0) + full_turn : far;
+        travel.ends_at_limit = !tried.move_to(wanted);
+        if (!travel.ends_at_limit && !turns) return tl::unexpected(TravelFault{});
+        travel.to = travel.ends_at_limit ? *tried.limit() : wanted;
+    }
+    note_change_points();
+    if (!from && !to && travel.ends_at_limit) {
+        tried = positions;
+        travel.starts_at_limit = !tried.move_to(-far);
+        if (!travel.starts_at_limit) return tl::unexpected(TravelFault{});
+        travel.from = *tried.limit();
+        note_change_points();
+    }
+    std::sort(travel.change_points.begin(), travel.change_points.end());
+    std::erase_if(travel.change_points, [&](double each) {
+        return each < std::min(travel.from, travel.to) - 1e-9 || each > std::max(travel.from, travel.to) + 1e-9;
+    });
+    return travel;
+}
+
+// --- transmission angle -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A driven body, its coupler and the follower: pins A and B, and the follower's hinge on the frame, or its guide there.
+struct Chain {
+    PointIndex a, b, hinge;
+    JointIndex guide;
+    BodyIndex coupler, follower;
+};
+std::optional<Chain> chain_of(const Mechanism& mechanism, int driver) {
+    const Driver& given = mechanism.drivers[at_index(driver)];
+    BodyIndex driven;
+    if (const auto* spin = std::get_if<SpinDriver>(&given)) driven = spin->body;
+    if (const auto* slide = std::get_if<SlideDriver>(&given)) driven = mechanism.joint(slide->joint).bodies[0];
+    if (const auto* point = std::get_if<PointDriver>(&given)) driven = point->body;
+    const auto joins = [](const Joint& joint, BodyIndex one, BodyIndex other) {
+        return joint.connects(one) && joint.connects(other);
+    };
+    const auto on_frame = [&](BodyIndex body) {
+        return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
+                           [&](const Joint& joint) { return joins(joint, body, frame); });
+    };
+    for (const Joint& a : mechanism.joints) {
+        if (!a.pair().is_hinge() || !a.connects(driven)) continue;
+        for (const Joint& b : mechanism.joints) {
+            if (!b.pair().is_hinge() || &a == &b) continue;
+            for (const BodyIndex coupler : a.bodies) {
+                if (coupler == driven || coupler == frame || !b.connects(coupler) || on_frame(coupler)) continue;
+                for (const BodyIndex follower : b.bodies) {
+                    if (follower == coupler || follower == driven || follower == frame) continue;
+                    for (const Joint& foot : mechanism.joints) {
+                        if (!joins(foot, follower, frame)) continue;
+                        if (foot.pair().is_hinge()) return Chain{a.point, b.point, foot.point, none, coupler, follower};
+                        if (foot.pair().is_sleeve())
+                            return Chain{a.point, b.point, none, mechanism.index_of(foot), coupler, follower};
+                    }
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel) {
+    const auto chain = chain_of(mechanism, driver);
+    if (!chain) return std::nullopt;
+    Places places;
+    const auto angle = [&](double coordinate) -> double {
+        if (!positions.move_to(coordinate)) return std::numbers::pi;
+        positions.read(places);
+        const auto at = [&](PointIndex point) { return places.points[at_index(point)]; };
+        const Spot rod = at(chain->b) - at(chain->a);
+        const Spot link =
+            chain->guide == none ? at(chain->hinge) - at(chain->b) : quarter_turn(places.guides[at_index(chain->guide)]);
+        return std::atan2(std::abs(cross(rod, link)), std::abs(dot(rod, link)));
+    };
+    constexpr int samples = 360;
+    const double step = (travel.to - travel.from) / samples;
+    Transmission found{chain->coupler, chain->follower, std::numbers::pi, 0};
+    for (int i = 0; i <= samples; ++i) {
+        const double coordinate = i == samples ? travel.to : travel.from + i * step;
+        if (const double here = angle(coordinate); here < found.least) found.least = here, found.at = coordinate;
+    }
+    // Between the neighbours of the least sample it has one minimum.
+    const double low_end = std::min(travel.from, travel.to), high_end = std::max(travel.from, travel.to);
+    double low = std::max(found.at - std::abs(step), low_end), high = std::min(found.at + std::abs(step), high_end);
+    for (int i = 0; i < 60; ++i) {
+        const double third = (high - low) / 3;
+        (angle(low + third) < angle(high - third) ? high : low) =
+            angle(low + third) < angle(high - third) ? high - third : low + third;
+    }
+    const double middle = (low + high) / 2;
+    if (const double here = angle(middle); here < found.least) found.least = here, found.at = middle;
+    return found;
+}
+
+}  // namespace kinegraph

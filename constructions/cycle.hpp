@@ -1,0 +1,63 @@
+// Cycle: the results of a mechanism in one position after another, a row of numbers each. The record of one position is replayed
+// in doubles for as long as its guards hold; where one flips the position is planned anew, exactly. Every row is held against the
+// numeric check. Knows no file, no format and no plot.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/column.hpp"
+#include "engine/positions.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+
+/// Why it cannot: `wanted` lies beyond the limit; without a limit, it goes on for ever.
+struct TravelFault {
+    double wanted = 0;
+    std::optional<double> limit;
+};
+/// From `from` to `to`; what is not given is a full turn from the drawn position, or, where the driver does not make one, from
+/// limit to limit. `turns`: the coordinate is an angle.
+tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
+                                            std::optional<double> to);
+
+/// Of the first coupler that a driven body pushes by a pin, and that pushes by a pin a body hinged or sliding on the frame: the
+/// least angle between it and the follower's link (or the normal of its guide). Nothing where there is none.
+std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel);
+
+class Cycle {
+public:
+    /// Of one driver (index). `mechanism` must outlive the cycle. Errors: those of Positions::of.
+    static Result<Cycle> of(const Mechanism& mechanism, const Pose& pose, int driver);
+    Cycle(Cycle&&) noexcept;
+    ~Cycle();
+
+    const Positions& positions() const;
+    /// Chooses the columns by what is found somewhere between; to be called once, before the first row. Not empty: why some
+    /// results are in no row. Without `checked` no row is held against the check.
+    std::vector<Unsolved> begin(const Travel& travel, bool checked = true);
+    const std::vector<Column>& columns() const;
+    /// The row of a position within the travel, one number a column; none where the mechanism gives no unique answer.
+    std::optional<std::span<const double>> row(double coordinate);
+
+    /// The largest difference from the check so far, as a share of the largest of its kind, and where. `column` < 0: none was
+    /// held.
+    struct Difference {
+        double share = 0;
+        int column = -1;
+        double coordinate = 0;
+    };
+    Difference difference() const;
+    int plans() const;  ///< how often a position was planned
+
+private:
+    class Rows;
+    explicit Cycle(std::unique_ptr<Rows> rows);
+    std::unique_ptr<Rows> rows_;
+};
+
+}  // namespace kinegraph

@@ -1,0 +1,362 @@
+#include "render/figures/plot_figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/page/labels.hpp"
+#include "render/page/scale.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = Quantity::Kind;
+
+/// Marks between which a reader can count: 1-2-5 × 10ⁿ, of degrees parts of a turn.
+double tick_step(double range, int most, bool degrees) {
+    if (degrees)
+        for (const double step : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0})
+            if (range / step <= most) return step;
+    const double rough = range / most;
+    const int exponent = static_cast<int>(std::floor(std::log10(rough)));
+    for (const double mantissa : {1.0, 2.0, 5.0})
+        if (decimal(mantissa, exponent) >= rough * (1 - 1e-9)) return decimal(mantissa, exponent);
+    return decimal(1, exponent + 1);
+}
+
+struct Range {
+    double least = 1e300, most = -1e300;
+    void take(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    double width() const { return most - least; }
+};
+
+/// Line kinds of up to four curves, so that they are told apart without colour.
+std::vector<double> line_kind(std::size_t curve) {
+    switch (curve) {
+        case 0:
+            return {};
+        case 1:
+            return dashes();
+        case 2:
+            return dash_dot();
+        default:
+            return {0.6, 0.9};
+    }
+}
+
+class PlotFigure {
+public:
+    PlotFigure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
+               Spot room)
+        : context_(context),
+          theme_(context.theme),
+          table_(table),
+          columns_(columns),
+          id_("plot-" + std::to_string(number)),
+          room_(room),
+          x_unit_(unit_of(table.turns ? QuantityKind::angle : QuantityKind::length, context.solution.mechanism)),
+          y_unit_(unit_of(table.columns[columns.front()].unit, context.solution.mechanism)) {
+        if (table.turns) x_unit_ = {"°", pi() / 180};
+        for (const double end : {table.travel.from, table.travel.to}) x_.take(in_x(end));
+        for (const auto& row : table.rows)
+            for (const std::size_t column : columns) y_.take(in_y(row[column]));
+        if (y_.width() < 1e-9 * std::max(std::abs(y_.most), std::abs(y_.least)) || y_.most <= y_.least) {
+            // A constant lies in the middle.
+            const double half = y_.most == 0 || y_.most < y_.least ? 1 : std::abs(y_.most) / 2;
+            const double middle = y_.most < y_.least ? 0 : y_.most;
+            y_ = {middle - half, middle + half};
+        }
+        y_step_ = tick_step(y_.width(), std::max(2, static_cast<int>(room.y / 9)), y_unit_.symbol == "°");
+        y_ = {std::floor(y_.least / y_step_ - 1e-9) * y_step_, std::ceil(y_.most / y_step_ + 1e-9) * y_step_};
+        x_step_ = tick_step(x_.width(), std::max(3, static_cast<int>(room.x / 11)), table.turns);
+    }
+
+    Figure draw() {
+        figure_.kind = "plot";
+        figure_.id = id_;
+        figure_.unit = y_unit_.symbol;
+        figure_.has_scale = false;
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            if (i > 0) append(figure_.caption, one_piece(", "));
+            append(figure_.caption, name(i));
+        }
+        place_frame();
+        figure_.marks.emplace_back(GroupBegin{"figure", id_, plain(figure_.caption), {{"data-figure", "plot"}}, none});
+        draw_grid();
+        draw_upright_lines();
+        for (std::size_t i = 0; i < columns_.size(); ++i) draw_curve(i);
+        if (columns_.size() > 1) draw_legend();
+        figure_.marks.emplace_back(GroupEnd{});
+        figure_.box = box_of(figure_.marks);
+        return std::move(figure_);
+    }
+
+private:
+    double in_x(double si) const { return si / x_unit_.si.to_double(); }
+    double in_y(double si) const { return si / y_unit_.si.to_double(); }
+    RichText name(std::size_t curve) const {
+        return typeset(table_.columns[columns_[curve]], context_.solution.mechanism, context_.language);
+    }
+    Colour colour(std::size_t curve) const { return theme_.body(BodyIndex(curve + 1)).line; }
+    Colour letters(std::size_t curve) const { return theme_.body(BodyIndex(curve + 1)).letter; }
+    Spot at(double x, double y) const {
+        return {frame_.min.x + (x - x_.least) / x_.width() * frame_.width(),
+                frame_.max.y - (y - y_.least) / y_.width() * frame_.height()};
+    }
+    std::string tick(double value, double step) const {
+        const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 6);
+        return std::abs(value) >= 1e5 || step < 1e-5 ? number(value, 3, context_.language)
+                                                     : fixed(value == 0 ? 0 : value, decimals, context_.language);
+    }
+
+    void place_frame() {
+        double widest = 0;
+        for (double y = y_.least; y <= y_.most + y_step_ / 2; y += y_step_)
+            widest = std::max(widest, context_.fonts.shape(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small).width);
+        // Above the frame names and unit, below it the numbers and what they are.
+        constexpr double above = 6, below = 9, beside = 2.5, right = 4;
+        frame_ = rectangle(widest + beside, above, room_.x - right, std::max(room_.y - below, above + 12));
+    }
+    static double near_zero(double value, double step) { return std::abs(value) < 1e-9 * step ? 0 : value; }
+
+    void axis(const char* cls, Spot from, Spot to, const Range& range, const std::string& unit) {
+        figure_.marks.emplace_back(
+            GroupBegin{cls,
+                       id_ + "-" + cls,
+                       "",
+                       {{"data-from", shortest(range.least)}, {"data-to", shortest(range.most)}, {"data-unit", unit}},
+                       none});
+        figure_.marks.emplace_back(line(from, to, {theme_.outline, theme_.text, {}, false}));
+        figure_.marks.emplace_back(Axis{from, to});
+    }
+    void text(const RichText& words, double size, Spot origin, double aligned, Colour colour) {
+        const ShapedLine shaped = context_.fonts.shape(words, size);
+        set_text(figure_.marks, shaped, {origin.x - aligned * shaped.width, origin.y}, colour, "text");
+    }
+
+    void draw_grid() {
+        const Pen faint{theme_.thin, theme_.faint, {}, false};
+        const double ends = frame_.max.x + 1;
+        axis("axis-x", {frame_.min.x, frame_.max.y}, {frame_.max.x, frame_.max.y}, x_, x_unit_.symbol);
+        for (double x = std::ceil(x_.least / x_step_ - 1e-9) * x_step_; x <= x_.most + 1e-9 * x_step_; x += x_step_) {
+            const Spot foot = at(x, y_.least);
+            figure_.marks.emplace_back(line(foot, {foot.x, frame_.min.y}, faint));
+            text(one_piece(tick(near_zero(x, x_step_), x_step_)), theme_.small, {foot.x, foot.y + 3.6}, 0.5, theme_.text);
+        }
+        RichText coordinate = one_piece(table_.turns ? "φ" : "s", Face::italic);
+        coordinate.front().sub = table_.driver;
+        coordinate.front().sub_face = Face::regular;
+        append(coordinate, one_piece("  [" + x_unit_.symbol + "]"));
+        text(coordinate, theme_.small, {ends, frame_.max.y + 7.4}, 1, theme_.secondary);
+        figure_.marks.emplace_back(GroupEnd{});
+        axis("axis-y", {frame_.min.x, frame_.max.y}, frame_.min, y_, y_unit_.symbol);
+        for (double y = y_.least; y <= y_.most + 1e-9 * y_step_; y += y_step_) {
+            const Spot foot = at(x_.least, y);
+            const bool is_zero = std::abs(y) < 1e-9 * y_step_;
+            if (foot.y < frame_.max.y - 0.01)
+                figure_.marks.emplace_back(
+                    line(foot, {frame_.max.x, foot.y}, is_zero ? Pen{theme_.thin, theme_.secondary, {}, false} : faint));
+            text(one_piece(tick(near_zero(y, y_step_), y_step_)), theme_.small, {foot.x - 1.2, foot.y + 1.05}, 1, theme_.text);
+        }
+        text(with_powers("[" + y_unit_.symbol + "]"), theme_.small, {frame_.min.x, frame_.min.y - 2.2}, 0.5, theme_.secondary);
+        figure_.marks.emplace_back(GroupEnd{});
+    }
+
+    /// The drawn position as a thin line, dead and change points as broken ones.
+    void draw_upright_lines() {
+        const auto upright = [&](double coordinate, const char* cls, const Pen& pen) {
+            const double x = in_x(coordinate);
+            if (x < x_.least - 1e-9 || x > x_.most + 1e-9) return;
+            figure_.marks.emplace_back(GroupBegin{cls, "", "", {{"data-value", shortest(x)}}, none});
+            figure_.marks.emplace_back(line(at(x, y_.least), at(x, y_.most), pen));
+            figure_.marks.emplace_back(GroupEnd{});
+        };
+        upright(0, "drawn-position", {theme_.thin, theme_.text, {}, false});
+        const Pen broken{theme_.outline, theme_.secondary, dashes(), false};
+        if (table_.travel.starts_at_limit) upright(table_.travel.from, "dead-point", broken);
+        if (table_.travel.ends_at_limit) upright(table_.travel.to, "dead-point", broken);
+        for (const double each : table_.travel.change_points) upright(each, "change-point", broken);
+    }
+
+    void draw_curve(std::size_t curve) {
+        const std::size_t column = columns_[curve];
+        figure_.marks.emplace_back(GroupBegin{"curve",
+                                              id_ + "-" + legal_id(table_.columns[column].name),
+                                              plain(name(curve)),
+                                              {{"data-name", table_.columns[column].name}, {"data-unit", y_unit_.symbol}},
+                                              none});
+        Path path;
+        path.stroked = true;
+        path.pen = {theme_.vector, colour(curve), line_kind(curve), path.pen.dashes.empty()};
+        bool down = false;
+        std::size_t gap = 0;
+        for (const auto& row : table_.rows) {
+            while (gap < table_.left_out.size() && lies_before(table_.left_out[gap], row[0])) {
+                down = false;
+                ++gap;
+            }
+            const Spot spot = at(in_x(row[0]), in_y(row[column]));
+            path.segments.emplace_back(down ? Segment(LineTo{spot}) : Segment(MoveTo{spot}));
+            down = true;
+        }
+        if (path.segments.size() > 1) figure_.marks.emplace_back(std::move(path));
+        mark_extremes(curve);
+        figure_.marks.emplace_back(GroupEnd{});
+    }
+    bool lies_before(double a, double b) const { return table_.travel.to > table_.travel.from ? a < b : a > b; }
+
+    void mark(std::size_t curve, Spot spot, const std::string& words, bool is_zero) {
+        if (is_zero)
+            figure_.marks.emplace_back(ring(spot, 0.7, theme_.paper, {theme_.thin, colour(curve), {}, false}));
+        else
+            figure_.marks.emplace_back(disc(spot, 0.7, colour(curve)));
+        figure_.labels.push_back({.text = one_piece(words),
+                                  .size = theme_.small,
+                                  .colour = is_zero ? theme_.secondary : letters(curve),
+                                  .anchor = spot,
+                                  .clearance = 1.1});
+    }
+
+    /// The greatest and the least value, and where the curve passes zero; not of a constant.
+    void mark_extremes(std::size_t curve) {
+        const std::size_t column = columns_[curve];
+        const auto& rows = table_.rows;
+        if (rows.size() < 3) return;
+        const auto smaller = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
+        const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), smaller);
+        const double span = (*most)[column] - (*least)[column];
+        if (span <= 1e-9 * std::max(std::abs((*most)[column]), std::abs((*least)[column]))) return;
+        for (const auto& row : {*most, *least})
+            mark(curve, at(in_x(row[0]), in_y(row[column])), number(in_y(row[column]), 4, context_.language), false);
+        std::vector<double> zeros;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            const double a = rows[i - 1][column], b = rows[i][column];
+            if (a * b > 0 || a == b || (b == 0 && i + 1 < rows.size())) continue;
+            const double x = in_x(rows[i - 1][0] + a / (a - b) * (rows[i][0] - rows[i - 1][0]));
+            if (zeros.empty() || std::abs(x - zeros.back()) > 1e-3 * x_.width()) zeros.push_back(x);
+        }
+        // Beyond these, a reader counts.
+        constexpr std::size_t most_zeros = 4;
+        if (zeros.size() > most_zeros) return;
+        for (const double x : zeros)
+            mark(curve, at(x, 0), number(x, 4, context_.language) + (x_unit_.symbol == "°" ? "°" : " " + x_unit_.symbol), true);
+    }
+
+    /// Names in a row above the frame, each with its line.
+    void draw_legend() {
+        double right = frame_.max.x;
+        for (std::size_t i = columns_.size(); i-- > 0;) {
+            const ShapedLine shaped = context_.fonts.shape(name(i), theme_.label);
+            right -= shaped.width;
+            set_text(figure_.marks, shaped, {right, frame_.min.y - 2}, letters(i), "label");
+            right -= 9;
+            figure_.marks.emplace_back(line({right, frame_.min.y - 3}, {right + 7.5, frame_.min.y - 3},
+                                            {theme_.vector, colour(i), line_kind(i), false}));
+            right -= 4;
+        }
+    }
+
+    const DrawingContext& context_;
+    const Theme& theme_;
+    const CycleTable& table_;
+    const std::vector<std::size_t>& columns_;
+    std::string id_;
+    Spot room_;
+    Unit x_unit_, y_unit_;
+    Range x_, y_;
+    double x_step_ = 1, y_step_ = 1;
+    Box frame_;
+    Figure figure_;
+};
+
+}  // namespace
+
+Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
+    const Units& units = mechanism.units;
+    switch (kind) {
+        case QuantityKind::length:
+            return units.length;
+        case QuantityKind::angle:
+            return {"°", pi() / 180};
+        case QuantityKind::angular_velocity:
+            return units.angular_velocity;
+        case QuantityKind::angular_acceleration:
+            return {"rad/s²", 1};
+        case QuantityKind::velocity:
+            return units.velocity;
+        case QuantityKind::acceleration:
+            return units.acceleration;
+        case QuantityKind::force:
+            return units.force;
+        case QuantityKind::moment:
+            return units.moment;
+        default:
+            return {"s", 1};
+    }
+}
+
+RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
+    const Quantity& q = column.quantity;
+    const std::string axis = q.component == Quantity::Component::whole ? "" : q.component == Quantity::Component::x ? "x" : "y";
+    const auto symbol = [](const char* letter, std::string sub, Face sub_face, int dots = 0) {
+        Piece piece;
+        piece.text = letter;
+        piece.face = Face::italic;
+        piece.sub = std::move(sub);
+        piece.sub_face = sub_face;
+        piece.dots = dots;
+        return RichText{piece};
+    };
+    const auto body = [&](BodyIndex index) { return mechanism.body(index).name; };
+    switch (column.kind) {
+        case Column::Kind::turn:
+            return symbol("φ", "", Face::regular);
+        case Column::Kind::time:
+            return symbol("t", "", Face::regular);
+        case Column::Kind::angle:
+            return symbol("φ", body(q.body), Face::regular);
+        case Column::Kind::place_x:
+            return symbol("x", mechanism.point(q.point).name, Face::italic);
+        case Column::Kind::place_y:
+            return symbol("y", mechanism.point(q.point).name, Face::italic);
+        case Column::Kind::slid:
+            return symbol("s", mechanism.joint(q.joint).name, Face::italic);
+        case Column::Kind::along:
+            return symbol(q.kind == Kind::sliding_velocity ? "v" : "a", mechanism.joint(q.joint).name, Face::italic);
+        case Column::Kind::result:
+            break;
+    }
+    switch (q.kind) {
+        case Kind::omega:
+            return symbol("ω", body(q.body), Face::regular);
+        case Kind::alpha:
+            return language == Language::it ? symbol("ω", body(q.body), Face::regular, 1)
+                                            : symbol("α", body(q.body), Face::regular);
+        case Kind::velocity:
+            return symbol("v", mechanism.point(q.point).name + " " + axis, Face::italic);
+        case Kind::acceleration:
+            return symbol("a", mechanism.point(q.point).name + " " + axis, Face::italic);
+        case Kind::force:
+        case Kind::couple: {
+            const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
+            return symbol(q.kind == Kind::couple ? "C" : "F", pair + (axis.empty() ? "" : " " + axis), Face::regular);
+        }
+        default:
+            return one_piece(std::visit([](const auto& effort) { return effort.name; }, mechanism.efforts[at_index(q.given)]),
+                             Face::italic);
+    }
+}
+
+Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
+                   double room_x, double room_y) {
+    Figure figure = PlotFigure(context, table, columns, number, {room_x, room_y}).draw();
+    place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict);
+    figure.move(-figure.box.min.x, -figure.box.min.y);
+    return figure;
+}
+
+}  // namespace kinegraph::render

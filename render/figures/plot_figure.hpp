@@ -1,0 +1,33 @@
+// Plots: quantities over the driver's coordinate, in the hand of the other figures; and the mechanism with its way behind it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/column.hpp"
+#include "render/page/figure.hpp"
+#include "render/scene/drawing_context.hpp"
+
+namespace kinegraph::render {
+
+/// A column as it is typeset: ω_3, v_Bx, s_C.
+RichText typeset(const Column& column, const Mechanism& mechanism, Language language);
+/// The file's unit of a column, and its size in SI.
+Unit unit_of(QuantityKind kind, const Mechanism& mechanism);
+
+/// Up to four columns of one unit over the driver's coordinate, in the file's units. Kind "plot"; `number` makes ids unique. Axes
+/// are groups of class "axis-x" and "axis-y" with an invisible line from end to end and what these ends mean; curves are groups
+/// of class "curve", gaps where there is no row.
+Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
+                   double room_x, double room_y);
+
+/// Lines behind a mechanism, m as in the file: its bodies in other positions, or the path of a point.
+struct Way {
+    std::string name;
+    bool is_path = false;
+    std::vector<VectorOf<double>> places;
+};
+/// The mechanism as drawn, with its ways behind it. Kind and id "mechanism".
+Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,261 @@
+#include "render/sheet/cycle_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "render/figures/caption.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/title_block.hpp"
+#include "render/tables/prose.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double section_gap = 5.5;  // mm, between a figure and its table
+
+using Kind = Quantity::Kind;
+
+class CycleSheet {
+public:
+    CycleSheet(const Solution& drawn, const CycleTable& table, const std::vector<std::vector<std::size_t>>& plots,
+               const std::vector<Way>& ways, const SheetOptions& options, const Fonts& fonts)
+        : context_{drawn, options.theme, fonts, options.language, Dimensions::off},
+          theme_(options.theme),
+          table_(table),
+          plots_(plots),
+          ways_(ways),
+          format_(format_of(options.paper, options.orientation)),
+          signature_{options.author, options.date},
+          width_((format_.content.width() - 2 * gap) / 2) {}
+
+    std::vector<Page> pages() {
+        draw_first_page();
+        while (next_ < plots_.size()) draw_further_page();
+        std::vector<Page> pages;
+        for (std::size_t i = 0; i < sheets_.size(); ++i)
+            pages.push_back(
+                framed_page(context_, format_, signature_, sheets_[i], i == 0 ? scale_ : std::nullopt, i + 1, sheets_.size()));
+        return pages;
+    }
+
+private:
+    double bottom(double left) const {
+        return left + width_ > format_.block.min.x - 2 ? format_.block.min.y - 4 : format_.content.max.y;
+    }
+
+    /// The mechanism and its table on the left, plots on the right.
+    void draw_first_page() {
+        sheets_.emplace_back();
+        const Spot corner = format_.content.min;
+        const Block table = extremes();
+        const double room = bottom(corner.x) - corner.y - table.height - section_gap - 8;
+        const double height = put_figure(
+            [&](double x, double y) {
+                Figure figure = mechanism_with_ways(context_, ways_, x, y);
+                scale_ = figure.scale;
+                return figure;
+            },
+            corner, std::max(room, 45.0));
+        set(sheets_.back(), table, {corner.x, corner.y + height + section_gap});
+        put_plots(corner.x + width_ + 2 * gap, 3);
+    }
+    void draw_further_page() {
+        sheets_.emplace_back();
+        put_plots(format_.content.min.x, 3);
+        put_plots(format_.content.min.x + width_ + 2 * gap, 3);
+    }
+
+    /// One under the other, `most` at most; fewer are drawn no taller than three would be by half.
+    void put_plots(double left, std::size_t most) {
+        const double all = bottom(left) - format_.content.min.y;
+        const std::size_t fit = std::clamp<std::size_t>(static_cast<std::size_t>(all / 45), 1, format_.large ? most + 1 : most);
+        const std::size_t count = std::min(plots_.size() - next_, fit);
+        if (count == 0) return;
+        const double each = std::min(all / static_cast<double>(count), 0.9 * width_);
+        double top = format_.content.min.y;
+        for (std::size_t i = 0; i < count; ++i, top += each) {
+            const std::size_t plot = next_++;
+            put_figure(
+                [&](double x, double y) { return plot_figure(context_, table_, plots_[plot], static_cast<int>(plot) + 1, x, y); },
+                {left, top}, each - 7 - section_gap);
+        }
+    }
+
+    template <class Draw>
+    double put_figure(Draw draw, Spot corner, double height) {
+        Figure figure = draw(width_, height);
+        const double caption = set_caption(sheets_.back(), context_, figure, ++figures_, corner, width_);
+        const double high = figure.box.height();
+        figure.move(corner.x, corner.y + caption);
+        for (Mark& mark : figure.marks) sheets_.back().push_back(std::move(mark));
+        return caption + high;
+    }
+
+    // --- the table ------------------------------------------------------------------------------------------------------------
+    std::string coordinate(double si) const {
+        const Unit unit = table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
+        return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
+    }
+    std::string amount(double si, QuantityKind kind) const {
+        const Unit unit = unit_of(kind, context_.solution.mechanism);
+        return number(si / unit.si.to_double(), 4, context_.language) + (unit.symbol == "°" ? "°" : " " + unit.symbol);
+    }
+
+    Block extremes() {
+        Block block;
+        set(block.marks, heading_block(context_, width_, word("extremes", context_.language), {}), {0, 0});
+        y_ = 6.2;
+        rule(block, theme_.outline);
+        cells(block,
+              {one_piece(word("quantity", context_.language)), one_piece(word("least", context_.language)),
+               one_piece(word("at the position", context_.language)), one_piece(word("greatest", context_.language)),
+               one_piece(word("at the position", context_.language))},
+              theme_.secondary);
+        rule(block, theme_.thin);
+        for (const auto& plot : plots_)
+            for (const std::size_t column : plot) row_of(block, column);
+        rule(block, theme_.outline);
+        y_ += 1;
+        for (const RichText& each : facts()) {
+            const Block line = paragraph_block(context_, width_, each, 0, "");
+            set(block.marks, line, {0, y_});
+            y_ += line.height;
+        }
+        block.width = width_;
+        block.height = y_;
+        return block;
+    }
+    void rule(Block& block, double weight) {
+        block.marks.emplace_back(line({0, y_}, {width_, y_}, {weight, theme_.text, {}, false}));
+        y_ += 1;
+    }
+    void cells(Block& block, const std::array<RichText, 5>& words, Colour colour) {
+        const std::array<double, 5> rights{0, 0.44 * width_, 0.6 * width_, 0.84 * width_, width_};
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const ShapedLine shaped = context_.fonts.shape(words[i], theme_.small);
+            set_text(block.marks, shaped, {i == 0 ? 0 : rights[i] - shaped.width, y_ + 3.2}, colour, "text");
+        }
+        y_ += 4.4;
+    }
+    void row_of(Block& block, std::size_t column) {
+        if (table_.rows.empty() || y_ > format_.content.height() / 2) return;
+        const auto smaller = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
+        const auto [least, most] = std::minmax_element(table_.rows.begin(), table_.rows.end(), smaller);
+        const QuantityKind unit = table_.columns[column].unit;
+        cells(block,
+              {typeset(table_.columns[column], context_.solution.mechanism, context_.language),
+               with_powers(amount((*least)[column], unit)), one_piece(coordinate((*least)[0])),
+               with_powers(amount((*most)[column], unit)), one_piece(coordinate((*most)[0]))},
+              theme_.text);
+    }
+
+    /// What else a reader wants of a motion.
+    std::vector<RichText> facts() const {
+        std::vector<RichText> said;
+        const auto say = [&](const std::string& what, const std::string& value) {
+            said.push_back(with_powers(what + ": " + value));
+        };
+        const auto in_words = [&](const char* key) { return word(key, context_.language); };
+        const std::string at = " " + in_words("at the position") + " ";
+        const Travel& travel = table_.travel;
+        if (travel.starts_at_limit || travel.ends_at_limit)
+            say(in_words("limits of the driver"), (travel.starts_at_limit ? coordinate(travel.from) : "") +
+                                                      (travel.starts_at_limit && travel.ends_at_limit ? ", " : "") +
+                                                      (travel.ends_at_limit ? coordinate(travel.to) : ""));
+        if (!travel.change_points.empty()) {
+            std::string all;
+            for (const double each : travel.change_points) all += (all.empty() ? "" : ", ") + coordinate(each);
+            say(in_words("change points"), all);
+        }
+        for (std::size_t i = 0; i < table_.columns.size(); ++i) tell_of_column(i, said);
+        if (table_.transmission)
+            say(in_words("least transmission angle"),
+                number(table_.transmission->least * 180 / std::numbers::pi, 4, context_.language) + "°" + at +
+                    coordinate(table_.transmission->at));
+        if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
+        if (const auto hardest = largest_of_points(Kind::acceleration)) say(in_words("largest acceleration"), *hardest);
+        return said;
+    }
+
+    void tell_of_column(std::size_t column, std::vector<RichText>& said) const {
+        const Column& of = table_.columns[column];
+        if (table_.rows.size() < 3) return;
+        const auto say = [&](const char* key, const std::string& value) {
+            RichText text = one_piece(word(key, context_.language) + "  ");
+            append(text, typeset(of, context_.solution.mechanism, context_.language));
+            append(text, with_powers(": " + value));
+            said.push_back(std::move(text));
+        };
+        const auto smaller = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
+        const auto [least, most] = std::minmax_element(table_.rows.begin(), table_.rows.end(), smaller);
+        if (of.kind == Column::Kind::slid) {
+            say("stroke", amount((*most)[column] - (*least)[column], of.unit));
+            // Over a whole turn at constant speed the time goes with the turn between the two ends of the stroke.
+            const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs((*most)[0] - (*least)[0]);
+            if (!table_.turns || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 || one == whole) return;
+            const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
+            // A stroke that takes as long there as back is no quick return.
+            if (ratio > 1.02) say("time ratio", number(ratio, 3, context_.language));
+        }
+        if (of.quantity.kind == Kind::effort) {
+            double sum = 0, way = 0;
+            for (std::size_t i = 1; i < table_.rows.size(); ++i) {
+                const double step = table_.rows[i][0] - table_.rows[i - 1][0];
+                sum += (table_.rows[i][column] + table_.rows[i - 1][column]) / 2 * step;
+                way += step;
+            }
+            const double rounding = 1e-9 * std::max(std::abs((*least)[column]), std::abs((*most)[column]));
+            if (way != 0) say("mean", amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
+        }
+    }
+
+    /// "1.23 m/s (A) at 45°".
+    std::optional<std::string> largest_of_points(Kind kind) const {
+        double largest = 0, where = 0;
+        PointIndex point;
+        for (std::size_t i = 0; i + 1 < table_.columns.size(); ++i) {
+            const Column &x = table_.columns[i], &y = table_.columns[i + 1];
+            if (x.kind != Column::Kind::result || x.quantity.kind != kind || x.quantity.component != Quantity::Component::x ||
+                y.quantity.point != x.quantity.point || y.quantity.kind != kind)
+                continue;
+            for (const auto& row : table_.rows) {
+                const double size = length(Spot{row[i], row[i + 1]});
+                if (size <= largest * (1 + 1e-9)) continue;
+                largest = size;
+                where = row[0];
+                point = x.quantity.point;
+            }
+        }
+        if (point == none) return std::nullopt;
+        return amount(largest, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) + " (" +
+               context_.solution.mechanism.point(point).name + ") " + word("at the position", context_.language) + " " +
+               coordinate(where);
+    }
+
+    DrawingContext context_;
+    const Theme& theme_;
+    const CycleTable& table_;
+    const std::vector<std::vector<std::size_t>>& plots_;
+    const std::vector<Way>& ways_;
+    SheetFormat format_;
+    Signature signature_;
+    double width_;  ///< of a column
+    std::vector<std::vector<Mark>> sheets_;
+    std::optional<double> scale_;
+    std::size_t next_ = 0;
+    int figures_ = 0;
+    double y_ = 0;
+};
+
+}  // namespace
+
+std::vector<Page> lay_out_cycle(const Solution& drawn, const CycleTable& table,
+                                const std::vector<std::vector<std::size_t>>& plots, const std::vector<Way>& ways,
+                                const SheetOptions& options, const Fonts& fonts) {
+    return CycleSheet(drawn, table, plots, ways, options, fonts).pages();
+}
+
+}  // namespace kinegraph::render

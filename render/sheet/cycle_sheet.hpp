@@ -1,0 +1,17 @@
+// The sheet of a cycle: the mechanism with its way, the extremes of the motion as a table, and plots, on one page or more. Apart
+// from the sheets of single positions; takes figures as they come.
+#pragma once
+
+#include <vector>
+
+#include "render/figures/plot_figure.hpp"
+#include "render/sheet/sheet.hpp"
+
+namespace kinegraph::render {
+
+/// Plots are lists of columns (indices) that share a unit, four at most each.
+std::vector<Page> lay_out_cycle(const Solution& drawn, const CycleTable& table,
+                                const std::vector<std::vector<std::size_t>>& plots, const std::vector<Way>& ways,
+                                const SheetOptions& options, const Fonts& fonts);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,180 @@
+// Cycles: rows against closed forms over whole turns, against mechanisms drawn where they are moved to, and laws of the whole.
+#include "constructions/cycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "engine/moved.hpp"
+#include "tests/files.hpp"
+#include "tests/solved.hpp"
+
+namespace kinegraph {
+namespace {
+
+constexpr double pi_ = std::numbers::pi;
+
+struct Swept {
+    std::unique_ptr<Mechanism> mechanism;
+    std::unique_ptr<Pose> pose;
+    std::optional<Cycle> cycle;
+    Travel travel;
+
+    std::map<std::string, double> at(double coordinate) {
+        std::map<std::string, double> named;
+        const auto row = cycle->row(coordinate);
+        if (!row) return named;
+        for (std::size_t i = 0; i < row->size(); ++i) named[cycle->columns()[i].name] = (*row)[i];
+        return named;
+    }
+};
+Swept swept(const std::string& text) {
+    Swept made;
+    made.mechanism = std::make_unique<Mechanism>(*read_mechanism(text, "test.json"));
+    made.pose = std::make_unique<Pose>(*draw_pose(*made.mechanism));
+    auto cycle = Cycle::of(*made.mechanism, *made.pose, 0);
+    if (!cycle) throw std::runtime_error(cycle.error().front().message.en);
+    made.cycle.emplace(*std::move(cycle));
+    const bool turns = std::holds_alternative<SpinDriver>(made.mechanism->drivers[0]);
+    made.travel = *travel_of(made.cycle->positions(), turns, {}, {});
+    EXPECT_TRUE(made.cycle->begin(made.travel).empty());
+    return made;
+}
+Swept swept_example(const std::string& name) { return swept(tests::contents(tests::example_file(name))); }
+
+TEST(Cycle, ASliderCrankFollowsItsClosedForm) {
+    const double r = 0.04, l = 0.15, omega = 10;
+    Swept s = swept(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0],
+        "A": {"from": "O", "distance": 40, "angle": 0}, "B": {"meet": [{"circle": "A", "radius": 150}, {"line": "O", "angle": 0}],
+        "side": "right"}}, "bodies": {"2": ["O", "A"], "3": ["A", "B"], "4": ["B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
+        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
+        "drivers": [{"body": 2, "omega": 10}]})");
+    for (int degrees = 0; degrees <= 360; ++degrees) {
+        const double a = degrees * pi_ / 180;
+        auto row = s.at(a);
+        ASSERT_FALSE(row.empty()) << degrees;
+        // c(α), its derivatives by α: Λ and Λ′.
+        const double root = std::sqrt(l * l - r * r * std::sin(a) * std::sin(a));
+        const double c = r * std::cos(a) + root;
+        const double first = -r * std::sin(a) - r * r * std::sin(a) * std::cos(a) / root;
+        const double second = -r * std::cos(a) - r * r * std::cos(2 * a) / root -
+                              std::pow(r, 4) * std::pow(std::sin(a) * std::cos(a), 2) / std::pow(root, 3);
+        EXPECT_NEAR(row["x B"], c, 1e-9 * l);
+        EXPECT_NEAR(row["s B"], c - (r + l), 1e-9 * l);
+        EXPECT_NEAR(row["vx B"], omega * first, 1e-9 * omega * r);
+        EXPECT_NEAR(row["v B"], omega * first, 1e-9 * omega * r);
+        EXPECT_NEAR(row["ax B"], omega * omega * second, 1e-9 * omega * omega * r);
+        EXPECT_NEAR(row["omega 3"], -omega * r * std::cos(a) / root, 1e-9 * omega);
+        EXPECT_NEAR(row["time"], a / omega, 1e-12);
+        EXPECT_NEAR(row["angle 2"], a, 1e-12) << "goes on past a full turn";
+    }
+    EXPECT_LT(s.cycle->difference().share, 1e-9);
+}
+
+/// Where a column passes zero, by halving.
+double zero_of(Swept& s, const std::string& column, double from, double to) {
+    const bool rises = s.at(from)[column] < 0;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (from + to) / 2;
+        ((s.at(middle)[column] < 0) == rises ? from : to) = middle;
+    }
+    return from;
+}
+
+TEST(Cycle, QuickReturnsHaveTheirTimeRatio) {
+    // The lever turns round where it touches the crank's circle: sin φ = O2A/O2O4.
+    Swept s = swept_example("quick_return");
+    const double phi = std::asin(60.0 / 150);
+    // O2A stands at 30°; the crank is square to the lever where it points ∓φ beyond the horizontal.
+    const double drawn = pi_ / 6;
+    const double one = zero_of(s, "omega 4", -phi - drawn - 0.3, -phi - drawn + 0.3);
+    const double other = zero_of(s, "omega 4", pi_ + phi - drawn - 0.3, pi_ + phi - drawn + 0.3);
+    const double slow = other - one;
+    EXPECT_NEAR(slow / (2 * pi_ - slow), (pi_ + 2 * phi) / (pi_ - 2 * phi), 1e-9);
+    // Whitworth: the lever makes whole turns; half of one where the crank turns by π − 2 asin(e/r).
+    Swept w = swept_example("whitworth");
+    const double e = 40, r = 100, start = std::atan2(r * std::sin(pi_ / 4) + e, r * std::cos(pi_ / 4));
+    for (int degrees = 0; degrees < 360; degrees += 7) {
+        const double a = pi_ / 4 + degrees * pi_ / 180;
+        const double lever = std::atan2(r * std::sin(a) + e, r * std::cos(a));
+        EXPECT_NEAR(std::remainder(w.at(degrees * pi_ / 180)["angle 4"] - lever, 2 * pi_), 0, 1e-9) << start;
+    }
+}
+
+TEST(Cycle, ARowIsWhatAFileDrawnThereGives) {
+    const std::string text = tests::contents(tests::example_file("four_bar_inertia"));
+    Swept s = swept(text);
+    for (const int degrees : {-170, -33, 30, 95, 180}) {
+        std::string there = text;
+        const std::size_t at = there.find("\"angle\": 60");
+        ASSERT_NE(at, std::string::npos);
+        there.replace(at, 11, "\"angle\": " + std::to_string(60 + degrees));
+        const Solution solution = tests::solved(there);
+        auto row = s.at(degrees * pi_ / 180);
+        ASSERT_FALSE(row.empty());
+        for (std::size_t body = 1; body < solution.bodies.size(); ++body) {
+            const std::string& name = solution.mechanism.bodies[body].name;
+            EXPECT_NEAR(row["omega " + name], solution.bodies[body].omega->to_double(), 1e-10 * 10);
+            EXPECT_NEAR(row["alpha " + name], solution.bodies[body].alpha->to_double(), 1e-10 * 100);
+        }
+        EXPECT_NEAR(row["effort M"], solution.efforts[0].value->to_double(), 1e-10);
+        // And exactly, in that position.
+        Positions positions = s.cycle->positions();
+        const Exact coordinate = Exact(degrees) * pi() / 180;
+        ASSERT_TRUE(positions.move_to(coordinate.to_double()));
+        Moved moved = Mover(*s.mechanism, *s.pose).moved(positions, coordinate);
+        const Solution exact =
+            solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; });
+        EXPECT_TRUE(exact.unsolved.empty());
+        EXPECT_NEAR(exact.efforts[0].value->to_double(), solution.efforts[0].value->to_double(), 1e-15);
+    }
+}
+
+TEST(Cycle, TheWorkOfAConservativeCycleIsNothing) {
+    Swept s = swept_example("four_bar_inertia");
+    const int steps = 360;
+    double work = 0, most = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double moment = s.at(2 * pi_ * i / steps)["effort M"];
+        work += moment * 2 * pi_ / steps;
+        most = std::max(most, std::abs(moment));
+    }
+    // A smooth function of a whole turn: equal steps add up to its integral.
+    EXPECT_GT(most, 0.1);
+    EXPECT_LT(std::abs(work), 1e-10 * most);
+}
+
+TEST(Cycle, EveryExampleThatIsDrivenIsSweptAndAgreesWithTheCheck) {
+    for (const std::string& name : tests::example_names()) {
+        SCOPED_TRACE(name);
+        const auto mechanism = read_mechanism(tests::contents(tests::example_file(name)), name);
+        if (mechanism->drivers.empty()) continue;
+        const Pose pose = *draw_pose(*mechanism);
+        auto cycle = Cycle::of(*mechanism, pose, 0);
+        if (!cycle) {
+            EXPECT_EQ(cycle.error().front().code, ErrorCode::no_unique_answer) << cycle.error().front().message.en;
+            continue;
+        }
+        const bool turns = std::holds_alternative<SpinDriver>(mechanism->drivers[0]);
+        auto travel = travel_of(cycle->positions(), turns, {}, {});
+        if (!travel) travel = Travel{0, cycle->positions().size() / 4, false, false, {}};
+        cycle->begin(*travel);
+        int rows = 0;
+        const int steps = 60;
+        for (int i = 1; i < steps; ++i) {
+            const auto row = cycle->row(travel->from + i * (travel->to - travel->from) / steps);
+            if (!row) continue;
+            ++rows;
+            for (const double value : *row) ASSERT_TRUE(std::isfinite(value));
+        }
+        EXPECT_GE(rows, steps - 4);
+        EXPECT_LT(cycle->difference().share, 1e-7) << cycle->columns()[at_index(std::max(cycle->difference().column, 0))].name
+                                                   << " at " << cycle->difference().coordinate;
+    }
+}
+
+}  // namespace
+}  // namespace kinegraph

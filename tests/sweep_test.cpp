@@ -1,0 +1,198 @@
+// sweep and solve --at, as a user meets them.
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "tests/command_line.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+using Json = nlohmann::json;
+class Sweep : public CommandLine {};
+/// The first number after `key="` from a place on.
+double number_after(const std::string& text, const std::string& key, std::size_t from) {
+    return std::stod(text.substr(text.find(key + "=\"", from) + key.size() + 2));
+}
+
+class SolveAt : public CommandLine {};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST_F(Sweep, WritesOneRowAPositionToStandardOutput) {
+    const Outcome swept = run("sweep four_bar.json --steps 36");
+    EXPECT_EQ(swept.status, 0) << swept.err;
+    const auto lines = lines_of(swept.out);
+    ASSERT_EQ(lines.size(), 38U);
+    EXPECT_EQ(lines[0],
+              "turn,time,angle 2,omega 2,alpha 2,angle 3,omega 3,alpha 3,angle 4,omega 4,alpha 4"
+              ",x A,y A,vx A,vy A,ax A,ay A,x B,y B,vx B,vy B,ax B,ay B")
+        << "columns in the order of the results";
+    EXPECT_TRUE(
+        lines_are(swept.err, R"(four_bar\.json: largest difference from the numeric check: .* of the largest of its kind .*)"));
+}
+
+TEST_F(Sweep, WritesCsvAndJsonTogetherTheSameNumbers) {
+    const Outcome swept = run("sweep four_bar.json --from -90° --to 1.5rad --steps 10 -o a.csv -o b.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_EQ(swept.out, "");
+    const Json json = Json::parse(contents(folder_ / "b.json"));
+    const auto lines = lines_of(contents(folder_ / "a.csv"));
+    ASSERT_EQ(json["rows"].size(), 11U);
+    ASSERT_EQ(lines.size(), 12U);
+    EXPECT_EQ(json["driver"], "2");
+    EXPECT_NEAR(json["from"], -std::numbers::pi / 2, 1e-15);
+    EXPECT_EQ(json["to"], 1.5);
+    EXPECT_EQ(json["columns"][0], "turn");
+    for (std::size_t i = 0; i < 11; ++i) EXPECT_EQ(std::stod(lines[i + 1]), json["rows"][i][0].get<double>());
+    EXPECT_LT(json["largest difference"]["share"], 1e-9);
+}
+
+TEST_F(Sweep, GoesFromLimitToLimitWhereNoTurnIsPossible) {
+    write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
+    const Outcome swept = run("sweep rocker.json --steps 20 -o a.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_NE(swept.err.find("its limits"), std::string::npos) << swept.err;
+    const Json json = Json::parse(contents(folder_ / "a.json"));
+    EXPECT_EQ(json["rows"].size(), 19U) << "at a limit there is no row";
+    EXPECT_EQ(json["limits"][0], json["from"]);
+    EXPECT_EQ(json["limits"][1], json["to"]);
+}
+
+TEST_F(Sweep, LeavesRowsOutWhereTheAnswerIsNotOne) {
+    // At 126.87° from the drawn position the parallel crank lies flat.
+    const Outcome swept = run("sweep parallel_crank.json --from 126.8698976458440° --to 128° --steps 4");
+    EXPECT_EQ(swept.status, 3);
+    EXPECT_EQ(lines_of(swept.out).size(), 5U) << swept.out;
+    EXPECT_NE(swept.err.find("left out"), std::string::npos) << swept.err;
+    EXPECT_EQ(swept.out.find("nan"), std::string::npos);
+    const Outcome through = run("sweep parallel_crank.json --steps 100");
+    EXPECT_EQ(through.status, 0) << through.err;
+    EXPECT_NE(through.err.find("a change point at 126.8698"), std::string::npos) << through.err;
+    EXPECT_NE(through.err.find("the branch is a choice"), std::string::npos) << through.err;
+}
+
+TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
+    const auto before = snapshot();
+    const auto refused = [&](const std::string& arguments, const std::string& pattern) {
+        const Outcome outcome = run("sweep " + arguments + " -o out.csv");
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, pattern));
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U);
+        EXPECT_EQ(changed_since(before), "") << arguments;
+    };
+    refused("four_bar.json --driver 3",
+            R"(four_bar\.json: --driver 3: no driver is called so \(did you mean "2"\?\); there are 2)");
+    refused("four_bar.json --steps 1", R"(four_bar\.json: --steps: at least 2 are needed)");
+    refused("four_bar.json --from 20mm", R"(four_bar\.json: --from "20mm" is a length; an angle is wanted here)");
+    refused("four_bar.json --from 1 --to 1", R"(four_bar\.json: --from and --to are the same position.*)");
+    refused("four_bar.json --centrodes 1,3", R"(kinegraph: .*--centrodes.*)");
+    refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
+}
+
+TEST_F(Sweep, SaysItInItalianToo) {
+    const auto says = [&](const std::string& arguments, int status, const std::string& pattern) {
+        const Outcome outcome = run(arguments + " --lang it -o out.csv");
+        EXPECT_EQ(outcome.status, status) << arguments;
+        EXPECT_TRUE(lines_are(outcome.err, pattern));
+    };
+    says("sweep four_bar.json --driver 3", 2,
+         R"(four_bar\.json: --driver 3: nessun movente si chiama così \(forse "2"\?\); ci sono 2)");
+    says("sweep four_bar.json --plot x", 2, R"(four_bar\.json: --plot: non c’è la grandezza "x".*)");
+    says("sweep four_bar.json --from 20mm", 2, R"(four_bar\.json: --from "20mm" è una lunghezza; qui serve un angolo)");
+    says("sweep four_bar.json -o out.txt", 2, R"(kinegraph: -o out\.txt: .* può essere \.csv, \.json, \.svg, \.png o \.pdf .*)");
+    says("sweep four_bar.json --steps 4", 0,
+         R"(four_bar\.json: massimo scarto dalla verifica numerica: [0-9],[0-9]e-[0-9]+ della .*)");
+}
+
+TEST_F(Sweep, RefusesWhatIsOutOfReach) {
+    write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
+    const auto before = snapshot();
+    const Outcome outcome = run("sweep rocker.json --to 200° -o out.csv");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_TRUE(lines_are(outcome.err, R"(rocker\.json: 200° is out of reach: driver 2 stops at [0-9.]+°)"));
+    EXPECT_EQ(changed_since(before), "");
+    write("idle.json", spoilt(R"("omega": "-120 rpm")", R"("omega": 0)"));
+    const Outcome still = run("sweep idle.json --steps 4");
+    EXPECT_EQ(still.status, 0) << "at rest everywhere is an answer";
+    EXPECT_EQ(lines_of(still.out)[0].find("time"), std::string::npos) << "no time passes by which to tell it";
+    const Outcome dead = run("sweep slider_driven_dead_point.json");
+    EXPECT_EQ(dead.status, 3);
+}
+
+TEST_F(Sweep, APlotIsReadBackFromItsAxes) {
+    const Outcome swept =
+        run("sweep four_bar.json --steps 36 --plot 'omega 3,omega 4' --trace B --trace 'A,on 4' --poses 3 -o s.svg -o s.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const std::string svg = contents(folder_ / "s.svg");
+    const Json json = Json::parse(contents(folder_ / "s.json"));
+    const std::size_t y = svg.find("class=\"axis-y\""), curve = svg.find("data-name=\"omega 4\"");
+    ASSERT_NE(y, std::string::npos);
+    ASSERT_NE(curve, std::string::npos);
+    const double from = number_after(svg, "data-from", y), to = number_after(svg, "data-to", y);
+    const double low = number_after(svg, " y1", y), high = number_after(svg, " y2", svg.find("class=\"axis\"", y));
+    // The first vertex of the curve is the first row.
+    const std::string path = svg.substr(svg.find(" d=\"M", curve) + 5);
+    const double height = std::stod(path.substr(path.find_first_of(" ,") + 1));
+    const auto& columns = json["columns"];
+    const auto column = std::find(columns.begin(), columns.end(), "omega 4") - columns.begin();
+    const double value = json["rows"][0][static_cast<std::size_t>(column)];
+    EXPECT_NEAR(from + (to - from) * (height - low) / (high - low), value, 1e-5 * (to - from));
+    EXPECT_NE(svg.find("class=\"path\""), std::string::npos);
+    EXPECT_NE(svg.find("data-figure=\"plot\""), std::string::npos);
+    for (const char* more : {"--theme dark --lang it", "--theme print --orientation portrait --paper A3"})
+        EXPECT_EQ(run(std::string("sweep parallel_crank.json --steps 50 ") + more + " -o t.svg").status, 0);
+}
+
+TEST_F(SolveAt, SolvesInTheOtherPosition) {
+    const Outcome at = run("solve four_bar.json --at 30° --format json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    write("drawn.json", spoilt("\"angle\": 60", "\"angle\": 90"));
+    const Outcome drawn = run("solve drawn.json --format json");
+    const Json a = Json::parse(at.out), b = Json::parse(drawn.out);
+    ASSERT_EQ(a["checks"].size(), b["checks"].size());
+    for (std::size_t i = 0; i < a["checks"].size(); ++i) {
+        EXPECT_EQ(a["checks"][i]["quantity"], b["checks"][i]["quantity"]);
+        const double value = b["checks"][i]["graphical"];
+        EXPECT_NEAR(a["checks"][i]["graphical"], value, 1e-12 * std::max(1.0, std::abs(value)));
+    }
+}
+
+TEST_F(SolveAt, TheDrawnPositionIsAsWithoutIt) {
+    const Json at = Json::parse(run("solve four_bar.json --at 0 --format json").out);
+    const Json plain = Json::parse(run("solve four_bar.json --format json").out);
+    EXPECT_EQ(at, plain);
+}
+
+TEST_F(SolveAt, GivesASheetOrAFileForEachPosition) {
+    Outcome at = run("solve four_bar.json --at 30° --at -15° -o r.json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_TRUE(is_there("r.json") && is_there("r-2.json") && !is_there("r-3.json"));
+    at = run("solve four_bar.json --at every 120° -o s.json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_TRUE(is_there("s.json") && is_there("s-2.json") && is_there("s-3.json") && !is_there("s-4.json"));
+    at = run("solve four_bar.json --figure velocity --at every 90° -o v.svg");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_TRUE(is_there("v.svg") && is_there("v-4.svg") && !is_there("v-5.svg"));
+    EXPECT_NE(contents(folder_ / "v-2.svg").find("(2: 90°)"), std::string::npos);
+}
+
+TEST_F(SolveAt, SaysWhatIsWrong) {
+    write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
+    EXPECT_TRUE(
+        lines_are(run("solve rocker.json --at 200°").err, R"(rocker\.json: --at: 200° is out of reach: driver 2 stops at .*)"));
+    EXPECT_TRUE(
+        lines_are(run("solve four_bar.json --at 3kg").err, R"(four_bar\.json: --at: "3kg" is a mass; an angle is wanted here)"));
+    EXPECT_EQ(run("solve four_bar.json --at every 0").status, 2);
+    EXPECT_EQ(run("solve parallel_crank.json --at 126.869897645844°").status, 3);
+}
+
+}  // namespace
+}  // namespace kinegraph::tests
