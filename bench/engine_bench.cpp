@@ -75,7 +75,7 @@ std::string large_file(std::size_t megabytes) {
 
 Mechanism read(const std::string& text) {
     auto mechanism = read_mechanism(text, "benchmark");
-    if (!mechanism) throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message);
+    if (!mechanism) throw std::runtime_error(mechanism.error().front().where + ": " + mechanism.error().front().message.en);
     return *std::move(mechanism);
 }
 
