@@ -96,7 +96,7 @@ private:
             if (named_.contains(index) || joints.size() > 1) continue;
             if (joints.empty())
                 found_.push_back({Sentence::body_without_joint, {body(index), hinge_with_frame(index)}});
-            else if (joints.front()->kind != JointKind::weld && !is_driven_or_held(index))
+            else if (joints.front()->pair().freedoms() > 0 && !is_driven_or_held(index))
                 found_.push_back(
                     {Sentence::body_of_one_joint, {body(index), file_name(*joints.front()), hinge_with_frame(index)}});
             else

@@ -120,7 +120,9 @@ Mover::Mover(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanis
 }
 
 Mechanism Mover::mechanism_at(const Drawn& drawn, const std::vector<BodyPlaceOf<Exact>>& places) const {
-    return Redrawing(mechanism_, drawn.pose, drawn.closure, carriers_, places).run();
+    Mechanism moved = Redrawing(mechanism_, drawn.pose, drawn.closure, carriers_, places).run();
+    moved.precision = drawn.pose.precision;  // its coordinates are long, but as good as the file's
+    return moved;
 }
 
 Pose Mover::pose_of(const Mechanism& moved, int bits) const {

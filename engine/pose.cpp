@@ -18,9 +18,9 @@ namespace {
 /// What may be lost to earlier roots before a small value is taken for what it looks like: 24 of the compass's bits.
 constexpr int bits_in_doubt = 24;
 
-/// Numbers longer than this, numerator and denominator together (some 75 digits), make every number behind them as long and show
+/// Numbers longer than this, numerator and denominator together (some 150 digits), make every number behind them as long and show
 /// nothing on any drawing.
-constexpr std::size_t most_bits = 512;
+constexpr std::size_t most_bits = 1024;
 
 /// z = x·y as complex numbers: y turned by x's angle, |x| times as long.
 Vector turned(const Vector& x, const Vector& y) { return {x.x * y.x - x.y * y.y, x.x * y.y + x.y * y.x}; }

@@ -216,7 +216,7 @@ TEST(DeadPoint, NamesTheBodyThatCannotBeDriven) {
     s.point("O", "0", "0").point("A", "1", "0").point("B", "4", "0");
     s.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"}).prismatic("B", {"4", "1"}, at_angle("0"));
     const Seen seen = look(s.slide(3, "1"));
-    EXPECT_EQ(seen.motion.still, std::vector<BodyIndex>{3});
+    EXPECT_EQ(seen.motion.still, std::vector<BodyIndex>{BodyIndex(3)});
     EXPECT_TRUE(seen.motion.unturning.empty());
     EXPECT_NE(seen.remarks.find("Body 4 stands still in every motion"), std::string::npos) << seen.remarks;
 }
@@ -226,7 +226,7 @@ TEST(DeadPoint, OfACouplerThatTranslatesIsSaidSo) {
     s.point("O2", "0", "0").point("A", "0", "1").point("B", "2", "1").point("O4", "2", "0");
     s.revolute("O2", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"}).revolute("O4", {"1", "4"});
     const Seen seen = look(s.spin("3", "1"));
-    EXPECT_EQ(seen.motion.unturning, std::vector<BodyIndex>{2});
+    EXPECT_EQ(seen.motion.unturning, std::vector<BodyIndex>{BodyIndex(2)});
     EXPECT_NE(seen.remarks.find("Body 3 does not turn in any motion"), std::string::npos) << seen.remarks;
 }
 

@@ -86,6 +86,10 @@ struct Statics {
                 return "two forces and a couple";
             case Sentence::three_force_line:
                 return "third line";
+            case Sentence::inertia_force:
+                return "inertia";
+            case Sentence::polygon:
+                return "polygon";
             case Sentence::triangle:
                 return "triangle";
             case Sentence::triangle_at:
@@ -199,9 +203,9 @@ TEST(ForcesOfTheSeeds, ExamOf2001) {
     EXPECT_NEAR(length(s.force("C: 5 on 4")), 19.2542, 5e-5);
     EXPECT_NEAR(length(s.force("M: 0 on 5")), 85.6374, 5e-5);
     EXPECT_NEAR(s.couple("M: 0 on 5").to_double(), -1.49551, 5e-6) << "the guide's force passes C, not M";
-    EXPECT_EQ(s.order(),
-              (Lines{"two forces at a guide 2 A D", "two forces 3 O2 B", "third line 4 H F_54 C", "triangle 5 F_45 F_05",
-                     "triangle 4 F_24 F_34", "opposite 2 F_12", "force and couple 1 F_01 M_C", "opposite 3 F_03"}));
+    EXPECT_EQ(s.order(), (Lines{"inertia 5 F_i a_M M", "two forces at a guide 2 A D", "two forces 3 O2 B",
+                                "third line 4 H F_54 C", "polygon 5 F_45 F_05", "triangle 4 F_24 F_34", "opposite 2 F_12",
+                                "force and couple 1 F_01 M_C", "opposite 3 F_03"}));
 }
 
 TEST(ForcesOfTheSeeds, RotatingBodyNeedsACouple) {
@@ -209,7 +213,7 @@ TEST(ForcesOfTheSeeds, RotatingBodyNeedsACouple) {
     // F_c = m ω² OG; M = F_1·y_X, for F_1 is the only force that does not pass O.
     EXPECT_EQ(s.force("O: 1 on 2"), (Vector{Exact::ratio(-824656, 10000), Exact::ratio(-297216, 10000)}));
     EXPECT_EQ(s.effort(), Exact::ratio(9848, 1000));
-    EXPECT_EQ(s.order(), (Lines{"force and couple 2 F_12 M_12"}));
+    EXPECT_EQ(s.order(), (Lines{"inertia 2 F_i a_G G", "force and couple 2 F_12 M_12"}));
 }
 
 // --- the other examples --------------------------------------------------------------------------------------------------------
@@ -321,6 +325,7 @@ Mechanism moved(const Solution& solution, const Similarity& map, const Exact& k)
             std::get<SpringLoad>(load).magnitude *= k;
         }
     }
+    m.precision = Exact(0);  // its coordinates have become long, and are exact
     for (Effort& effort : m.efforts)
         if (auto* force = std::get_if<ForceEffort>(&effort)) turn(force->along);
     return m;

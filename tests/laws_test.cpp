@@ -261,12 +261,18 @@ Pose pose_of(const Mechanism& mechanism, int bits = 100) {
 }
 
 /// A board over a sketch's pose, with the finer pose at hand.
+/// However many digits it has.
+Sketch exactly(Sketch drawn) {
+    drawn.mechanism.precision = Exact(0);
+    return drawn;
+}
+
 struct Table {
     Sketch sketch;
     Pose pose, fine;
     Board board;
     explicit Table(Sketch drawn)
-        : sketch(std::move(drawn)),
+        : sketch(exactly(std::move(drawn))),
           pose(pose_of(sketch.mechanism)),
           fine(pose_of(sketch.mechanism, 200)),
           board(sketch.mechanism, pose, [this]() -> const Pose& { return fine; }) {}

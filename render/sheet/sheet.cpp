@@ -39,7 +39,8 @@ public:
         for (int round = 1;; ++round) {
             plan();
             draw();
-            if (round == most_rounds || !drawn_otherwise()) break;
+            const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
+            if (!drawn_otherwise() || (round >= most_rounds && !lacks_equations)) break;
         }
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));

@@ -399,6 +399,14 @@ RichText with_powers(const std::string& text) {
             return std::string_view(text).substr(i).starts_with(each.first);
         });
         if (power != powers.end()) {
+            // A line may still be broken before the word that is raised to it.
+            const std::size_t blank = rich.back().sup.empty() ? rich.back().text.rfind(' ') : std::string::npos;
+            if (blank != std::string::npos && blank + 1 < rich.back().text.size()) {
+                std::string raised = rich.back().text.substr(blank + 1);
+                rich.back().text.resize(blank + 1);
+                rich.push_back(Piece{});
+                rich.back().text = std::move(raised);
+            }
             rich.back().sup += power->second;
             i += power->first.size();
         } else {
@@ -488,6 +496,12 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
         double to_end = to_word;
         while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
         if (word == end) break;  // nothing but blanks is left
+        if (to_end - to_word > measure + tolerance && end - word > 1) {
+            // What no line holds is divided between its pieces: a formula of long names.
+            for (end = word, to_end = to_word; end == word || to_end - to_word + stretches[end].width <= measure + tolerance;
+                 ++end)
+                to_end += stretches[end].width;
+        }
         if (to_end > measure + tolerance && last > first) {
             set(first, last);
             first = word;
