@@ -293,9 +293,11 @@ private:
             const Spot corner{at.x + drawn.room.min.x, at.y + (layout.stacked ? down : 0)};
             set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
             const Box& box = drawn.figure.box;
-            drawn.figure.move(corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()),
-                              corner.y + drawn.caption - box.min.y);
+            const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()), corner.y + drawn.caption - box.min.y};
+            drawn.figure.move(by.x, by.y);
             marks.insert(marks.end(), drawn.figure.marks.begin(), drawn.figure.marks.end());
+            render::move(drawn.beside, by.x, by.y);
+            marks.insert(marks.end(), drawn.beside.begin(), drawn.beside.end());
             if (drawn.figure.kind == "mechanism" && !scale_of_mechanism) scale_of_mechanism = drawn.figure.scale;
             down += drawn.height() + gap;
             below = layout.stacked ? down - gap : std::max(below, drawn.height());
