@@ -16,7 +16,7 @@ namespace kinegraph::render {
 /// A band is so many of the columns wide that a page is divided into.
 struct Width {
     int columns = 1, of = 1;
-    auto operator<=>(const Width&) const = default;
+    auto operator<=>(const Width&) const = default;  // NOLINT(modernize-use-nullptr): as in quantity.hpp
 };
 
 /// What the title block takes of a room: its lower right corner.

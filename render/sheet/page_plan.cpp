@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/index.hpp"
 #include "render/sheet/title_block.hpp"
 
 namespace kinegraph::render {
@@ -184,7 +185,7 @@ private:
                         offer(ends[b + count],
                               {before + row(first + b, count, whole - top, first_page).worth, count, whole - top});
                     for (int height = least_height; top + height <= whole - (first_page ? block : 0); ++height)
-                        offer(table[b + count][static_cast<std::size_t>(top + height)],
+                        offer(table[b + count][at_index(top + height)],
                               {before + row(first + b, count, height, false).worth, count, height});
                 }
             }
