@@ -463,6 +463,7 @@ struct Stretch {
     std::size_t piece, begin, end;
     bool blank;
     double width;
+    bool symbol = false;  // with an index or a power
 };
 
 /// The text of stretches from the first up to the last.
@@ -497,10 +498,13 @@ void break_lines(const std::vector<Stretch>& stretches, double measure, Set set)
         while (end < stretches.size() && !stretches[end].blank) to_end += stretches[end++].width;
         if (word == end) break;  // nothing but blanks is left
         if (to_end - to_word > measure + tolerance && end - word > 1) {
-            // What no line holds is divided between its pieces: a formula of long names.
-            for (end = word, to_end = to_word; end == word || to_end - to_word + stretches[end].width <= measure + tolerance;
-                 ++end)
+            // What no line holds is divided before its symbols: a formula of long names.
+            const std::size_t whole = end;
+            for (end = word, to_end = to_word; end < whole; ++end) {
+                const bool fits = to_end - to_word + stretches[end].width <= measure + tolerance;
+                if (end > word && !fits && stretches[end].symbol) break;
                 to_end += stretches[end].width;
+            }
         }
         if (to_end > measure + tolerance && last > first) {
             set(first, last);
@@ -526,7 +530,7 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, d
         const Piece& piece = text[p];
         const std::string_view words = piece.text;
         if (has_scripts(piece)) {
-            stretches.push_back({p, 0, words.size(), false, shape({piece}, size_points).width});
+            stretches.push_back({p, 0, words.size(), false, shape({piece}, size_points).width, true});
             continue;
         }
         for (std::size_t at = 0; at < words.size();) {
