@@ -159,19 +159,24 @@ void add_sheet(CLI::App& command, SolveWords& words) {
         ->excludes("--figure");
 }
 
-/// How it looks, and what is added.
-void add_look(CLI::App& command, SolveRequest& request) {
-    command.add_option("--date", request.date, "A date for the title block, as it is to be printed")->type_name("TEXT");
-    command.add_option("--author", request.author, "A name for the title block")->type_name("TEXT");
+/// What stands in the title block, and how a page looks.
+void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, double& dpi) {
+    command.add_option("--date", date, "A date for the title block, as it is to be printed")->type_name("TEXT");
+    command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
     command
-        .add_option("--theme", request.theme,
+        .add_option("--theme", theme,
                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
         ->type_name("THEME")
         ->capture_default_str();
-    command.add_option("--dpi", request.dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
+    command.add_option("--dpi", dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")
         ->capture_default_str();
+}
+
+/// How it looks, and what is added.
+void add_look(CLI::App& command, SolveRequest& request) {
+    add_print(command, request.date, request.author, request.theme, request.dpi);
     command
         .add_option("--with", request.with,
                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
@@ -249,15 +254,7 @@ void add_plots(CLI::App& command, SweepRequest& request) {
     command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
         ->check(CLI::Range(0, 360))
         ->type_name("N");
-    command.add_option("--date", request.sheet.date, "A date for the title block, as it is to be printed")->type_name("TEXT");
-    command.add_option("--author", request.sheet.author, "A name for the title block")->type_name("TEXT");
-    command.add_option("--theme", request.theme, "The look: colour, print, dark, or the path of a theme file")
-        ->type_name("THEME")
-        ->capture_default_str();
-    command.add_option("--dpi", request.dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
-        ->check(resolution_fits)
-        ->type_name("N")
-        ->capture_default_str();
+    add_print(command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
 }
 
 void add_sweep(CLI::App& program, Action& action) {
