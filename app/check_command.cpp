@@ -15,20 +15,21 @@ std::string bare_name(const std::string& file) {
     return name.substr(name.rfind('/') + 1);
 }
 
-tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language) {
+tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language, std::span<const Setting> set) {
     const auto text = read_whole(file, {"mechanism file", "file di meccanismo"});
     if (!text) {
         say(spoken(file), text.error(), language);
         return tl::unexpected(Status::bad_input);
     }
-    auto mechanism = read_mechanism(*text, bare_name(file));
+    auto mechanism = read_mechanism(*text, bare_name(file), set);
     if (!mechanism) return tl::unexpected(say(spoken(file), mechanism.error(), language));
     return *std::move(mechanism);
 }
 
-Status check_command(const std::string& file, Language language) {
-    const Words name = spoken(file);
-    const auto mechanism = mechanism_of(file, language);
+Status check_command(const CheckRequest& request) {
+    const Language language = request.language;
+    const Words name = spoken(request.file);
+    const auto mechanism = mechanism_of(request.file, language, request.set);
     if (!mechanism) return mechanism.error();
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(name, pose.error(), language);

@@ -2,6 +2,7 @@
 // ended. One file for each command; main.cpp alone knows the options' spelling.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace kinegraph::app {
 /// solve FILE: the table on the terminal, or sheets and results in files.
 struct SolveRequest {
     std::string file;                  ///< "-" is standard input
+    std::vector<Setting> set;          ///< parameters in place of the file's
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs whose name does not say; may be empty
     Language language = Language::en;
@@ -35,6 +37,7 @@ Status solve_command(const SolveRequest& request);
 /// sweep FILE: the results in one position after another.
 struct SweepRequest {
     std::string file;
+    std::vector<Setting> set;  ///< parameters in place of the file's
     std::vector<std::string> outputs;
     std::string format;
     std::string driver;    ///< its name; empty: the first of the file
@@ -50,7 +53,12 @@ struct SweepRequest {
 Status sweep_command(const SweepRequest& request);
 
 /// check FILE: the file is read, its points are found, what was probably forgotten is said; nothing is solved or written.
-Status check_command(const std::string& file, Language language);
+struct CheckRequest {
+    std::string file;
+    std::vector<Setting> set;
+    Language language = Language::en;
+};
+Status check_command(const CheckRequest& request);
 
 /// diff EXPECTED ACTUAL: whether two pictures, PNG or SVG, are the same to the eye.
 struct DiffRequest {
@@ -74,7 +82,7 @@ Status pairs_command(const PairsRequest& request);
 /// How messages call a file: its path as given, or "standard input".
 Words spoken(const std::string& file);
 /// A mechanism file read; else it has been said what is wrong.
-tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language);
+tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language, std::span<const Setting> set = {});
 /// The same without its folder: what a sheet may show, the same wherever it is made.
 std::string bare_name(const std::string& file);
 

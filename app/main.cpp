@@ -32,7 +32,7 @@ constexpr const char* statuses =
     "module of the program is missing; 70 a fault of ours.";
 
 /// What the parser of options says, piece by piece.
-constexpr std::array<Translation, 14> option_faults{{
+constexpr std::array<Translation, 15> option_faults{{
     {"The following argument was not expected: ", "argomento inatteso: "},
     {"The following arguments were not expected: ", "argomenti inattesi: "},
     {" is required", " è obbligatorio"},
@@ -43,6 +43,7 @@ constexpr std::array<Translation, 14> option_faults{{
     {" excludes ", " esclude "},
     {" requires ", " richiede "},
     {" is not a number from ", " non è un numero da "},
+    {" is not NAME=VALUE", " non è NOME=VALORE"},
     {" is not a share: a number from 0 to 1, or from 0% to 100%", " non è una quota: un numero da 0 a 1, o da 0% a 100%"},
     {"20 to 1200", "20 a 1200"},
     {"0 to 1", "0 a 1"},
@@ -104,6 +105,26 @@ Language language_of(int count, char** arguments) {
 
 void add_language(CLI::App& command, std::string& chosen, const char* help) {
     add_choice(command, "--lang", chosen, help, {"en", "it"}, "LANG");
+}
+
+/// Parameters of the file that are to have another value.
+void add_settings(CLI::App& command, std::vector<Setting>& set) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&set](const std::vector<std::string>& texts) {
+                set.clear();
+                for (const std::string& text : texts)
+                    set.push_back({text.substr(0, text.find('=')), text.substr(text.find('=') + 1)});
+            },
+            "A parameter of the file with another value: r=45mm, k=3, \"r==2*k*1mm\"; may be given again")
+        ->check([](const std::string& text) {
+            const std::size_t sign = text.find('=');
+            const bool whole = sign != std::string::npos && sign > 0 && sign + 1 < text.size();
+            return whole ? std::string() : "\"" + text + "\" is not NAME=VALUE";
+        })
+        ->allow_extra_args(false)
+        ->type_name("NAME=VALUE");
 }
 
 /// What is typed to solve a mechanism: the request, and what it says in words.
@@ -198,6 +219,7 @@ void add_solve(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
     auto words = std::make_shared<SolveWords>();
     add_outputs(*command, words->request);
+    add_settings(*command, words->request.set);
     add_paper(*command, *words);
     add_sheet(*command, *words);
     add_look(*command, words->request);
@@ -272,6 +294,7 @@ void add_sweep(CLI::App& program, Action& action) {
     command->add_option("--format", request.format, "What to write where the name of the output does not say it")
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
         ->type_name("FORMAT");
+    add_settings(*command, request.set);
     add_driver(*command, request.driver);
     add_travel(*command, request);
     add_plots(*command, request);
@@ -281,11 +304,15 @@ void add_sweep(CLI::App& program, Action& action) {
 
 void add_check(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "check", "Read and validate a mechanism file; nothing is solved or written");
-    auto file = std::make_shared<std::string>();
+    auto request = std::make_shared<CheckRequest>();
     auto language = std::make_shared<std::string>("en");
-    command->add_option("FILE", *file, "The mechanism file; - is standard input")->required();
+    command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
+    add_settings(*command, request->set);
     add_language(*command, *language, "Language of messages: en or it");
-    command->callback([&action, file, language] { action = [=] { return check_command(*file, language_named(*language)); }; });
+    command->callback([&action, request, language] {
+        request->language = language_named(*language);
+        action = [request] { return check_command(*request); };
+    });
 }
 
 void add_diff(CLI::App& program, Action& action) {

@@ -121,7 +121,7 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
 
 /// The file read and solved; else it has been said what is wrong.
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
-    auto mechanism = mechanism_of(request.file, request.language);
+    auto mechanism = mechanism_of(request.file, request.language, request.set);
     if (!mechanism) return tl::unexpected(mechanism.error());
     if (!request.at.empty()) return solved_at(*mechanism, request);
     auto solution = solve(*std::move(mechanism));

@@ -423,7 +423,7 @@ Status sweep_command(const SweepRequest& request) {
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});
-    const auto mechanism = mechanism_of(request.file, language);
+    const auto mechanism = mechanism_of(request.file, language, request.set);
     if (!mechanism) return mechanism.error();
     const auto asked = asked_of(request, *mechanism);
     if (!asked) return wrong(asked.error());

@@ -153,6 +153,25 @@ Exact tangent_in_first_octant(const Exact& half_turns, int bits) {
     return rounded(Exact(value), bits);
 }
 
+Exact degrees_of(const Exact& y, const Exact& x, int bits) {
+    KG_ASSERT(!x.is_zero() || !y.is_zero(), "a zero vector has no angle");
+    // Of the ratio alone, in the first octant: the rest is folding, which is exact.
+    const bool steep = abs(y) > abs(x);
+    const Exact ratio = steep ? abs(x) / abs(y) : abs(y) / abs(x);
+    Real tangent(bits + 64), half_turn(bits + 64);
+    mpfr_set_q(tangent(), ratio.rational().get_mpq_t(), MPFR_RNDN);
+    mpfr_atan(tangent(), tangent(), MPFR_RNDN);
+    mpfr_const_pi(half_turn(), MPFR_RNDN);
+    mpfr_mul_ui(tangent(), tangent(), 180, MPFR_RNDN);
+    mpfr_div(tangent(), tangent(), half_turn(), MPFR_RNDN);
+    mpq_class value;
+    mpfr_get_q(value.get_mpq_t(), tangent());
+    Exact degrees = rounded(Exact(value), bits);
+    if (steep) degrees = 90 - degrees;
+    if (x.sign() < 0) degrees = 180 - degrees;
+    return y.sign() < 0 ? -degrees : degrees;
+}
+
 double length(const Vector& a) {
     // With so many bits that nothing is lost to overflow or underflow and only the last rounding counts; the exact square would
     // be reduced at great cost.

@@ -84,6 +84,8 @@ const Exact& pi();
 
 /// tan of an angle in [0°, 45°], given as a fraction of the half turn, within 2^-bits; 0 and 1 exactly at the ends.
 Exact tangent_in_first_octant(const Exact& half_turns, int bits);
+/// The angle of (x, y) ≠ 0 from +x in degrees, in (-180°, 180°], within 2^-bits; multiples of 45° exactly.
+Exact degrees_of(const Exact& y, const Exact& x, int bits);
 
 /// A free vector or the coordinates of a finite place; the unit is the context's, the number Exact or, in replays, double.
 template <class Number>

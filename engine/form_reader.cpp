@@ -165,7 +165,97 @@ void FormReader::one_of_both(const Members& by_language) {
     }
 }
 
+// ----- parameters
+
+void FormReader::read_parameters(JsonValue parameters, std::span<const Setting> set) {
+    if (parameters &&
+        !expect(parameters, Kind::object, {"an object of parameters by name", "un oggetto con i parametri per nome"}))
+        return;
+    if (parameters) {
+        for (const JsonValue member : parameters) {
+            if (!is_parameter_name(member.key()))
+                fault(member, {"{0} can be no parameter’s name: a letter, then letters, digits and _; no function of formulas",
+                               "{0} non può essere il nome di un parametro: una lettera, poi lettere, cifre e _; nessuna "
+                               "funzione delle formule",
+                               quoted(member.key())});
+            if (parameters_.try_emplace(member.key(), Parameter{.at = member, .set = {}}).second)
+                parameter_names_.push_back(member.key());
+        }
+    }
+    for (const Setting& setting : set) {
+        const auto found = parameters_.find(setting.name);
+        if (found == parameters_.end()) {
+            faults_.emplace_back(
+                0, Error{ErrorCode::bad_input,
+                         {},
+                         {"--set {0}: the file has no parameter named {0}{1}", "--set {0}: il file non ha un parametro {0}{1}",
+                          quoted(setting.name), did_you_mean(speller_.nearest(setting.name, parameter_names_))}});
+        } else {
+            found->second.set = setting.value;
+        }
+    }
+    for (const std::string_view name : parameter_names_)
+        if (Parameter& parameter = parameters_.at(name); parameter.state == Parameter::State::unread)
+            read_parameter(name, parameter);
+}
+
+void FormReader::read_parameter(std::string_view name, Parameter& parameter) {
+    parameter.state = Parameter::State::being_read;
+    ++parameters_being_read_;
+    const bool of_the_file = parameter.set.empty();
+    tl::expected<Measured, Words> value = tl::make_unexpected(Words());
+    if (of_the_file && !parameter.at.is_number() && !parameter.at.is_string()) {
+        wrong(parameter.at, {"a number, a quantity or a formula", "un numero, una grandezza o una formula"});
+    } else {
+        value = read_measured(of_the_file ? parameter.at.text() : parameter.set,
+                              [this](std::string_view other) { return look_up_parameter(other); });
+    }
+    // "40" is a number in quotes: as everywhere in a file, it lacks its unit.
+    if (value && of_the_file && parameter.at.is_string() && !is_formula(parameter.at.text()) && value->is_bare)
+        value = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
+                                          "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
+                                          quoted(parameter.at.text())));
+    --parameters_being_read_;
+    parameter.state = value ? Parameter::State::read : Parameter::State::faulty;
+    if (value) parameter.value = std::move(*value);
+    if (value || value.error().empty()) return;
+    fault(parameter.at, of_the_file ? value.error() : Words("--set {0}: {1}", "--set {0}: {1}", name, value.error()));
+}
+
+tl::expected<Measured, Words> FormReader::look_up_parameter(std::string_view name) {
+    constexpr int most_within_each_other = 100;
+    const auto found = parameters_.find(name);
+    if (found == parameters_.end()) {
+        std::vector<std::string_view> known = parameter_names_;
+        for (const std::string_view word : formula_words()) known.push_back(word);
+        return tl::make_unexpected(Words("no parameter is named {0}{1}", "nessun parametro si chiama {0}{1}", quoted(name),
+                                         did_you_mean(speller_.nearest(name, known))));
+    }
+    Parameter& parameter = found->second;
+    if (parameter.state == Parameter::State::being_read)
+        return tl::make_unexpected(Words("the parameter {0} is given by itself; give one of the cycle a value",
+                                         "il parametro {0} è dato per mezzo di se stesso; dare un valore a uno del cerchio",
+                                         quoted(name)));
+    if (parameter.state == Parameter::State::unread && parameters_being_read_ > most_within_each_other)
+        return tl::make_unexpected(Words("more than {0} parameters are given one by the other",
+                                         "più di {0} parametri sono dati l’uno per mezzo dell’altro",
+                                         std::to_string(most_within_each_other)));
+    if (parameter.state == Parameter::State::unread) read_parameter(name, parameter);
+    if (parameter.state == Parameter::State::faulty) return tl::make_unexpected(Words());
+    return parameter.value;
+}
+
 // ----- numbers
+
+std::optional<Measured> FormReader::formula(JsonValue value) {
+    auto found = evaluate(value.text(), [this](std::string_view name) { return look_up_parameter(name); });
+    if (found) {
+        is_approximate_ = is_approximate_ || found->is_approximate;
+        return std::move(*found);
+    }
+    if (!found.error().empty()) fault(value, std::move(found.error()));
+    return std::nullopt;
+}
 
 const KnownUnit& FormReader::bare_unit(QuantityKind kind) const {
     const auto set =
@@ -183,6 +273,11 @@ std::optional<WrittenQuantity> FormReader::quantity_as_written(JsonValue value, 
         } else {
             result = tl::make_unexpected(std::move(number.error()));
         }
+    } else if (value.is_string() && is_formula(value.text())) {
+        const auto found = formula(value);
+        if (!found) return std::nullopt;
+        result = as_quantity(*found, kind, bare_unit(kind));
+        if (result && kind == QuantityKind::length) computed_.push_back(result->in_si());
     } else if (value.is_string()) {
         result = read_quantity(value.text(), kind);
         if (result && result->unit->kind != kind) {
@@ -226,8 +321,15 @@ Exact FormReader::not_negative(JsonValue value, QuantityKind kind, const Words& 
 }
 
 std::optional<Exact> FormReader::bare_number(JsonValue value) {
-    if (!value || !expect(value, Kind::number, {"a bare number", "un numero puro"})) return std::nullopt;
-    auto number = read_decimal(value.text());
+    if (!value || (!is_numeric(value) && !expect(value, Kind::number, {"a bare number", "un numero puro"}))) return std::nullopt;
+    tl::expected<Exact, Words> number;
+    if (value.is_number()) {
+        number = read_decimal(value.text());
+    } else {
+        const auto found = formula(value);
+        if (!found) return std::nullopt;
+        number = as_number(*found);
+    }
     if (number && !is_within_range(*number)) {
         number = tl::make_unexpected(Words("{0} is outside 1e-60 … 1e60, where a number other than zero must lie",
                                            "{0} è fuori da 1e-60 … 1e60, dove deve stare un numero diverso da zero",
@@ -295,8 +397,9 @@ std::optional<Bearing> FormReader::bearing(JsonValue value) {
     if (value.is_array() && value.size() == 2) {
         const JsonValue first = *value.begin();
         const JsonValue second = *++value.begin();
-        if (first.is_string() && second.is_string()) return Bearing{between(value)};
-        if (first.is_number() && second.is_number()) {
+        const bool numbers = is_numeric(first) && is_numeric(second) && !points_by_name_.contains(first.text());
+        if (first.is_string() && second.is_string() && !numbers) return Bearing{between(value)};
+        if (is_numeric(first) && is_numeric(second)) {
             auto direction = sense(value);
             if (!direction) return std::nullopt;
             return Bearing{std::move(*direction)};

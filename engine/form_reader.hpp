@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/error.hpp"
+#include "engine/formula.hpp"
 #include "engine/json_source.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/spelling.hpp"
@@ -79,7 +80,17 @@ protected:
     Words words(JsonValue value);
     void one_of_both(const Members& by_language);
 
+    // ----- parameters
+    /// Every parameter is read here, so that its faults are told whether or not it is used. `set` overrides what the file says.
+    void read_parameters(JsonValue parameters, std::span<const Setting> set);
+    /// The value of a formula or a parameter's name; an error without words has been told before.
+    tl::expected<Measured, Words> look_up_parameter(std::string_view name);
+
     // ----- numbers
+    /// The value of "= …"; whatever its dimension.
+    std::optional<Measured> formula(JsonValue value);
+    /// A number, or a formula.
+    static bool is_numeric(JsonValue value) { return value.is_number() || (value.is_string() && is_formula(value.text())); }
     const KnownUnit& bare_unit(QuantityKind kind) const;
     /// A number or a string with a unit, as written; range checked in SI.
     std::optional<WrittenQuantity> quantity_as_written(JsonValue value, QuantityKind kind);
@@ -104,11 +115,24 @@ protected:
     std::vector<std::pair<std::uint32_t, Error>> faults_;
     Speller speller_;
     std::vector<const KnownUnit*> bare_units_;  ///< those that the file sets
+    std::vector<Exact> computed_;               ///< lengths that formulas gave, m
+    bool is_approximate_ = false;               ///< one of them is a root or a sine
     // Views into the source. "Known": the list could be read, so that a name that is not in it is a fault.
     std::unordered_map<std::string_view, PointIndex> points_by_name_;
     std::unordered_map<std::string_view, BodyIndex> bodies_by_name_;
     std::vector<std::string_view> point_names_, body_names_;
     bool points_known_ = false, bodies_known_ = false;
+    struct Parameter {
+        enum class State : std::uint8_t { unread, being_read, read, faulty };
+        JsonValue at;
+        std::string_view set;  ///< instead of what the file says; empty: not set
+        State state = State::unread;
+        Measured value = {};
+    };
+    void read_parameter(std::string_view name, Parameter& parameter);
+    std::unordered_map<std::string_view, Parameter> parameters_;
+    std::vector<std::string_view> parameter_names_;
+    int parameters_being_read_ = 0;
     std::vector<PointIndex>* collected_ = nullptr;  ///< where the points that a placement uses are noted
 };
 

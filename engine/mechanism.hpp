@@ -6,7 +6,9 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -238,6 +240,7 @@ struct Mechanism {
     Words title;
     Units units;
     std::optional<Exact> precision;  ///< how far coordinates and lengths may be off, m, as the file states it; 0: not at all
+    std::vector<Exact> computed;     ///< lengths that formulas gave, m, in order: exact, however many digits they have
     std::vector<NamedPoint> points;
     std::vector<Body> bodies;  ///< the frame first
     std::vector<Joint> joints;
@@ -263,8 +266,14 @@ struct Mechanism {
     std::optional<BodyIndex> body_named(std::string_view name) const;
 };
 
+/// A parameter's value in place of the file's: "r", "45 mm".
+struct Setting {
+    std::string name;
+    std::string value;
+};
+
 /// Reads a mechanism from the text of a file, as docs/format.md says. `source` names it in messages.
 /// Errors: every fault of the text at once, each with its JSON pointer, what is wrong and the remedy.
-Result<Mechanism> read_mechanism(std::string_view text, std::string source);
+Result<Mechanism> read_mechanism(std::string_view text, std::string source, std::span<const Setting> set = {});
 
 }  // namespace kinegraph

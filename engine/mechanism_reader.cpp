@@ -20,6 +20,7 @@
 #include "engine/json_source.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/point_cycles.hpp"
+#include "engine/rounding.hpp"
 #include "engine/scale_text.hpp"
 #include "engine/spelling.hpp"
 #include "engine/units.hpp"
@@ -30,7 +31,9 @@ namespace {
 /// Section by section.
 class Reader : private FormReader {
 public:
-    Reader(const JsonSource& source, std::string name) : source_(source) { mechanism_.source = std::move(name); }
+    Reader(const JsonSource& source, std::string name, std::span<const Setting> set) : source_(source), set_(set) {
+        mechanism_.source = std::move(name);
+    }
 
     Result<Mechanism> read() {
         for (const JsonValue& twice : source_.duplicates()) {
@@ -42,7 +45,7 @@ public:
         } else {
             read_file(root);
         }
-        if (faults_.empty()) return std::move(mechanism_);
+        if (faults_.empty()) return finished();
         std::stable_sort(faults_.begin(), faults_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         Errors errors;
         errors.reserve(faults_.size());
@@ -51,13 +54,21 @@ public:
     }
 
 private:
+    /// Roots and sines are as exact as a compass that the file itself holds: what they leave open, the precision decides.
+    Mechanism finished() {
+        mechanism_.computed = std::move(computed_);
+        std::sort(mechanism_.computed.begin(), mechanism_.computed.end());
+        if (is_approximate_ && !mechanism_.precision && !looks_rounded(mechanism_)) mechanism_.precision = precision_of_roots();
+        return std::move(mechanism_);
+    }
+
     // ----- the file
 
     void read_file(JsonValue root) {
         const Members file =
             members(root,
-                    {"$schema", "kinegraph", "title", "units", "precision", "frame", "points", "bodies", "joints", "drivers",
-                     "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
+                    {"$schema", "kinegraph", "title", "units", "parameters", "precision", "frame", "points", "bodies", "joints",
+                     "drivers", "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
@@ -66,6 +77,7 @@ private:
         if (file["$schema"]) expect(file["$schema"], Kind::string, {"a text", "un testo"});
         if (file["title"]) mechanism_.title = words(file["title"]);
         read_units(file["units"]);
+        read_parameters(file["parameters"], set_);
         if (file["precision"])
             mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
         const JsonValue points = required(file, "points", {"an object of points by name", "un oggetto con i punti per nome"});
@@ -1033,6 +1045,7 @@ private:
     }
 
     const JsonSource& source_;
+    std::span<const Setting> set_;
     Mechanism mechanism_;
     bool joints_known_ = false;  ///< as FormReader's
     std::unordered_map<std::string, JointIndex> sliding_by_name_;
@@ -1056,10 +1069,10 @@ std::optional<ListIndex<Item>> named_in(const std::vector<Item>& items, std::str
 std::optional<PointIndex> Mechanism::point_named(std::string_view name) const { return named_in(points, name); }
 std::optional<BodyIndex> Mechanism::body_named(std::string_view name) const { return named_in(bodies, name); }
 
-Result<Mechanism> read_mechanism(std::string_view text, std::string source) {
+Result<Mechanism> read_mechanism(std::string_view text, std::string source, std::span<const Setting> set) {
     const Result<JsonSource> json = JsonSource::read(text);
     if (!json) return tl::make_unexpected(json.error());
-    return Reader(*json, std::move(source)).read();
+    return Reader(*json, std::move(source), set).read();
 }
 
 }  // namespace kinegraph

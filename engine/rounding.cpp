@@ -167,8 +167,11 @@ bool looks_rounded(const Mechanism& mechanism) {
     if (mechanism.precision) return false;
     bool found = false;
     Mechanism copy = mechanism;
+    const auto is_computed = [&](const Exact& length) {
+        return std::binary_search(mechanism.computed.begin(), mechanism.computed.end(), length);
+    };
     for_each_number(copy, [&](const Exact& value, Measure measure, const Exact& unit) {
-        found = found || (measure == Measure::length && digits_of(value / unit) >= digits_of_a_program);
+        found = found || (measure == Measure::length && digits_of(value / unit) >= digits_of_a_program && !is_computed(value));
     });
     return found;
 }

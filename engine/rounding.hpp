@@ -14,6 +14,8 @@ inline constexpr int digits_of_a_program = 15;
 /// Whether the file has one, and does not say how it is meant: its data then count as rounded to `inferred_share` of the size.
 bool looks_rounded(const Mechanism& mechanism);
 Exact inferred_share();
+/// What roots and sines in a file's formulas, good to 2^-200, leave open, m.
+inline Exact precision_of_roots() { return Exact::power_of_two(-170); }
 
 /// How many times the mechanism is drawn with its numbers shifted. A sum of many small errors that happens to be a quarter of its
 /// typical size or less in all of them is met about once in a million.
