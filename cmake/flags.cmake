@@ -30,8 +30,6 @@ if(KINEGRAPH_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS)
     add_link_options(-fsanitize=address,undefined)
 elseif(KINEGRAPH_SANITIZE)
-    # This build also sees whether every file includes what it uses; and clang-tidy reads its commands.
-    set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
     # Everything that is linked together must agree, so these are for the whole tree.
     set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
