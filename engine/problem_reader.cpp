@@ -1,0 +1,234 @@
+// Contact, wear and impact, read.
+#include "engine/problem_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kinegraph {
+namespace {
+
+constexpr std::array materials{
+    Material{"steel", 207e9, "0.292"},   Material{"stainless steel", 190e9, "0.305"}, Material{"cast iron", 100e9, "0.211"},
+    Material{"bronze", 111e9, "0.349"},  Material{"brass", 106e9, "0.324"},           Material{"aluminium", 71.7e9, "0.333"},
+    Material{"titanium", 114e9, "0.34"}, Material{"glass", 46.2e9, "0.245"},          Material{"nylon", 2.9e9, "0.35"},
+};
+
+constexpr std::string_view flat_word = "flat";
+
+}  // namespace
+
+std::span<const Material> known_materials() { return materials; }
+
+bool ProblemReader::states_problem(const Members& file) {
+    return std::any_of(problem_keys.begin(), problem_keys.end(),
+                       [&](std::string_view key) { return file.has_or_misspells(key); });
+}
+
+std::shared_ptr<const Problem> ProblemReader::read_problem(const Members& file, Mechanism& mechanism) {
+    JsonValue section;
+    for (const std::string_view key : problem_keys) {
+        if (!file[key]) continue;
+        if (section)
+            fault(file[key], {"{0} and {1} do not go together; take one of them out",
+                              "{0} e {1} non stanno insieme; toglierne una", quoted(key), quoted(section.key())});
+        else
+            section = file[key];
+    }
+    if (!section) return nullptr;
+    for (const std::string_view key :
+         {"joints", "drivers", "motion", "masses", "gravity", "inertia forces", "loads", "effort", "find", "scales"}) {
+        if (file[key])
+            fault(file[key], {"{0} and {1} do not go together; take one of them out",
+                              "{0} e {1} non stanno insieme; toglierne una", quoted(key), quoted(section.key())});
+    }
+    if (!expect(section, Kind::object, {"an object", "un oggetto"})) return nullptr;
+    auto hertz = read_hertz(section, mechanism);
+    if (!hertz) return nullptr;
+    return std::make_shared<const Problem>(Problem{*std::move(hertz)});
+}
+
+BodyIndex ProblemReader::problem_body(JsonValue member, Mechanism& mechanism) {
+    for (std::size_t i = 1; i < mechanism.bodies.size(); ++i)
+        if (mechanism.bodies[i].name == member.key()) return BodyIndex(i);
+    check_name(member, member.key());
+    Body added;
+    added.name = member.key();
+    added.where = member.pointer();
+    mechanism.bodies.push_back(std::move(added));
+    return BodyIndex(mechanism.bodies.size() - 1);
+}
+
+std::array<JsonValue, 2> ProblemReader::two_bodies(const Members& section) {
+    const Words wanted("an object of two bodies by name", "un oggetto con due corpi per nome");
+    const JsonValue bodies = required(section, "bodies", wanted);
+    if (!bodies || !expect(bodies, Kind::object, wanted)) return {};
+    if (bodies.size() != 2) {
+        fault(bodies,
+              {"two bodies touch; {0} are given", "si toccano due corpi; ne sono dati {0}", std::to_string(bodies.size())});
+        return {};
+    }
+    return {*bodies.begin(), *++bodies.begin()};
+}
+
+// ----- hertz
+
+std::optional<HertzProblem> ProblemReader::read_hertz(JsonValue section, Mechanism& mechanism) {
+    const std::size_t before = faults_.size();
+    const Members form = members(section, {"force", "bodies", "contact", "length", "turned"}, {"\"hertz\"", "\"hertz\""});
+    HertzProblem problem;
+    problem.force =
+        positive(required(form, "force", {"the force that presses the bodies together", "la forza che preme i corpi"}),
+                 QuantityKind::force, {"the force", "la forza"});
+    if (const JsonValue contact = form["contact"]) {
+        problem.line = contact.text() == "line";
+        if (!contact.is_string() || (contact.text() != "line" && contact.text() != "point"))
+            wrong(contact, {"\"point\" or \"line\"", "\"point\" o \"line\""});
+    }
+    if (problem.line) {
+        problem.length =
+            positive(required(form, "length", {"how long the line of contact is", "quanto è lunga la linea di contatto"}),
+                     QuantityKind::length, {"the length", "la lunghezza"});
+        if (form["turned"])
+            fault(form["turned"],
+                  {"bodies that touch along a line are not turned; take \"turned\" out, or write \"contact\": \"point\"",
+                   "corpi a contatto lungo una linea non sono ruotati; togliere \"turned\", o scrivere \"contact\": \"point\""});
+    } else {
+        if (form["length"])
+            fault(form["length"], {"a contact at a point has no length; take it out, or write \"contact\": \"line\"",
+                                   "un contatto di punto non ha lunghezza; toglierla, o scrivere \"contact\": \"line\""});
+        if (form["turned"]) problem.turn = quantity_or_zero(form["turned"], QuantityKind::angle);
+    }
+    const auto bodies = two_bodies(form);
+    if (!bodies[0]) return std::nullopt;
+    for (std::size_t i = 0; i < 2; ++i) problem.bodies[i] = read_hertz_body(bodies[i], problem.line, mechanism);
+    if (faults_.size() == before) check_curvatures(problem, form["bodies"]);
+    return problem;
+}
+
+HertzBody ProblemReader::read_hertz_body(JsonValue member, bool line, Mechanism& mechanism) {
+    HertzBody body;
+    body.body = problem_body(member, mechanism);
+    body.where = member.pointer();
+    if (!expect(member, Kind::object, {"an object", "un oggetto"})) return body;
+    const Members form = members(member, {"radius", "radii", "flat", "inside", "material", "young", "poisson", "depth", "label"},
+                                 {"a body", "un corpo"});
+    if (form["label"]) mechanism.bodies[at_index(body.body)].label = words(form["label"]);
+    read_shape(form, line, body);
+    read_material(form, body);
+    if (const JsonValue depth = form["depth"]) {
+        if (line && (body.radii[0].is_zero() || body.inside[0]))
+            body.depth = positive(depth, QuantityKind::length, {"the depth", "la profondità"});
+        else
+            fault(depth, {"only a flat or concave body at a line of contact has a \"depth\"; take it out",
+                          "solo un corpo piano o concavo a contatto lungo una linea ha \"depth\"; toglierla"});
+    }
+    return body;
+}
+
+void ProblemReader::read_shape(const Members& form, bool line, HertzBody& body) {
+    const JsonValue shape = one_of(form, {"radius", "radii", "flat"});
+    if (!shape) return;
+    if (shape.key() == "flat") {
+        if (!expect(shape, Kind::boolean, {"true", "true"})) return;
+        if (!is_true(shape))
+            fault(shape, {"a body that is not flat has a \"radius\"", "un corpo che non è piano ha un \"radius\""});
+        if (form["inside"])
+            fault(form["inside"], {"what is flat has no inside; take it out", "ciò che è piano non è concavo; toglierlo"});
+    } else if (shape.key() == "radius") {
+        read_radius(shape, 0, body);
+        body.radii[1] = body.radii[0];
+        if (form["inside"] && expect(form["inside"], Kind::boolean, {"true or false", "true o false"}))
+            body.inside = {is_true(form["inside"]), is_true(form["inside"])};
+    } else {
+        const Words wanted("two principal radii [r1, r2], each a length or \"flat\"",
+                           "due raggi principali [r1, r2], ciascuno una lunghezza o \"flat\"");
+        if (line)
+            fault(shape, {"at a line of contact a body has one \"radius\"",
+                          "lungo una linea di contatto un corpo ha un solo \"radius\""});
+        if (!shape.is_array() || shape.size() != 2) {
+            wrong(shape, wanted);
+            return;
+        }
+        read_radius(*shape.begin(), 0, body);
+        read_radius(*++shape.begin(), 1, body);
+        if (const JsonValue inside = form["inside"]) {
+            if (!inside.is_array() || inside.size() != 2 || (*inside.begin()).kind() != Kind::boolean ||
+                (*++inside.begin()).kind() != Kind::boolean)
+                wrong(inside,
+                      {"[true or false, true or false], for each radius,", "[true o false, true o false], per ciascun raggio,"});
+            else
+                body.inside = {is_true(*inside.begin()), is_true(*++inside.begin())};
+        }
+    }
+}
+
+void ProblemReader::read_radius(JsonValue value, std::size_t plane, HertzBody& body) {
+    if (value.is_string() && value.text() == flat_word) return;
+    body.radii[plane] = positive(value, QuantityKind::length, {"a radius", "un raggio"});
+}
+
+void ProblemReader::read_material(const Members& form, HertzBody& body) {
+    body.young = 1;
+    if (const JsonValue name = form["material"]) {
+        for (const std::string_view key : {"young", "poisson"})
+            if (form[key])
+                fault(form[key], {"{0} and \"material\" do not go together; take one of them out",
+                                  "{0} e \"material\" non stanno insieme; toglierne una", quoted(key)});
+        std::vector<std::string_view> names;
+        for (const Material& each : materials) names.push_back(each.name);
+        const auto* found =
+            std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name.text(); });
+        if (!name.is_string() || found == materials.end()) {
+            fault(name, {"no material is known as {0}{1}; known are {2} (or give \"young\" and \"poisson\")",
+                         "nessun materiale è noto come {0}{1}; sono noti {2} (o dare \"young\" e \"poisson\")",
+                         quoted(name.text()), did_you_mean(speller_.nearest(name.text(), names)), listed(names)});
+            return;
+        }
+        body.young = Exact::from_double(found->young);
+        body.poisson = *Exact::from_decimal(found->poisson);
+        return;
+    }
+    body.young = positive(
+        required(form, "young", {"Young’s modulus (or give a \"material\")", "il modulo di Young (o dare un \"material\")"}),
+        QuantityKind::pressure, {"Young’s modulus", "il modulo di Young"});
+    const JsonValue ratio = required(
+        form, "poisson", {"Poisson’s ratio (or give a \"material\")", "il coefficiente di Poisson (o dare un \"material\")"});
+    body.poisson = bare_number(ratio).value_or(Exact());
+    if (ratio && (body.poisson.sign() < 0 || body.poisson >= Exact::ratio(1, 2)))
+        fault(ratio, {"Poisson’s ratio must lie from 0 to less than 0.5, where a body could not be compressed at all",
+                      "il coefficiente di Poisson deve stare fra 0 e meno di 0.5, dove un corpo non sarebbe comprimibile"});
+}
+
+void ProblemReader::check_curvatures(const HertzProblem& problem, JsonValue bodies) {
+    const auto& [first, second] = problem.bodies;
+    const auto sum = [&](std::size_t plane) { return first.curvature(plane) + second.curvature(plane); };
+    if (first.radii[0].is_zero() && second.radii[0].is_zero() && first.radii[1].is_zero() && second.radii[1].is_zero()) {
+        fault(bodies, {"two flat bodies touch on their whole face; give one of them a \"radius\"",
+                       "due corpi piani si toccano su tutta la faccia; dare a uno un \"radius\""});
+        return;
+    }
+    const Words conforms("the concave radius must be larger than the convex one, else the bodies do not touch at a {0} alone",
+                         "il raggio concavo deve essere maggiore di quello convesso, altrimenti i corpi non si toccano in {0}",
+                         problem.line ? Words("line", "una linea") : Words("point", "un punto"));
+    const JsonValue concave = *(first.inside[0] || first.inside[1] ? bodies.begin() : ++bodies.begin());
+    if (problem.line) {
+        if (sum(0).sign() <= 0) fault(concave, conforms);
+        return;
+    }
+    // A and B of the gap: both must be positive. With twice their sum s and the squared difference d², s² > d².
+    const Exact d1 = first.curvature(0) - first.curvature(1), d2 = second.curvature(0) - second.curvature(1);
+    const double twice = 2 * problem.turn.to_double();
+    const double s = (sum(0) + sum(1)).to_double();
+    const double d =
+        std::sqrt(std::max(0.0, square(d1).to_double() + square(d2).to_double() + 2 * (d1 * d2).to_double() * std::cos(twice)));
+    constexpr double slenderest = 1e-9;  // A/B: beyond it, an ellipse is a line
+    if (s - d > slenderest * (s + d)) return;
+    const bool is_concave = first.inside[0] || first.inside[1] || second.inside[0] || second.inside[1];
+    fault(is_concave ? concave : bodies,
+          is_concave ? conforms
+                     : Words("these bodies touch along a line; write \"contact\": \"line\" with its \"length\"",
+                             "questi corpi si toccano lungo una linea; scrivere \"contact\": \"line\" con la sua \"length\""));
+}
+
+}  // namespace kinegraph
