@@ -1,11 +1,13 @@
 #include "constructions/problems.hpp"
 
 #include "constructions/hertz.hpp"
+#include "constructions/impact.hpp"
 
 namespace kinegraph {
 
-Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism&, const Pose&) {
-    return solve_hertz(std::get<HertzProblem>(problem.of));
+Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& mechanism, const Pose& pose) {
+    if (const auto* hertz = std::get_if<HertzProblem>(&problem.of)) return solve_hertz(*hertz);
+    return solve_impact(std::get<ImpactProblem>(problem.of), mechanism, pose);
 }
 
 }  // namespace kinegraph

@@ -1,5 +1,5 @@
-// Problems that a file states in place of joints: contact (Hertz), and what was found of them, as values in SI units. Knows no
-// method: those are constructions/hertz.hpp and its like, the numeric checks engine/check_hertz.hpp and its like.
+// Problems that a file states in place of joints: contact (Hertz), impact, and what was found of them, as values in SI units.
+// Knows no method: those are constructions/hertz.hpp and its like, the numeric checks engine/check_hertz.hpp and its like.
 #pragma once
 
 #include <array>
@@ -38,8 +38,29 @@ struct HertzProblem {
     Exact length;  ///< of a line contact, m
     Exact turn;    ///< between the first principal planes of the two bodies, rad
 };
+
+/// One of two bodies that hit each other.
+struct ImpactBody {
+    BodyIndex body = none;
+    bool fixed = false;              ///< at rest, whatever hits it
+    Exact mass;                      ///< kg
+    std::optional<Exact> inertia;    ///< about the centre of mass, kg m²; none: a particle, which does not turn
+    std::optional<Place> centre;     ///< none: at the point of impact
+    std::optional<Place> pivot;      ///< of a body that turns about a fixed hinge
+    std::optional<Vector> velocity;  ///< of the centre of mass before the impact, m/s; of a pivoted body `omega` says it
+    Exact omega;                     ///< rad/s
+    std::string where;
+};
+struct ImpactProblem {
+    std::array<ImpactBody, 2> bodies;
+    Place at;
+    Bearing normal;     ///< of the plane of impact; its sense from the second body to the first, where their centres do not tell
+    Exact restitution;  ///< 0 … 1, the ratio of the normal impulses of both phases (Poisson)
+    Exact friction;     ///< coefficient of Coulomb
+    std::string where;
+};
 struct Problem {
-    std::variant<HertzProblem> of;
+    std::variant<HertzProblem, ImpactProblem> of;
 };
 
 /// One scalar result, as tables, results and checks say it.
@@ -49,7 +70,8 @@ struct ProblemValue {
     QuantityKind kind = QuantityKind::dimensionless;
     double value = 0;               ///< SI
     std::optional<double> numeric;  ///< by the check
-    bool in_file = true;            ///< false: only tables show it
+    bool in_file = true;            ///< false: the results file has it in a form of its own
+    std::string unit{};             ///< SI, of what has no kind: "N s", "J"
 };
 
 /// What was found of a Hertzian contact. Axes: x along the longer axis of the ellipse of contact (of a line: along the common
@@ -74,9 +96,48 @@ struct HertzSolution {
     std::vector<Stress> stresses;  ///< of the body `sheared`, from the surface down
 };
 
+/// What was found of an impact, exactly. The normal n is no unit vector (it is rational), the tangent t is n turned a quarter;
+/// impulses and velocities along them are counted in |n|, so that friction's limit stays |J_t| ≤ f J_n.
+struct ImpactSolution {
+    Vector at;               ///< the point of impact, m
+    Vector normal, tangent;  ///< from the second body into the first
+    struct Body {
+        bool fixed = false;
+        Vector centre;  ///< m
+        std::optional<Vector> pivot;
+        Exact inverse_mass;                    ///< 0: fixed or pivoted
+        Exact inverse_inertia;                 ///< about the centre, or the pivot where there is one; 0: does not turn
+        Vector before, after;                  ///< velocity of the centre, m/s
+        Exact omega_before, omega_after;       ///< rad/s
+        Vector contact_before, contact_after;  ///< velocity of its point at the impact, m/s
+        std::optional<Vector> reaction;        ///< impulse of the pivot on the body, N s
+        std::optional<Vector> percussion;      ///< the centre of percussion of a pivoted body, m
+    };
+    std::array<Body, 2> bodies;
+    /// Relative velocity of the points in contact, of the first body seen from the second, along n and t; and how an impulse
+    /// changes it: Δu_n = a J_n + b J_t,  Δu_t = b J_n + c J_t.
+    Exact approach, slip, a, b, c;
+    Exact friction, restitution;
+    /// One phase of the impact: the impulses at its end and what the contact did in it.
+    struct Phase {
+        enum class Kind { slides, sticks } kind = Kind::slides;
+        int sense = 0;  ///< of the slip along t
+        Exact normal, tangential;
+        bool ends_compression = false;
+    };
+    std::vector<Phase> phases;
+    Exact normal_impulse, tangential_impulse;
+    Vector impulse;                    ///< on the first body, N s
+    Exact separation, slip_after;      ///< u_n, u_t afterwards
+    Exact energy_before, energy_lost;  ///< J
+    bool central = false, direct = false;
+    double obliquity = 0;         ///< ψ between the relative velocity and the normal, rad, 0 … π/2
+    Exact kinematic_restitution;  ///< −u_n′/u_n (Newton)
+};
+
 struct ProblemSolution {
     Words subject;  ///< what the sheet is, for its title block
-    std::variant<HertzSolution> of;
+    std::variant<HertzSolution, ImpactSolution> of;
     std::vector<ProblemValue> values;
     std::vector<Words> remarks;
 };

@@ -43,9 +43,11 @@ std::shared_ptr<const Problem> ProblemReader::read_problem(const Members& file, 
                               "{0} e {1} non stanno insieme; toglierne una", quoted(key), quoted(section.key())});
     }
     if (!expect(section, Kind::object, {"an object", "un oggetto"})) return nullptr;
-    auto hertz = read_hertz(section, mechanism);
-    if (!hertz) return nullptr;
-    return std::make_shared<const Problem>(Problem{*std::move(hertz)});
+    const auto shared = [](auto problem) -> std::shared_ptr<const Problem> {
+        if (!problem) return nullptr;
+        return std::make_shared<const Problem>(Problem{*std::move(problem)});
+    };
+    return section.key() == "hertz" ? shared(read_hertz(section, mechanism)) : shared(read_impact(section, mechanism));
 }
 
 BodyIndex ProblemReader::problem_body(JsonValue member, Mechanism& mechanism) {
@@ -229,6 +231,77 @@ void ProblemReader::check_curvatures(const HertzProblem& problem, JsonValue bodi
           is_concave ? conforms
                      : Words("these bodies touch along a line; write \"contact\": \"line\" with its \"length\"",
                              "questi corpi si toccano lungo una linea; scrivere \"contact\": \"line\" con la sua \"length\""));
+}
+
+// ----- impact
+
+std::optional<ImpactProblem> ProblemReader::read_impact(JsonValue section, Mechanism& mechanism) {
+    const Members form = members(section, {"bodies", "at", "normal", "restitution", "friction"}, {"\"impact\"", "\"impact\""});
+    ImpactProblem problem;
+    problem.where = section.pointer();
+    const auto bodies = two_bodies(form);
+    if (bodies[0])
+        for (std::size_t i = 0; i < 2; ++i) problem.bodies.at(i) = read_impact_body(bodies.at(i), mechanism);
+    if (const JsonValue at =
+            required(form, "at", {"the point of impact, a point or [x, y]", "il punto d’urto, un punto o [x, y]"}))
+        problem.at = place(at);
+    if (const JsonValue normal =
+            required(form, "normal", {"the direction of the line of impact", "la direzione della linea d’urto"}))
+        problem.normal = bearing_or_default(normal);
+    const JsonValue restitution = required(
+        form, "restitution", {"the coefficient of restitution, from 0 to 1", "il coefficiente di restituzione, da 0 a 1"});
+    problem.restitution = bare_number(restitution).value_or(Exact());
+    if (problem.restitution.sign() < 0 || problem.restitution > Exact(1))
+        fault(restitution, {"the coefficient of restitution lies from 0 (plastic) to 1 (elastic)",
+                            "il coefficiente di restituzione sta fra 0 (plastico) e 1 (elastico)"});
+    if (const JsonValue friction = form["friction"]) {
+        problem.friction = bare_number(friction).value_or(Exact());
+        if (problem.friction.sign() < 0)
+            fault(friction,
+                  {"the coefficient of friction must not be negative", "il coefficiente d’attrito non può essere negativo"});
+    }
+    if (!bodies[0]) return std::nullopt;
+    if (problem.bodies[0].fixed && problem.bodies[1].fixed)
+        fault(form["bodies"], {"both bodies are fixed, so nothing moves; let one of them free",
+                               "entrambi i corpi sono fissi e nulla si muove; liberarne uno"});
+    return problem;
+}
+
+ImpactBody ProblemReader::read_impact_body(JsonValue member, Mechanism& mechanism) {
+    ImpactBody body;
+    body.body = problem_body(member, mechanism);
+    body.where = member.pointer();
+    if (!expect(member, Kind::object, {"an object", "un oggetto"})) return body;
+    const Members form =
+        members(member, {"mass", "centre", "inertia", "velocity", "omega", "pivot", "fixed", "label"}, {"a body", "un corpo"});
+    if (form["label"]) mechanism.bodies[at_index(body.body)].label = words(form["label"]);
+    if (const JsonValue fixed = form["fixed"]; fixed && expect(fixed, Kind::boolean, {"true or false", "true o false"}))
+        body.fixed = is_true(fixed);
+    if (body.fixed) {
+        for (const std::string_view key : {"mass", "centre", "inertia", "velocity", "omega", "pivot"})
+            if (form[key])
+                fault(form[key], {"a fixed body has no {0}; take it out", "un corpo fisso non ha {0}; toglierlo", quoted(key)});
+        return body;
+    }
+    body.mass = positive(required(form, "mass", {"the mass (or \"fixed\": true)", "la massa (o \"fixed\": true)"}),
+                         QuantityKind::mass, {"a mass", "una massa"});
+    if (form["inertia"])
+        body.inertia = positive(form["inertia"], QuantityKind::inertia, {"a moment of inertia", "un momento d’inerzia"});
+    if (form["centre"]) body.centre = place(form["centre"]);
+    if (form["omega"]) body.omega = quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
+    body.velocity = vector(form["velocity"], QuantityKind::velocity, {"a vector [vx, vy]", "un vettore [vx, vy]"});
+    if (form["omega"] && !form["inertia"] && !form["pivot"])
+        fault(form["omega"], {"a body that turns has an \"inertia\"; give it, or take \"omega\" out",
+                              "un corpo che ruota ha un \"inertia\"; assegnarlo, o togliere \"omega\""});
+    if (const JsonValue pivot = form["pivot"]) {
+        body.pivot = place(pivot);
+        if (form["velocity"])
+            fault(form["velocity"], {"the velocity of a body on a pivot follows from its \"omega\"; give that",
+                                     "la velocità di un corpo incernierato segue dalla sua \"omega\"; assegnare quella"});
+        if (!form["centre"])
+            fault(member, {"a body on a pivot has a \"centre\"; give it", "un corpo incernierato ha un \"centre\"; assegnarlo"});
+    }
+    return body;
 }
 
 }  // namespace kinegraph

@@ -1,4 +1,4 @@
-// The sections of a file that state a problem in place of joints: "hertz". Each fault where it stands; what
+// The sections of a file that state a problem in place of joints: "hertz", "impact". Each fault where it stands; what
 // only numbers can tell (curvatures that leave no contact) is told here too, since these problems need no drawing.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace kinegraph {
 class ProblemReader : protected FormReader {
 protected:
     /// The keys of such sections.
-    static constexpr std::array<std::string_view, 1> problem_keys{"hertz"};
+    static constexpr std::array<std::string_view, 2> problem_keys{"hertz", "impact"};
     static bool states_problem(const Members& file);
     /// The section of the file, or null where it states none or one that cannot be read. Its bodies are added to `mechanism`.
     std::shared_ptr<const Problem> read_problem(const Members& file, Mechanism& mechanism);
@@ -30,6 +30,9 @@ private:
     void read_radius(JsonValue value, std::size_t plane, HertzBody& body);
     void read_material(const Members& form, HertzBody& body);
     void check_curvatures(const HertzProblem& problem, JsonValue bodies);
+
+    std::optional<ImpactProblem> read_impact(JsonValue section, Mechanism& mechanism);
+    ImpactBody read_impact_body(JsonValue member, Mechanism& mechanism);
 };
 
 /// Young's modulus (Pa) and Poisson's ratio of a material known by name. Shigley, Mechanical Engineering Design, table A–5;

@@ -431,7 +431,7 @@ private:
 /// What was found of contact, wear or impact: its own section, and the checks of its values.
 class ProblemResults {
 public:
-    explicit ProblemResults(const ProblemSolution& found) : found_(found) {}
+    explicit ProblemResults(const Solution& solution) : found_(*solution.problem), mechanism_(solution.mechanism) {}
 
     std::string json() const {
         Members file;
@@ -457,6 +457,25 @@ private:
             if (each.in_file) members.emplace_back(each.name.en, number(each.value));
         return members;
     }
+    void add(const ImpactSolution& found, Members& file) const {
+        Members members{{"kind", "[" + quoted(found.central ? "central" : "eccentric") + ", " +
+                                     quoted(found.direct ? "direct" : "oblique") + "]"},
+                        {"angle", number(found.obliquity)},
+                        {"impulse", pair(found.impulse)}};
+        Members bodies;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const ImpactSolution::Body& body = found.bodies.at(i);
+            Members of{{"velocity", pair(body.after)}, {"omega", number(body.omega_after)}};
+            if (body.reaction) of.emplace_back("pivot", pair(*body.reaction));
+            if (body.percussion) of.emplace_back("centre of percussion", pair(*body.percussion));
+            bodies.emplace_back(mechanism_.body(std::get<ImpactProblem>(mechanism_.problem->of).bodies.at(i).body).name,
+                                object(of));
+        }
+        members.emplace_back("bodies", object(bodies));
+        members.emplace_back("energy lost", number(found.energy_lost));
+        members.emplace_back("normal restitution", number(found.kinematic_restitution));
+        file.emplace_back("impact", object_of_lines(members));
+    }
     void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values())); }
     std::string checks() const {
         std::vector<std::string> all;
@@ -470,12 +489,13 @@ private:
     }
 
     const ProblemSolution& found_;
+    const Mechanism& mechanism_;
 };
 
 }  // namespace
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
-    if (solution.problem) return ProblemResults(*solution.problem).json();
+    if (solution.problem) return ProblemResults(solution).json();
     return Results(solution, exact, tell).json();
 }
 

@@ -52,12 +52,15 @@ public:
         for (std::size_t i = 0; i < 2; ++i) profiles_.at(i) = {i, curvature(i)};
         // On top the body that bulges more: a ball lies on a plane, and in a groove.
         if (profiles_[1].curvature > profiles_[0].curvature) std::swap(profiles_[0], profiles_[1]);
+        // What Euler's theorem leaves of a straight profile is no curvature.
+        for (Profile2d& each : profiles_)
+            if (std::abs(each.curvature) < 1e-12 * std::abs(profiles_[0].curvature)) each.curvature = 0;
         half_width_ = 0.5 * room_.x - 14;
-        half_height_ = 0.5 * (room_.y - 2 * arrow_ - 6);
+        const double high = room_.y - 2 * arrow_ - 4;
+        below_ = profiles_[1].curvature == 0 ? flat_depth_ : 0.4 * high;
         const double radius = 1 / profiles_[0].curvature;
-        scale_ = choose_scale(2 * radius, 2 * radius, 2 * half_height_, 2 * half_height_, std::nullopt);
-        // Where the other is flat or concave, the upper body may have more of the height.
-        top_ = std::min(2 * radius / scale_, 2 * half_height_);
+        scale_ = choose_scale(2 * radius, 2 * radius, high - below_, high - below_, std::nullopt);
+        top_ = 2 * radius / scale_;
     }
 
     Figure draw() {
@@ -106,13 +109,13 @@ private:
     void draw_body(Figure& figure, const Profile2d& of, int down) {
         const HertzBody& body = problem_.bodies.at(of.which);
         const BodyColour& colour = theme_.body(body.body);
-        const double depth = down < 0 ? top_ : 0.8 * half_height_;
-        const std::vector<Spot> edge = profile(of.curvature, down, of.curvature < 0 ? 0.6 * half_height_ : depth);
+        const double depth = down < 0 ? top_ : below_;
+        const std::vector<Spot> edge = profile(of.curvature, down, of.curvature < 0 ? below_ - flat_depth_ : depth);
         double reach = 0;
         for (const Spot& spot : edge) reach = std::max(reach, down * spot.y);
         const bool whole = of.curvature > 0 && length(edge.front() - edge.back()) < 1e-6;
         // Flat and concave bodies have some material behind the deepest place.
-        const double behind = down * (of.curvature > 0 ? reach : 7.0);
+        const double behind = down * (of.curvature > 0 ? reach : flat_depth_);
         std::vector<Spot> area = edge;
         if (!whole) {
             area.push_back({edge.back().x, behind});
@@ -123,7 +126,7 @@ private:
         figure.marks.emplace_back(polyline(edge, {2 * theme_.outline, colour.line, {}, true}));
         figure.marks.emplace_back(GroupEnd{});
         if (down > 0) bottom_ = std::max(behind, 0.0);
-        if (down < 0) top_ = std::max(top_ > 0 && of.curvature > 0 ? reach : 7.0, 7.0);
+        if (down < 0) top_ = std::max(of.curvature > 0 ? reach : flat_depth_, flat_depth_);
         label_body(figure, of, down, edge);
     }
     std::string name(const Profile2d& of) const {
@@ -146,7 +149,7 @@ private:
         const Spot foot = edge[edge.size() / 4];
         const Spot centre{0, bulge * radius};
         const Spot away = unit(centre - foot);
-        const double shown = std::min(radius, of.curvature > 0 ? 0.9 * half_height_ : 12.0);
+        const double shown = std::min(radius, of.curvature > 0 ? std::max(12.0, 0.5 * below_) : 12.0);
         const Spot from = foot + shown * away;
         if (shown >= radius) figure.marks.emplace_back(ring(centre, 0.9, theme_.paper, {theme_.outline, colour.line, {}, false}));
         draw_arrow(figure.marks, from, foot, theme_.thin, theme_.text);
@@ -171,13 +174,13 @@ private:
                                  .clearance = 1.5});
     }
 
-    static constexpr double arrow_ = 11;
+    static constexpr double arrow_ = 11, flat_depth_ = 7;
     const DrawingContext& context_;
     const Theme& theme_;
     const HertzProblem& problem_;
     Spot room_;
     std::array<Profile2d, 2> profiles_{};
-    double half_width_ = 0, half_height_ = 0, scale_ = 1;
+    double half_width_ = 0, below_ = 0, scale_ = 1;
     double top_ = 0, bottom_ = 0;
 };
 
@@ -188,8 +191,8 @@ public:
         // Across lies the longer axis of an ellipse, or the width of a line.
         half_ = std::max(found_.a, found_.b);
         const double plan = found_.a > 0 ? 2 * found_.b : 0.8 * half_;
-        const double high = 0.36 * room.y;
-        scale_ = choose_scale(2 * half_, plan, room.x - 34, room.y - high - 22, std::nullopt);
+        const double high = 0.34 * room.y;
+        scale_ = choose_scale(2 * half_, plan, room.x - 34, room.y - high - 17, std::nullopt);
         pressure_unit_ = suitable_unit(found_.greatest, QuantityKind::pressure, units_);
         pressure_scale_ = choose_scale(found_.greatest / pressure_unit_.si.to_double(), 0, high, 1, std::nullopt);
         room_ = room;
@@ -197,9 +200,7 @@ public:
     }
 
     Figure draw() {
-        const Words caption = found_.a > 0 ? Words("Pressure on the contact and its plan", "Pressione sul contatto e sua pianta")
-                                           : Words("Pressure across the line of contact and its plan",
-                                                   "Pressione attraverso la linea di contatto e sua pianta");
+        const Words caption("Pressure, and plan of the contact", "Pressione, e pianta del contatto");
         Figure figure = begun("pressure", one_piece(in(caption, context_.language)), scale_);
         figure.further_scale = "1 mm ≙ " + shortest(pressure_scale_, context_.language) + " " + pressure_unit_.symbol;
         const double half = half_ / scale_, high = pressure(1);

@@ -53,7 +53,14 @@ public:
           plot_(plot),
           room_(room),
           x_(scaled_to(plot, &Spot::x, std::max(3, static_cast<int>(room.x / 12)))),
-          y_(scaled_to(plot, &Spot::y, std::max(3, static_cast<int>(room.y / 9)))) {}
+          y_(scaled_to(plot, &Spot::y, std::max(3, static_cast<int>(room.y / 9)))) {
+        // What is said above a mark wants room there.
+        for (const XyMark& mark : plot.marks)
+            if (mark.at.y > y_.most - 0.5 * y_.step) {
+                y_.most += y_.step;
+                break;
+            }
+    }
 
     Figure draw() {
         figure_.kind = "plot";
@@ -152,8 +159,15 @@ private:
         const BodyColour& colour = theme_.body(BodyIndex(mark.curve + 1));
         const Spot spot = at(mark.at);
         figure_.marks.emplace_back(disc(spot, 0.8, colour.line));
-        figure_.labels.push_back(
-            {.text = mark.words, .size = theme_.small, .colour = colour.letter, .anchor = spot, .clearance = 1.1});
+        // Above its place, within the frame, on a ground that the grid does not cross.
+        const ShapedLine words = context_.fonts.shape(mark.words, theme_.small);
+        const double left = std::clamp(spot.x - 2, frame_.min.x + 1, frame_.max.x - 1 - words.width), base = spot.y - 1.8;
+        figure_.marks.emplace_back(tinted(filled({{left - 0.4, base - words.ascent - 0.3},
+                                                  {left + words.width + 0.4, base - words.ascent - 0.3},
+                                                  {left + words.width + 0.4, base + 0.6},
+                                                  {left - 0.4, base + 0.6}},
+                                                 theme_.paper)));
+        set_text(figure_.marks, words, {left, base}, colour.letter, "label");
     }
     /// Names in a row above the frame, each with its line.
     void draw_legend() {

@@ -21,21 +21,22 @@ public:
     std::vector<Words> given() const {
         std::vector<Words> said;
         said.emplace_back("The force {Q} = {0} presses the two bodies together{1}.",
-                          "La forza {Q} = {0} preme i due corpi l’uno sull’altro{1}.", force(problem_.force.to_double()),
+                          "La forza {Q} = {0} preme i due corpi l’uno sull’altro{1}.", given(problem_.force, QuantityKind::force),
                           problem_.line ? Words(", along a line of length {l} = {0}", ", lungo una linea di lunghezza {l} = {0}",
-                                                length(problem_.length.to_double()))
+                                                given(problem_.length, QuantityKind::length))
                                         : Words());
         for (std::size_t i = 0; i < 2; ++i) {
             const HertzBody& body = problem_.bodies.at(i);
             const std::string n = std::to_string(i + 1);
             said.emplace_back("{0}: {1}, {E_" + n + "} = {2}, {ν_" + n + "} = {3}.",
                               "{0}: {1}, {E_" + n + "} = {2}, {ν_" + n + "} = {3}.", mechanism_.body(body.body).name,
-                              shape(body, n), pressure(body.young.to_double()), numeral(body.poisson.to_double()));
+                              shape(body, n), given(body.young, QuantityKind::pressure),
+                              numeral(body.poisson.to_double(), as_given));
         }
         if (found_.elliptic && !problem_.turn.is_zero())
             said.emplace_back("The first principal planes of the two bodies include {θ} = {0}.",
                               "I primi piani principali dei due corpi formano {θ} = {0}.",
-                              amount(problem_.turn.to_double(), QuantityKind::angle, mechanism_.units));
+                              given(problem_.turn, QuantityKind::angle));
         return said;
     }
 
@@ -138,13 +139,13 @@ public:
 
 private:
     Words length(double si) const { return amount(si, QuantityKind::length, mechanism_.units); }
-    Words force(double si) const { return amount(si, QuantityKind::force, mechanism_.units); }
+    Words given(const Exact& si, QuantityKind kind) const { return amount(si.to_double(), kind, mechanism_.units, as_given); }
     Words pressure(double si) const { return amount(si, QuantityKind::pressure, mechanism_.units); }
 
     Words shape(const HertzBody& body, const std::string& n) const {
         const auto radius = [&](std::size_t plane, const std::string& mark) {
             const Words size =
-                body.radii.at(plane).is_zero() ? Words(std::string("∞")) : length(body.radii.at(plane).to_double());
+                body.radii.at(plane).is_zero() ? Words(std::string("∞")) : given(body.radii.at(plane), QuantityKind::length);
             return Words("{r_" + n + "}" + mark + " = ", "{r_" + n + "}" + mark + " = ") + size +
                    (body.inside.at(plane) ? Words(" (concave)", " (concavo)") : Words());
         };

@@ -4,6 +4,9 @@
 
 namespace kinegraph::render {
 
-std::vector<ProblemSection> sections_of_problem(const DrawingContext& context) { return hertz_sections(context); }
+std::vector<ProblemSection> sections_of_problem(const DrawingContext& context) {
+    if (std::holds_alternative<HertzProblem>(context.solution.mechanism.problem->of)) return hertz_sections(context);
+    return impact_sections(context);
+}
 
 }  // namespace kinegraph::render

@@ -17,7 +17,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double between_sections = 4.5, below_figure = 3.5, indent = 5, equation_indent = 9;  // mm
+constexpr double between_sections = 3.5, below_figure = 2.5, equation_indent = 6;  // mm
 
 /// "1.3537 GPa", what the check has in the same unit, and by how much they differ as a share.
 struct ResultCells {
@@ -25,7 +25,7 @@ struct ResultCells {
 };
 ResultCells cells_of(const ProblemValue& value, const Units& units, Language language) {
     const double larger = std::max(std::abs(value.value), std::abs(value.numeric.value_or(0)));
-    const Unit unit = suitable_unit(larger, value.kind, units);
+    const Unit unit = value.unit.empty() ? suitable_unit(larger, value.kind, units) : Unit{value.unit, 1};
     const double si = unit.si.to_double();
     ResultCells cells;
     const std::string symbol = unit.symbol.empty() ? "" : unit.symbol == "°" ? "°" : " " + unit.symbol;
@@ -62,7 +62,7 @@ public:
 
     std::vector<Page> pages() {
         // The tallest figures that need no more pages than the smallest.
-        constexpr std::array heights{88.0, 80.0, 73.0, 66.0, 60.0, 54.0};
+        constexpr std::array heights{86.0, 82.0, 78.0, 74.0, 70.0, 66.0, 62.0, 58.0, 54.0};
         std::vector<std::vector<Mark>> best = flow(items(heights.back()));
         for (const double height : heights) {
             if (height == heights.back()) break;
@@ -145,7 +145,7 @@ private:
             from = to + 1;
         }
         block.width = width;
-        block.height += 1.4;
+        block.height += 0.9;
         return fitted(std::move(block));
     }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/text/utf8.hpp"
+
 namespace kinegraph::render {
 namespace {
 
@@ -28,6 +30,15 @@ Piece symbol(std::string_view name) {
         piece.sup = "*" + piece.sup;
     }
     return piece;
+}
+
+/// Without the zeros that nobody wrote, and without the last bits of a division.
+std::string given(double value, Language language) {
+    const double power = std::pow(10.0, 9 - std::floor(std::log10(std::abs(value))));
+    const double round = value == 0 ? 0 : std::round(value * power) / power;
+    const std::string text = shortest(round, language);
+    constexpr std::size_t longest = 9;
+    return character_count(text) > longest ? number(value, 4, language) : text;
 }
 
 }  // namespace
@@ -78,6 +89,8 @@ Unit suitable_unit(double si, QuantityKind kind, const Units& units) {
                 return {"µm", Exact::ratio(1, 1000000)};
             return units.length;
         case QuantityKind::pressure:
+            // Moduli are thousands of the pressures that go with them.
+            if (units.pressure.symbol == "MPa" && size >= 1e10) return {"GPa", 1000000000};
             if (units.pressure.symbol != "Pa") return units.pressure;
             if (size >= 1e9) return {"GPa", 1000000000};
             if (size >= 1e4 || size == 0) return {"MPa", 1000000};
@@ -109,12 +122,16 @@ Unit suitable_unit(double si, QuantityKind kind, const Units& units) {
 
 std::string amount(double si, QuantityKind kind, const Units& units, Language language, int digits) {
     const Unit unit = suitable_unit(si, kind, units);
-    const std::string value = number(si / unit.si.to_double(), digits, language);
+    const double in_unit = si / unit.si.to_double();
+    const std::string value = digits == as_given ? given(in_unit, language) : number(in_unit, digits, language);
     return unit.symbol.empty() || unit.symbol == "°" ? value + unit.symbol : value + " " + unit.symbol;
 }
 Words amount(double si, QuantityKind kind, const Units& units, int digits) {
     return {amount(si, kind, units, Language::en, digits), amount(si, kind, units, Language::it, digits)};
 }
-Words numeral(double value, int digits) { return {number(value, digits, Language::en), number(value, digits, Language::it)}; }
+Words numeral(double value, int digits) {
+    if (digits == as_given) return {given(value, Language::en), given(value, Language::it)};
+    return {number(value, digits, Language::en), number(value, digits, Language::it)};
+}
 
 }  // namespace kinegraph::render

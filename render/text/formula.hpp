@@ -16,6 +16,8 @@ RichText formula(std::string_view text);
 /// A symbol as results name it: "p_0", "τ_max".
 RichText symbol_of(const std::string& name);
 
+/// Digits of a number that is said as the file gives it.
+constexpr int as_given = 0;
 /// A quantity for readers, in the file's unit; pressures where the file has them in Pa, and very small lengths, in the one that
 /// suits.
 std::string amount(double si, QuantityKind kind, const Units& units, Language language, int digits = 4);
