@@ -57,7 +57,7 @@ private:
         const Members file =
             members(root,
                     {"$schema", "kinegraph", "title", "units", "precision", "frame", "points", "bodies", "joints", "drivers",
-                     "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales", "hertz", "impact"},
+                     "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales", "hertz", "reye", "impact"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",

@@ -1,5 +1,6 @@
-// Problems that a file states in place of joints: contact (Hertz), impact, and what was found of them, as values in SI units.
-// Knows no method: those are constructions/hertz.hpp and its like, the numeric checks engine/check_hertz.hpp and its like.
+// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, and what was found of them, as values in
+// SI units. Knows no method: those are constructions/hertz.hpp and its like, the numeric checks engine/check_hertz.hpp and its
+// like.
 #pragma once
 
 #include <array>
@@ -59,8 +60,28 @@ struct ImpactProblem {
     Exact friction;     ///< coefficient of Coulomb
     std::string where;
 };
+
+/// A rubbing contact whose pressure follows from its wear (Reye: the volume worn off goes with the work of friction).
+struct ReyeProblem {
+    enum class Kind {
+        pad,    ///< a pad free to tilt, under a force off its middle
+        block,  ///< the same, guided so that it wears evenly
+        disc,   ///< a ring pressed on a plane that turns: clutch or collar
+        shoe    ///< on a drum, turning about a pivot
+    } kind = Kind::pad;
+    Exact force;                    ///< N; of a shoe what turns it about its pivot, at the arm `arm`
+    std::optional<Exact> friction;  ///< coefficient; a disc and a shoe have one
+    Exact length, width, offset;    ///< pad, block: m; the offset from the end x = 0
+    Exact inner, outer;             ///< disc: radii, m
+    int surfaces = 1;               ///< disc
+    Exact radius, pivot, arm;       ///< shoe: of the drum; of the pivot from the drum's centre; of the force about the pivot, m
+    Exact from, to;                 ///< shoe: its ends, rad, from the direction of the pivot as seen from the drum's centre
+    bool inside = false, leading = true;     ///< shoe: within the drum; friction turns it the way the force does
+    std::optional<Exact> wear, speed, time;  ///< m²/N; m/s or, of discs and shoes, rad/s; s
+    std::string where;
+};
 struct Problem {
-    std::variant<HertzProblem, ImpactProblem> of;
+    std::variant<HertzProblem, ImpactProblem, ReyeProblem> of;
 };
 
 /// One scalar result, as tables, results and checks say it.
@@ -135,9 +156,31 @@ struct ImpactSolution {
     Exact kinematic_restitution;  ///< −u_n′/u_n (Newton)
 };
 
+/// What was found of a rubbing contact. The coordinate of pressures is x from the pad's end (m), the radius of a disc (m), or the
+/// angle of a shoe (rad).
+struct ReyeSolution {
+    double begin = 0, end = 0;     ///< where contact is
+    double first = 0, second = 0;  ///< pressures at both ends of the face, Pa; 0 where it lifts
+    double greatest = 0, greatest_at = 0;
+    std::optional<Exact> m;          ///< pad: (p₂ − p₁)/p₁, where the whole face touches
+    std::optional<Exact> resultant;  ///< pad, block: of the pressures, from the end x = 0, m
+    bool lifts = false;
+    std::optional<double> friction_force;                    ///< pad, block
+    std::optional<double> torque;                            ///< disc, shoe; N m
+    std::optional<double> uniform_pressure, uniform_torque;  ///< disc: new, before it has worn in
+    std::optional<double> locking_friction;                  ///< leading shoe: from this coefficient on it needs no force
+    VectorOf<double> normal_force;              ///< shoe: resultant of the pressures on the shoe, N; x towards the pivot
+    double pressure_radius = 0;                 ///< shoe: of the centre of pressure, m
+    std::optional<std::array<double, 2>> worn;  ///< depth at both ends of the face, m
+    struct At {
+        double place = 0, pressure = 0;
+    };
+    std::vector<At> pressures;  ///< along the face
+};
+
 struct ProblemSolution {
     Words subject;  ///< what the sheet is, for its title block
-    std::variant<HertzSolution, ImpactSolution> of;
+    std::variant<HertzSolution, ImpactSolution, ReyeSolution> of;
     std::vector<ProblemValue> values;
     std::vector<Words> remarks;
 };

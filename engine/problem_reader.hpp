@@ -1,4 +1,4 @@
-// The sections of a file that state a problem in place of joints: "hertz", "impact". Each fault where it stands; what
+// The sections of a file that state a problem in place of joints: "hertz", "reye", "impact". Each fault where it stands; what
 // only numbers can tell (curvatures that leave no contact) is told here too, since these problems need no drawing.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace kinegraph {
 class ProblemReader : protected FormReader {
 protected:
     /// The keys of such sections.
-    static constexpr std::array<std::string_view, 2> problem_keys{"hertz", "impact"};
+    static constexpr std::array<std::string_view, 3> problem_keys{"hertz", "reye", "impact"};
     static bool states_problem(const Members& file);
     /// The section of the file, or null where it states none or one that cannot be read. Its bodies are added to `mechanism`.
     std::shared_ptr<const Problem> read_problem(const Members& file, Mechanism& mechanism);
@@ -30,6 +30,11 @@ private:
     void read_radius(JsonValue value, std::size_t plane, HertzBody& body);
     void read_material(const Members& form, HertzBody& body);
     void check_curvatures(const HertzProblem& problem, JsonValue bodies);
+
+    std::optional<ReyeProblem> read_reye(JsonValue section);
+    void read_pad(const Members& form, ReyeProblem& problem);
+    void read_disc(const Members& form, ReyeProblem& problem);
+    void read_shoe(const Members& form, ReyeProblem& problem);
 
     std::optional<ImpactProblem> read_impact(JsonValue section, Mechanism& mechanism);
     ImpactBody read_impact_body(JsonValue member, Mechanism& mechanism);

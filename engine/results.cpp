@@ -476,6 +476,12 @@ private:
         members.emplace_back("normal restitution", number(found.kinematic_restitution));
         file.emplace_back("impact", object_of_lines(members));
     }
+    void add(const ReyeSolution& found, Members& file) const {
+        Members members{{"pressures", pair(number(found.first), number(found.second))}};
+        for (auto& each : values()) members.push_back(std::move(each));
+        if (found.worn) members.emplace_back("worn", pair(number((*found.worn)[0]), number((*found.worn)[1])));
+        file.emplace_back("reye", object_of_lines(members));
+    }
     void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values())); }
     std::string checks() const {
         std::vector<std::string> all;

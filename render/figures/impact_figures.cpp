@@ -425,6 +425,7 @@ Figure impact_routh_figure(const DrawingContext& context, double room_x, double 
     const Words caption("Routh’s diagram of impulses", "Diagramma degli impulsi di Routh");
     plot.caption = one_piece(in(caption, context.language));
     plot.x_name = symbol_of("J_n");
+    plot.y_name = symbol_of("J_t");
     plot.x_unit = "N s";
     plot.y_unit = "N s";
     XyCurve path{one_piece(in(Words("path", "cammino"), context.language)), "path", {{0, 0}}};

@@ -71,7 +71,9 @@ public:
         double widest = 0;
         for (int i = 0; i * y_.step <= y_.width() * (1 + 1e-9); ++i)
             widest = std::max(widest, shaped(tick(y_.least + i * y_.step, y_.step)).width);
-        constexpr double above = 6, below = 9, beside = 2.5, right = 4;
+        arrange_legend(room_.x - widest - 18);
+        constexpr double below = 9, beside = 2.5, right = 4;
+        const double above = 1.5 + legend_line * static_cast<double>(std::max<std::size_t>(legend_.size(), 1));
         frame_ = rectangle(widest + beside, above, room_.x - right, std::max(room_.y - below, above + 12));
         if (plot_.square) {
             const double unit = std::max(x_.width() / frame_.width(), y_.width() / frame_.height());
@@ -80,7 +82,8 @@ public:
         figure_.marks.emplace_back(GroupBegin{"figure", plot_.id, plain(figure_.caption), {{"data-figure", "plot"}}, none});
         draw_x();
         draw_y();
-        for (std::size_t i = 0; i < plot_.curves.size(); ++i) draw_curve(i);
+        // The first lies on top.
+        for (std::size_t i = plot_.curves.size(); i-- > 0;) draw_curve(i);
         for (const XyMark& mark : plot_.marks) draw_mark(mark);
         draw_legend();
         figure_.marks.emplace_back(GroupEnd{});
@@ -137,9 +140,11 @@ private:
             if (i > 0) figure_.marks.emplace_back(line(foot, {frame_.max.x, foot.y}, grid(y, y_.step)));
             text(shaped(tick(y, y_.step)), {foot.x - 1.2, foot.y + 1.05}, 1, theme_.text);
         }
-        if (!plot_.y_unit.empty())
-            text(context_.fonts.shape(with_powers("[" + plot_.y_unit + "]"), theme_.small), {frame_.min.x, frame_.min.y - 2.2},
-                 0.5, theme_.secondary);
+        RichText name = plot_.y_name;
+        if (!name.empty()) append(name, one_piece(" "));
+        if (!plot_.y_unit.empty()) append(name, with_powers("[" + plot_.y_unit + "]"));
+        const ShapedLine set = context_.fonts.shape(name, theme_.small);
+        text(set, {std::max(frame_.min.x, 0.5 * set.width), frame_.min.y - 2.2}, 0.5, theme_.secondary);
         figure_.marks.emplace_back(GroupEnd{});
     }
     void draw_curve(std::size_t i) {
@@ -169,26 +174,45 @@ private:
                                                  theme_.paper)));
         set_text(figure_.marks, words, {left, base}, colour.letter, "label");
     }
-    /// Names in a row above the frame, each with its line.
-    void draw_legend() {
+    /// Names in rows above the frame, each with its line: as many in a row as have room.
+    void arrange_legend(double room) {
         if (plot_.curves.size() < 2) return;
-        double right = frame_.max.x;
-        for (std::size_t i = plot_.curves.size(); i-- > 0;) {
-            const ShapedLine name = context_.fonts.shape(plot_.curves[i].name, theme_.derived);
-            right -= name.width;
-            set_text(figure_.marks, name, {right, frame_.min.y - 2}, theme_.body(BodyIndex(i + 1)).letter, "label");
-            right -= 9;
-            figure_.marks.emplace_back(line({right, frame_.min.y - 3}, {right + 7.5, frame_.min.y - 3},
-                                            {theme_.vector, theme_.body(BodyIndex(i + 1)).line, line_kind(i), false}));
-            right -= 4;
+        double used = room + 1;
+        for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
+            const double own = context_.fonts.shape(plot_.curves[i].name, theme_.derived).width + 13;
+            if (used + own > room) {
+                legend_.emplace_back();
+                used = 0;
+            }
+            legend_.back().push_back(i);
+            used += own;
+        }
+    }
+    void draw_legend() {
+        double y = frame_.min.y - 2 - legend_line * static_cast<double>(legend_.size());
+        for (const std::vector<std::size_t>& row : legend_) {
+            y += legend_line;
+            double right = frame_.max.x;
+            for (std::size_t k = row.size(); k-- > 0;) {
+                const std::size_t i = row[k];
+                const ShapedLine name = context_.fonts.shape(plot_.curves[i].name, theme_.derived);
+                right -= name.width;
+                set_text(figure_.marks, name, {right, y}, theme_.body(BodyIndex(i + 1)).letter, "label");
+                right -= 9;
+                figure_.marks.emplace_back(line({right, y - 1}, {right + 7.5, y - 1},
+                                                {theme_.vector, theme_.body(BodyIndex(i + 1)).line, line_kind(i), false}));
+                right -= 4;
+            }
         }
     }
 
+    static constexpr double legend_line = 4.8;
     const DrawingContext& context_;
     const Theme& theme_;
     const XyPlot& plot_;
     Spot room_;
     Scaled x_, y_;
+    std::vector<std::vector<std::size_t>> legend_;  ///< rows of curves
     Box frame_;
     Figure figure_;
 };

@@ -21,7 +21,7 @@ struct XyMark {
 };
 struct XyPlot {
     std::string id;
-    RichText caption, x_name;
+    RichText caption, x_name, y_name;
     std::string x_unit, y_unit;
     std::vector<XyCurve> curves;
     std::vector<XyMark> marks;

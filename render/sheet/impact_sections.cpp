@@ -31,7 +31,7 @@ public:
             if (body.inertia)
                 line += Words(", {I_" + n + "} = {0}", ", {I_" + n + "} = {0}", given(*body.inertia, QuantityKind::inertia));
             line += Words(", {v_" + n + "} = {0}", ", {v_" + n + "} = {0}",
-                          vector(found_.bodies.at(i).before, QuantityKind::velocity));
+                          vector(found_.bodies.at(i).before, QuantityKind::velocity, as_given));
             if (!body.omega.is_zero())
                 line +=
                     Words(", {ω_" + n + "} = {0}", ", {ω_" + n + "} = {0}", given(body.omega, QuantityKind::angular_velocity));
@@ -147,11 +147,11 @@ public:
 
 private:
     Words given(const Exact& si, QuantityKind kind) const { return amount(si.to_double(), kind, mechanism_.units, as_given); }
-    Words vector(const Vector& v, QuantityKind kind) const {
+    Words vector(const Vector& v, QuantityKind kind, int digits = 4) const {
         const Unit unit = suitable_unit(kinegraph::length(v), kind, mechanism_.units);
         const double si = unit.si.to_double();
-        return Words("({0}, {1}){2}", "({0}; {1}){2}", numeral(v.x.to_double() / si), numeral(v.y.to_double() / si),
-                     unit.symbol.empty() ? std::string() : " " + unit.symbol);
+        return Words("({0}, {1}){2}", "({0}; {1}){2}", numeral(v.x.to_double() / si, digits),
+                     numeral(v.y.to_double() / si, digits), unit.symbol.empty() ? std::string() : " " + unit.symbol);
     }
     Words speed(const Exact& scaled) const {
         return amount(scaled.to_double() / size_, QuantityKind::velocity, mechanism_.units);

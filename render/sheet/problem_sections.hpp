@@ -27,5 +27,6 @@ std::vector<ProblemSection> sections_of_problem(const DrawingContext& context);
 
 std::vector<ProblemSection> hertz_sections(const DrawingContext& context);
 std::vector<ProblemSection> impact_sections(const DrawingContext& context);
+std::vector<ProblemSection> reye_sections(const DrawingContext& context);
 
 }  // namespace kinegraph::render

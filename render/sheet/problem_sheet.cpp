@@ -23,7 +23,14 @@ constexpr double between_sections = 3.5, below_figure = 2.5, equation_indent = 6
 struct ResultCells {
     std::string found, numeric, difference;
 };
-ResultCells cells_of(const ProblemValue& value, const Units& units, Language language) {
+/// The largest of its kind: what is rounding beside it is nothing.
+double largest_like(const ProblemValue& value, const std::vector<ProblemValue>& values) {
+    double largest = 0;
+    for (const ProblemValue& each : values)
+        if (each.kind == value.kind && each.unit == value.unit) largest = std::max(largest, std::abs(each.value));
+    return largest;
+}
+ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>& all, const Units& units, Language language) {
     const double larger = std::max(std::abs(value.value), std::abs(value.numeric.value_or(0)));
     const Unit unit = value.unit.empty() ? suitable_unit(larger, value.kind, units) : Unit{value.unit, 1};
     const double si = unit.si.to_double();
@@ -31,10 +38,11 @@ ResultCells cells_of(const ProblemValue& value, const Units& units, Language lan
     const std::string symbol = unit.symbol.empty() ? "" : unit.symbol == "°" ? "°" : " " + unit.symbol;
     cells.found = number(value.value / si, 5, language) + symbol;
     if (!value.numeric) return cells;
-    cells.numeric = number(*value.numeric / si, 5, language);
+    const double noise = 1e-12 * std::max(larger, largest_like(value, all));
+    cells.numeric = number(std::abs(*value.numeric) <= noise ? 0 : *value.numeric / si, 5, language);
     const double apart = value.value - *value.numeric;
     // Less than rounding is nothing.
-    cells.difference = std::abs(apart) <= 1e-12 * larger ? "0" : number(apart / si, 1, language);
+    cells.difference = std::abs(apart) <= noise ? "0" : number(apart / si, 1, language);
     return cells;
 }
 
@@ -172,7 +180,7 @@ private:
         rule(context_.theme.thin);
         const Units& units = context_.solution.mechanism.units;
         for (const ProblemValue& each : context_.solution.problem->values) {
-            const ResultCells cells = cells_of(each, units, context_.language);
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
             RichText name = symbol_of(each.symbol);
             append(name, one_piece("  " + say(each.name)));
             row({shortened(name, 0.42 * width), with_powers(cells.found), with_powers(cells.numeric),
@@ -320,7 +328,7 @@ std::string problem_table(const Solution& solution, Language language) {
     std::vector<std::array<std::string, 4>> rows{
         {in(head_of(0), language), in(head_of(1), language), in(head_of(2), language), in(head_of(3), language)}};
     for (const ProblemValue& each : solution.problem->values) {
-        const ResultCells cells = cells_of(each, solution.mechanism.units, language);
+        const ResultCells cells = cells_of(each, solution.problem->values, solution.mechanism.units, language);
         rows.push_back({each.symbol + "  " + in(each.name, language), cells.found, cells.numeric, cells.difference});
     }
     std::array<std::size_t, 4> widths{};

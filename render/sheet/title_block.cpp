@@ -130,7 +130,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         {word("block sheet", context.language), std::to_string(index) + "/" + std::to_string(count)},
         {word("block units", context.language), units_text},
         {word("block readings", context.language), fixed(0.1, 1, context.language) + " mm"},
-        {word("block bodies", context.language), std::to_string(solution.mechanism.bodies.size() - (solution.problem ? 1 : 0))}};
+        {word("block bodies", context.language), std::to_string(solution.problem ? 2 : solution.mechanism.bodies.size())}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;
         const double top = i < 3 ? format.block.min.y : half;
