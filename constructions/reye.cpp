@@ -146,7 +146,7 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
     if (problem.kind == Kind::shoe)
         values.push_back({{"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest});
     if (problem.kind == Kind::pad && found.m)
-        values.push_back({{"m", "m"}, "m", dimensionless, found.m->to_double(), check.second / check.first - 1});
+        values.push_back({Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1});
     if (found.resultant)
         values.push_back({{"resultant at", "risultante in"}, "x_R", length, found.resultant->to_double(), check.resultant});
     if (found.lifts) {
@@ -171,7 +171,7 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
                           force,
                           std::hypot(found.normal_force.x, found.normal_force.y),
                           check.normal});
-        values.push_back({{"radius of the centre of pressure", "raggio del centro di pressione"},
+        values.push_back({{"centre of pressure", "centro di pressione"},
                           "r_C",
                           length,
                           found.pressure_radius,

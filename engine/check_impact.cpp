@@ -114,6 +114,10 @@ private:
         constexpr int steps = 4000;
         constexpr long most = 100L * steps;
         const double size = -before / yielding / steps;
+        if (!std::isfinite(size)) {
+            total_ = {size, size};
+            return;
+        }
         double sum = 0;
         for (long i = 0; i < most && approach() < 0; ++i) {
             const auto back = bodies_;

@@ -135,9 +135,9 @@ private:
         name("{G}", centroid);
         name("{R} = {Q}", {at, foot - 3}, Spot{at, foot - 8});
         if (found_.first > 0)
-            name("{p_1} = " + said(found_.first, QuantityKind::pressure), {left, top + first / 2}, Spot{left, top});
+            name("{p_1}", {left, top + first / 2}, Spot{left, top});
         if (found_.second > 0)
-            name("{p_2} = " + said(found_.second, QuantityKind::pressure), {right, top + second / 2}, Spot{right, top});
+            name("{p_2}", {right, top + second / 2}, Spot{right, top});
     }
 
     // ----- disc
@@ -171,7 +171,7 @@ private:
         const double r = problem_.radius.to_double(), h = problem_.pivot.to_double();
         const double span = std::max(r, h) + r;
         begin({"Shoe, drum and pressures", "Ceppo, tamburo e pressioni"},
-              choose_scale(span, 2 * r, room_.x - 30, room_.y - 30, std::nullopt));
+              choose_scale(span, 2 * r, room_.x - 20, room_.y - 24, std::nullopt));
         press_to_scale(found_.greatest, 12);
         const double drum = r / scale_;
         add(circle({0, 0}, drum, pen(2 * theme_.outline, theme_.text)));
@@ -182,14 +182,14 @@ private:
         const Spot pin{h / scale_, 0};
         add(line({0, 0}, pin, pen(theme_.thin, theme_.secondary, dash_dot())));
         add(ring(pin, 1.4, theme_.paper, pen(2 * theme_.outline, colour().line)));
-        name("{h} = " + given(problem_.pivot, QuantityKind::length), 0.5 * pin, pin);
+        name("{h}", 0.5 * pin, pin);
         draw_shoe_force(pin, drum);
         // Friction turns a leading shoe the way its force does.
         const double middle = 1.25 * pi;
         const bool counter = problem_.leading == problem_.inside;
-        draw_arc_arrow(figure_.marks, {0, 0}, 0.45 * drum, -middle, -middle + (counter ? -0.5 : 0.5), theme_.outline,
+        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline,
                        theme_.text);
-        name("{ω}", round(0.45 * drum, middle));
+        name("{ω}", round(0.6 * drum, middle));
     }
     void draw_lining(double drum) {
         constexpr double thick = 3, steps = 48;
@@ -233,7 +233,7 @@ private:
         if (!problem_.inside) across = -1 * across;
         arrow(place - 11 * across, place, theme_.vector, theme_.text);
         name("{Q}", place - 6 * across, place);
-        name("{c} = " + given(problem_.arm, QuantityKind::length), 0.5 * (pin + place), place);
+        name("{c}", 0.5 * (pin + place), place);
     }
 
     const DrawingContext& context_;
