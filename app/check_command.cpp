@@ -2,8 +2,10 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "constructions/oversights.hpp"
+#include "constructions/solve.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
+#include "engine/problem.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::app {
@@ -26,6 +28,25 @@ tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language l
     return *std::move(mechanism);
 }
 
+Words no_mechanism(const char* command) {
+    return {"{0} is for mechanisms; this file has no joints, and \"solve\" and \"check\" alone take it",
+            "{0} è per i meccanismi; questo file non ha coppie, e lo prendono solo \"solve\" e \"check\"", std::string(command)};
+}
+
+namespace {
+
+/// What only the solution tells: numbers too far apart, bodies that part.
+Status check_problem(const Mechanism& mechanism, const Words& name, Language language) {
+    const auto solution = solve(mechanism);
+    if (!solution) return say(name, solution.error(), language);
+    for (const Words& remark : solution->problem->remarks)
+        say(name, Words(render::word("a remark", language) + ": " + in(remark, language)), language);
+    const Words line("{0}: in order ({1})\n", "{0}: in ordine ({1})\n", one_line(in(name, language)), solution->problem->subject);
+    return print(in(line, language), language);
+}
+
+}  // namespace
+
 Status check_command(const CheckRequest& request) {
     const Language language = request.language;
     const Words name = spoken(request.file);
@@ -33,6 +54,7 @@ Status check_command(const CheckRequest& request) {
     if (!mechanism) return mechanism.error();
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(name, pose.error(), language);
+    if (mechanism->problem) return check_problem(*mechanism, name, language);
     std::vector<Message> remarks = pose->remarks;
     for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose))) remarks.push_back(std::move(each));
     for (const Message& remark : remarks)

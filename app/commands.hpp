@@ -85,5 +85,7 @@ Words spoken(const std::string& file);
 tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language language, std::span<const Setting> set = {});
 /// The same without its folder: what a sheet may show, the same wherever it is made.
 std::string bare_name(const std::string& file);
+/// Why a command that moves or counts joints has nothing to do with a file that states a problem in place of them.
+Words no_mechanism(const char* command);
 
 }  // namespace kinegraph::app

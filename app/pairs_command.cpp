@@ -11,6 +11,10 @@ Status pairs_command(const PairsRequest& request) {
     if (request.file.empty()) return print(render::pair_catalogue(request.language, request.form), request.language);
     const auto mechanism = mechanism_of(request.file, request.language);
     if (!mechanism) return mechanism.error();
+    if (mechanism->problem) {
+        say(spoken(request.file), no_mechanism("pairs"), request.language);
+        return Status::bad_input;
+    }
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(spoken(request.file), pose.error(), request.language);
     const Mobility mobility = mobility_of(*mechanism, *pose);

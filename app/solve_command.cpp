@@ -9,6 +9,7 @@
 #include "app/outputs.hpp"
 #include "constructions/solve.hpp"
 #include "engine/moved.hpp"
+#include "engine/problem.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"
 #include "render/text/words.hpp"
@@ -123,6 +124,10 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
     auto mechanism = mechanism_of(request.file, request.language, request.set);
     if (!mechanism) return tl::unexpected(mechanism.error());
+    if (!request.at.empty() && mechanism->problem) {
+        say(spoken(request.file), no_mechanism("solve --at"), request.language);
+        return tl::unexpected(Status::bad_input);
+    }
     if (!request.at.empty()) return solved_at(*mechanism, request);
     auto solution = solve(*std::move(mechanism));
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
@@ -240,8 +245,11 @@ Status solve_command(const SolveRequest& request) {
     const auto add = [&](std::string remark) {
         if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(std::move(remark));
     };
-    for (const Solution& solution : *solutions)
+    for (const Solution& solution : *solutions) {
         for (const Message& remark : solution.remarks) add(tell(remark));
+        if (solution.problem)
+            for (const Words& remark : solution.problem->remarks) add(in(remark, language));
+    }
     const auto outputs = made(*solutions, *targets, *theme, request, remarks);
     if (!outputs) return outputs.error();
     remark_on_request(request, solutions->front(), *targets, remarks);

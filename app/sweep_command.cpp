@@ -425,6 +425,7 @@ Status sweep_command(const SweepRequest& request) {
     if (targets->empty()) targets->push_back({"-", Format::csv});
     const auto mechanism = mechanism_of(request.file, language, request.set);
     if (!mechanism) return mechanism.error();
+    if (mechanism->problem) return wrong(no_mechanism("sweep"));
     const auto asked = asked_of(request, *mechanism);
     if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(*mechanism);

@@ -15,6 +15,7 @@
 #include "constructions/noise.hpp"
 #include "constructions/oversights.hpp"
 #include "constructions/plan.hpp"
+#include "constructions/problems.hpp"
 #include "constructions/relative_motion.hpp"
 #include "constructions/structure.hpp"
 #include "constructions/virtual_work.hpp"
@@ -443,6 +444,12 @@ Result<Solution> solve(Mechanism mechanism) {
     Solution solution;
     solution.mechanism = std::move(mechanism);
     solution.pose = *std::move(pose);
+    if (solution.mechanism.problem) {
+        auto found = solve_problem(*solution.mechanism.problem, solution.mechanism, solution.pose);
+        if (!found) return tl::unexpected(std::move(found.error()));
+        solution.problem = std::make_shared<const ProblemSolution>(*std::move(found));
+        return solution;
+    }
     solution.mobility = mobility_of(solution.mechanism, solution.pose);
     Solver(solution, [&solution] {
         auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);

@@ -70,6 +70,12 @@ Dimension dimension_of(QuantityKind kind) {
             return {.length = 2, .mass = 1, .time = -2};
         case QuantityKind::inertia:
             return {.length = 2, .mass = 1};
+        case QuantityKind::pressure:
+            return {.length = -1, .mass = 1, .time = -2};
+        case QuantityKind::time:
+            return {.time = 1};
+        case QuantityKind::wear:
+            return {.length = 1, .mass = -1, .time = 2};
     }
     KG_ASSERT(false, "every kind has a dimension");
 }

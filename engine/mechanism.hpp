@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -225,7 +226,7 @@ struct Unit {
 };
 struct Units {
     Unit length{"m", 1}, angle{"deg", 1}, angular_velocity{"rad/s", 1}, velocity{"m/s", 1}, acceleration{"m/s²", 1},
-        mass{"kg", 1}, force{"N", 1}, moment{"N m", 1}, inertia{"kg m²", 1};
+        mass{"kg", 1}, force{"N", 1}, moment{"N m", 1}, inertia{"kg m²", 1}, pressure{"Pa", 1};
 };
 
 /// A scale the file asks for a figure: `quantity` SI units for each mm on paper (drawing: m/mm, "1:5" is 0.005).
@@ -234,6 +235,9 @@ struct AskedScale {
     Exact per_millimetre;
     std::string where;
 };
+
+/// Contact, wear or impact (engine/problem.hpp), which a file may state in place of joints.
+struct Problem;
 
 struct Mechanism {
     std::string source;  ///< the file's name, for messages and the title block
@@ -251,6 +255,7 @@ struct Mechanism {
     std::vector<Load> loads;
     std::vector<Effort> efforts;
     std::optional<ActOfMotion> motion;
+    std::shared_ptr<const Problem> problem;  ///< in place of joints, where the file states one
     Find find;
     std::vector<AskedScale> scales;
 

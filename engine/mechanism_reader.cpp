@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "engine/assert.hpp"
-#include "engine/form_reader.hpp"
 #include "engine/json_source.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/point_cycles.hpp"
+#include "engine/problem_reader.hpp"
 #include "engine/rounding.hpp"
 #include "engine/scale_text.hpp"
 #include "engine/spelling.hpp"
@@ -29,7 +29,7 @@ namespace kinegraph {
 namespace {
 
 /// Section by section.
-class Reader : private FormReader {
+class Reader : private ProblemReader {
 public:
     Reader(const JsonSource& source, std::string name, std::span<const Setting> set) : source_(source), set_(set) {
         mechanism_.source = std::move(name);
@@ -68,7 +68,7 @@ private:
         const Members file =
             members(root,
                     {"$schema", "kinegraph", "title", "units", "parameters", "precision", "frame", "points", "bodies", "joints",
-                     "drivers", "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales"},
+                     "drivers", "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales", "hertz", "reye", "impact"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
@@ -80,8 +80,13 @@ private:
         read_parameters(file["parameters"], set_);
         if (file["precision"])
             mechanism_.precision = not_negative(file["precision"], QuantityKind::length, std::string("\"precision\""));
-        const JsonValue points = required(file, "points", {"an object of points by name", "un oggetto con i punti per nome"});
-        const JsonValue bodies = required(file, "bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
+        // A problem names its bodies itself, and needs no points.
+        const bool is_problem = states_problem(file);
+        const auto wanted = [&](std::string_view key, const Words& what) {
+            return is_problem ? file[key] : required(file, key, what);
+        };
+        const JsonValue points = wanted("points", {"an object of points by name", "un oggetto con i punti per nome"});
+        const JsonValue bodies = wanted("bodies", {"an object of bodies by name", "un oggetto con i corpi per nome"});
         if (points && expect(points, Kind::object, {"an object of points by name", "un oggetto con i punti per nome"})) {
             points_known_ = true;
             for (const JsonValue member : points) register_point(member);
@@ -92,6 +97,10 @@ private:
         register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
         if (points_known_) read_points(points);
         if (bodies_readable) read_bodies(bodies);
+        if (is_problem) {
+            mechanism_.problem = read_problem(file, mechanism_);
+            return;
+        }
         read_joints(file);
         each(file["drivers"], {"an array of drivers", "un array di moventi"}, [&](JsonValue v) { read_driver(v); });
         read_masses(file["masses"]);
@@ -140,19 +149,21 @@ private:
             std::pair{std::string_view("force"), QuantityKind::force},
             std::pair{std::string_view("moment"), QuantityKind::moment},
             std::pair{std::string_view("inertia"), QuantityKind::inertia},
+            std::pair{std::string_view("pressure"), QuantityKind::pressure},
         };
         if (units && expect(units, Kind::object, {"an object of units by quantity", "un oggetto con le unità per grandezza"})) {
-            const Members set = members(
-                units, {"length", "angle", "angular velocity", "velocity", "acceleration", "mass", "force", "moment", "inertia"},
-                {"\"units\"", "\"units\""});
+            const Members set = members(units,
+                                        {"length", "angle", "angular velocity", "velocity", "acceleration", "mass", "force",
+                                         "moment", "inertia", "pressure"},
+                                        {"\"units\"", "\"units\""});
             for (const auto& [key, kind] : kinds) {
                 if (set[key]) read_unit(set[key], kind);
             }
         }
         Units& all = mechanism_.units;
-        const std::array<Unit*, kinds.size()> targets{&all.length,   &all.angle,        &all.angular_velocity,
-                                                      &all.velocity, &all.acceleration, &all.mass,
-                                                      &all.force,    &all.moment,       &all.inertia};
+        const std::array<Unit*, kinds.size()> targets{
+            &all.length, &all.angle, &all.angular_velocity, &all.velocity, &all.acceleration,
+            &all.mass,   &all.force, &all.moment,           &all.inertia,  &all.pressure};
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             const KnownUnit& unit = bare_unit(kinds[i].second);
             *targets[i] = {std::string(unit.symbol), unit.si};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/problem.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph {
@@ -427,9 +428,80 @@ private:
     const Teller& tell_;
 };
 
+/// What was found of contact, wear or impact: its own section, and the checks of its values.
+class ProblemResults {
+public:
+    explicit ProblemResults(const Solution& solution) : found_(*solution.problem), mechanism_(solution.mechanism) {}
+
+    std::string json() const {
+        Members file;
+        std::visit([&](const auto& of) { add(of, file); }, found_.of);
+        file.emplace_back("checks", checks());
+        file.emplace_back("unsolved", "[]");
+        if (!found_.remarks.empty()) {
+            std::vector<std::string> all;
+            for (const Words& each : found_.remarks) all.push_back(quoted(each.en));
+            file.emplace_back("remarks", lines('[', all, ']'));
+        }
+        std::string text = "{";
+        for (std::size_t i = 0; i < file.size(); ++i)
+            text += (i == 0 ? "\n  " : ",\n  ") + quoted(file[i].first) + ": " + file[i].second;
+        return text + "\n}\n";
+    }
+
+private:
+    /// All values, by their names.
+    Members values() const {
+        Members members;
+        for (const ProblemValue& each : found_.values)
+            if (each.in_file) members.emplace_back(each.name.en, number(each.value));
+        return members;
+    }
+    void add(const ImpactSolution& found, Members& file) const {
+        Members members{{"kind", "[" + quoted(found.central ? "central" : "eccentric") + ", " +
+                                     quoted(found.direct ? "direct" : "oblique") + "]"},
+                        {"angle", number(found.obliquity)},
+                        {"impulse", pair(found.impulse)}};
+        Members bodies;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const ImpactSolution::Body& body = found.bodies.at(i);
+            Members of{{"velocity", pair(body.after)}, {"omega", number(body.omega_after)}};
+            if (body.reaction) of.emplace_back("pivot", pair(*body.reaction));
+            if (body.percussion) of.emplace_back("centre of percussion", pair(*body.percussion));
+            bodies.emplace_back(mechanism_.body(std::get<ImpactProblem>(mechanism_.problem->of).bodies.at(i).body).name,
+                                object(of));
+        }
+        members.emplace_back("bodies", object(bodies));
+        members.emplace_back("energy lost", number(found.energy_lost));
+        members.emplace_back("normal restitution", number(found.kinematic_restitution));
+        file.emplace_back("impact", object_of_lines(members));
+    }
+    void add(const ReyeSolution& found, Members& file) const {
+        Members members{{"pressures", pair(number(found.first), number(found.second))}};
+        for (auto& each : values()) members.push_back(std::move(each));
+        if (found.worn) members.emplace_back("worn", pair(number((*found.worn)[0]), number((*found.worn)[1])));
+        file.emplace_back("reye", object_of_lines(members));
+    }
+    void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values())); }
+    std::string checks() const {
+        std::vector<std::string> all;
+        for (const ProblemValue& each : found_.values)
+            if (each.numeric)
+                all.push_back(object({{"quantity", quoted(each.name.en)},
+                                      {"graphical", number(each.value)},
+                                      {"numeric", number(*each.numeric)},
+                                      {"difference", number(each.value - *each.numeric)}}));
+        return lines('[', all, ']');
+    }
+
+    const ProblemSolution& found_;
+    const Mechanism& mechanism_;
+};
+
 }  // namespace
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
+    if (solution.problem) return ProblemResults(solution).json();
     return Results(solution, exact, tell).json();
 }
 

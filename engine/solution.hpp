@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -175,6 +176,9 @@ struct Unsolved {
     Message why;
 };
 
+/// What was found of contact, wear or impact (engine/problem.hpp).
+struct ProblemSolution;
+
 struct Solution {
     Mechanism mechanism;
     Pose pose;
@@ -195,8 +199,9 @@ struct Solution {
     std::vector<JointForce> forces;
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
-    std::optional<VirtualWork> virtual_work;  ///< where forces and velocities are known
-    std::optional<ActFigure> act_of_motion;   ///< where the file gives one body's act of motion
+    std::optional<VirtualWork> virtual_work;         ///< where forces and velocities are known
+    std::optional<ActFigure> act_of_motion;          ///< where the file gives one body's act of motion
+    std::shared_ptr<const ProblemSolution> problem;  ///< where the file states one; all of motion and forces is empty then
     std::vector<CheckRow> checks;
     /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not determine it.
     std::vector<std::optional<double>> numeric_moduli;

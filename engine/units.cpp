@@ -75,6 +75,18 @@ std::vector<KnownUnit> make_units() {
         {inertia, "kg m²", 1},
         {inertia, "kg cm²", Exact::ratio(1, 10000)},
         {inertia, "kg mm²", Exact::ratio(1, 1000000)},
+        {pressure, "Pa", 1},
+        {pressure, "kPa", 1000},
+        {pressure, "MPa", 1000000},
+        {pressure, "GPa", 1000000000},
+        {pressure, "bar", 100000},
+        {pressure, "psi", pound_force / (inch * inch)},
+        {time, "s", 1},
+        {time, "min", 60},
+        {time, "h", 3600},
+        {wear, "m²/N", 1},
+        {wear, "mm²/N", Exact::ratio(1, 1000000)},
+        {wear, "mm³/(N m)", Exact::ratio(1, 1000000000)},
     };
 }
 
@@ -162,6 +174,12 @@ Words name_of(QuantityKind kind) {
             return {"moment", "momento"};
         case QuantityKind::inertia:
             return {"moment of inertia", "momento d’inerzia"};
+        case QuantityKind::pressure:
+            return {"pressure", "pressione"};
+        case QuantityKind::time:
+            return {"time", "durata"};
+        case QuantityKind::wear:
+            return {"coefficient of wear", "coefficiente d’usura"};
     }
     KG_ASSERT(false, "every kind has a name");
 }
@@ -169,7 +187,7 @@ Words name_of(QuantityKind kind) {
 Words with_article(QuantityKind kind) {
     const Words name = name_of(kind);
     const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle || kind == QuantityKind::moment ||
-                           kind == QuantityKind::inertia;
+                           kind == QuantityKind::inertia || kind == QuantityKind::wear;
     const std::string_view feminine = name.it.starts_with('a') ? "un’" : "una ";
     return {(name.en.starts_with('a') ? "an " : "a ") + name.en, std::string(masculine ? "un " : feminine) + name.it};
 }

@@ -46,8 +46,8 @@ check() {
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '"' $rooms | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
             breach "own headers are written from the root, room first"
-        includes '[<"](unsupported/)?Eigen/' $rooms | grep -vE '^engine/check(_forces)?\.cpp:' |
-            breach "Eigen is engine/check.cpp's and engine/check_forces.cpp's"
+        includes '[<"](unsupported/)?Eigen/' $rooms | grep -vE '^engine/check(_forces|_hertz)?\.cpp:' |
+            breach "Eigen is the checks': engine/check.cpp's and those of its like"
         includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/backends/cairo_backend\.cpp:' |
             breach "cairo is render/backends/cairo_backend.cpp's"
         includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"

@@ -294,6 +294,8 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
             return units.force;
         case QuantityKind::moment:
             return units.moment;
+        case QuantityKind::pressure:
+            return units.pressure;
         default:
             return {"s", 1};
     }

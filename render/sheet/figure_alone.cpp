@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "render/page/shapes.hpp"
+#include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
 
@@ -32,8 +33,22 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
 
 }  // namespace
 
+namespace {
+
+std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
+                                             const SheetFormat& format, const std::string& name) {
+    WantedFigures wanted(context, options.joukowsky);
+    const std::vector<Choice> all = choices(context, wanted);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
+    if (found == all.end()) return std::nullopt;
+    return found->draw(2 * format.measure + gap, tallest);
+}
+
+}  // namespace
+
 std::vector<std::string> figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
+    if (solution.problem) return problem_figure_names(context);
     WantedFigures wanted(context, options.joukowsky);
     std::vector<std::string> names;
     for (const Choice& each : choices(context, wanted)) names.push_back(each.name);
@@ -44,11 +59,10 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
                                   const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const SheetFormat format = format_of(options.paper, options.orientation);
-    WantedFigures wanted(context, options.joukowsky);
-    const std::vector<Choice> all = choices(context, wanted);
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Choice& each) { return each.name == name; });
-    if (found == all.end()) return std::nullopt;
-    Figure figure = found->draw(2 * format.measure + gap, tallest);
+    auto drawn = solution.problem ? problem_figure(context, name, format.measure, tallest)
+                                  : mechanism_figure_named(context, options, format, name);
+    if (!drawn) return std::nullopt;
+    Figure figure = *std::move(drawn);
     const Box box = box_of(figure.marks);
     figure.move(margin - box.min.x, margin - box.min.y);
     Page page;

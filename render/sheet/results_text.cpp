@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "render/page/shapes.hpp"
+#include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/text/utf8.hpp"
 #include "render/text/words.hpp"
@@ -209,6 +210,8 @@ private:
 
 }  // namespace
 
-std::string results_table(const Solution& solution, Language language) { return Text(solution, language).write(); }
+std::string results_table(const Solution& solution, Language language) {
+    return solution.problem ? problem_table(solution, language) : Text(solution, language).write();
+}
 
 }  // namespace kinegraph::render

@@ -17,6 +17,7 @@
 #include "render/page/shapes.hpp"
 #include "render/sheet/beside.hpp"
 #include "render/sheet/page_plan.hpp"
+#include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/title_block.hpp"
 
 namespace kinegraph::render {
@@ -344,6 +345,7 @@ private:
 }  // namespace
 
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    if (solution.problem) return lay_out_problem(solution, options, fonts);
     return Layout(solution, options, fonts).pages();
 }
 

@@ -12,6 +12,7 @@
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
+#include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
 #include "render/tables/force_tables.hpp"
@@ -510,6 +511,7 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
 }
 
 std::vector<Page> lay_out_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    if (solution.problem) return lay_out_problem_steps(solution, options, fonts);
     return StepPages(solution, options, fonts).pages();
 }
 

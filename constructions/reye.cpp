@@ -1,0 +1,222 @@
+#include "constructions/reye.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/check_reye.hpp"
+
+namespace kinegraph {
+namespace {
+
+using std::numbers::pi;
+using Kind = ReyeProblem::Kind;
+
+class Wear {
+public:
+    explicit Wear(const ReyeProblem& problem) : problem_(problem), force_(problem.force.to_double()) {
+        switch (problem.kind) {
+            case Kind::pad:
+                tilt();
+                break;
+            case Kind::block:
+                press_evenly();
+                break;
+            case Kind::disc:
+                turn_ring();
+                break;
+            case Kind::shoe:
+                turn_shoe();
+                break;
+        }
+        sample();
+        if (problem.wear) wear_off();
+    }
+    ReyeSolution solution() && { return std::move(found_); }
+    bool locks() const { return locks_; }
+
+private:
+    void tilt() {
+        const Exact &a = problem_.length, &b = problem_.width, &d = problem_.offset, &q = problem_.force;
+        const Exact first = 2 * q * (2 * a - 3 * d) / (a * a * b), second = 2 * q * (3 * d - a) / (a * a * b);
+        found_.resultant = d;
+        found_.end = a.to_double();
+        found_.lifts = first.sign() < 0 || second.sign() < 0;
+        if (!found_.lifts) {
+            found_.first = first.to_double();
+            found_.second = second.to_double();
+            if (first.sign() > 0) found_.m = (3 * a - 6 * d) / (3 * d - 2 * a);
+        } else if (second.sign() < 0) {
+            found_.end = (3 * d).to_double();
+            found_.first = (2 * q / (3 * d * b)).to_double();
+        } else {
+            found_.begin = (a - 3 * (a - d)).to_double();
+            found_.second = (2 * q / (3 * (a - d) * b)).to_double();
+        }
+        found_.greatest = std::max(found_.first, found_.second);
+        found_.greatest_at = found_.first >= found_.second ? 0 : a.to_double();
+        rub_straight();
+    }
+    void press_evenly() {
+        found_.end = problem_.length.to_double();
+        found_.greatest = found_.first = found_.second = (problem_.force / (problem_.length * problem_.width)).to_double();
+        found_.m = Exact();
+        found_.resultant = problem_.length / 2;
+        rub_straight();
+    }
+    void rub_straight() {
+        if (problem_.friction) found_.friction_force = (*problem_.friction * problem_.force).to_double();
+    }
+
+    void turn_ring() {
+        const double inner = problem_.inner.to_double(), outer = problem_.outer.to_double();
+        const double f = problem_.friction->to_double() * problem_.surfaces;
+        const double constant = force_ / (2 * pi * (outer - inner));
+        found_.begin = inner;
+        found_.end = outer;
+        found_.greatest = found_.first = constant / inner;
+        found_.greatest_at = inner;
+        found_.second = constant / outer;
+        found_.torque = f * force_ * (inner + outer) / 2;
+        found_.uniform_pressure = force_ / (pi * (outer - inner) * (outer + inner));
+        // (r₂³ − r₁³)/(r₂² − r₁²) without its cancellation.
+        found_.uniform_torque = 2.0 / 3 * f * force_ * (outer * outer + outer * inner + inner * inner) / (outer + inner);
+    }
+
+    void turn_shoe() {
+        const double r = problem_.radius.to_double(), h = problem_.pivot.to_double(), b = problem_.width.to_double();
+        const double from = problem_.from.to_double(), to = problem_.to.to_double(), f = problem_.friction->to_double();
+        // ∫ sin²θ, ∫ sin θ, ∫ sin θ cos θ between the ends.
+        const double squares = (to - from) / 2 - (std::sin(2 * to) - std::sin(2 * from)) / 4;
+        const double sines = std::cos(from) - std::cos(to);
+        const double products = (std::sin(to) - std::sin(from)) * (std::sin(to) + std::sin(from)) / 2;
+        const double normal = b * r * h * squares, rubbing = b * r * (r * sines - h * products);
+        // Where its moment is negative, friction works the other way round.
+        if (rubbing > 0) found_.locking_friction = normal / rubbing;
+        const double moment = problem_.leading ? normal - f * rubbing : normal + f * rubbing;
+        locks_ = !(moment > 0);
+        const double constant = force_ * problem_.arm.to_double() / moment;
+        found_.begin = from;
+        found_.end = to;
+        found_.first = constant * std::sin(from);
+        found_.second = constant * std::sin(to);
+        found_.greatest_at = std::clamp(pi / 2, from, to);
+        found_.greatest = constant * std::sin(found_.greatest_at);
+        found_.torque = f * constant * b * r * r * sines;
+        const double inward = problem_.inside ? -1 : 1;
+        found_.normal_force = {inward * constant * b * r * products, inward * constant * b * r * squares};
+        found_.pressure_radius = r * sines / std::hypot(products, squares);
+        constant_ = constant;
+    }
+
+    double pressure_at(double place) const {
+        if (place < found_.begin || place > found_.end) return 0;
+        if (problem_.kind == Kind::disc) return found_.first * found_.begin / place;
+        if (problem_.kind == Kind::shoe) return constant_ * std::sin(place);
+        const double share = (place - found_.begin) / (found_.end - found_.begin);
+        return found_.first + share * (found_.second - found_.first);
+    }
+    void sample() {
+        constexpr int samples = 60;
+        for (int i = 0; i <= samples; ++i) {
+            const double place = i == samples ? found_.end : found_.begin + (found_.end - found_.begin) * i / samples;
+            found_.pressures.push_back({place, pressure_at(place)});
+        }
+    }
+    /// Depth = wear × pressure × way.
+    void wear_off() {
+        const double turned = (*problem_.wear * *problem_.speed * *problem_.time).to_double();
+        std::array<double, 2> levers{1, 1};
+        if (problem_.kind == Kind::disc) levers = {found_.begin, found_.end};
+        if (problem_.kind == Kind::shoe) levers = {problem_.radius.to_double(), problem_.radius.to_double()};
+        found_.worn = std::array{turned * levers[0] * found_.first, turned * levers[1] * found_.second};
+    }
+
+    const ReyeProblem& problem_;
+    double force_, constant_ = 0;
+    bool locks_ = false;
+    ReyeSolution found_;
+};
+
+std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSolution& found, const ReyeCheck& check) {
+    using enum QuantityKind;
+    std::vector<ProblemValue> values;
+    values.push_back({{"pressure 1", "pressione 1"}, "p_1", pressure, found.first, check.first, false});
+    values.push_back({{"pressure 2", "pressione 2"}, "p_2", pressure, found.second, check.second, false});
+    if (problem.kind == Kind::shoe)
+        values.push_back({{"greatest pressure", "pressione massima"}, "p_max", pressure, found.greatest, check.greatest});
+    if (problem.kind == Kind::pad && found.m)
+        values.push_back({Words(std::string("m")), "m", dimensionless, found.m->to_double(), check.second / check.first - 1});
+    if (found.resultant)
+        values.push_back({{"resultant at", "risultante in"}, "x_R", length, found.resultant->to_double(), check.resultant});
+    if (found.lifts) {
+        values.push_back({{"contact from", "contatto da"}, "x_1", length, found.begin, check.begin});
+        values.push_back({{"contact to", "contatto fino a"}, "x_2", length, found.end, check.end});
+    }
+    if (found.friction_force)
+        values.push_back({{"friction force", "forza d’attrito"}, "T", force, *found.friction_force, check.friction});
+    if (found.torque) values.push_back({{"torque", "momento"}, "M", moment, *found.torque, check.torque});
+    if (found.uniform_torque) {
+        values.push_back(
+            {{"uniform pressure", "pressione uniforme"}, "p_u", pressure, *found.uniform_pressure, check.uniform_pressure});
+        values.push_back({{"torque at uniform pressure", "momento a pressione uniforme"},
+                          "M_u",
+                          moment,
+                          *found.uniform_torque,
+                          check.uniform_torque});
+    }
+    if (problem.kind == Kind::shoe) {
+        values.push_back({{"normal force", "forza normale"},
+                          "N",
+                          force,
+                          std::hypot(found.normal_force.x, found.normal_force.y),
+                          check.normal});
+        values.push_back({{"centre of pressure", "centro di pressione"},
+                          "r_C",
+                          length,
+                          found.pressure_radius,
+                          check.pressure_radius});
+        if (problem.leading && found.locking_friction)
+            values.push_back(
+                {{"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction, check.locking});
+    }
+    if (found.worn) {
+        values.push_back({{"worn 1", "usura 1"}, "h_1", length, (*found.worn)[0], check.worn[0], false});
+        values.push_back({{"worn 2", "usura 2"}, "h_2", length, (*found.worn)[1], check.worn[1], false});
+    }
+    return values;
+}
+
+}  // namespace
+
+Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
+    Wear wear(problem);
+    const bool locks = wear.locks();
+    ReyeSolution found = std::move(wear).solution();
+    if (locks)
+        return tl::unexpected(Errors{
+            {ErrorCode::no_unique_answer,
+             problem.where,
+             {"this shoe locks itself: from a friction of {0} on it needs no force; lower \"friction\", or move the pivot",
+              "questo ceppo si blocca da sé: da un attrito di {0} in su non serve forza; ridurre \"friction\", o spostare la cerniera",
+              std::to_string(*found.locking_friction)}}});
+    ProblemSolution solution;
+    solution.subject = {"Wear by Reye’s hypothesis: pressures and torque",
+                        "Usura secondo l’ipotesi di Reye: pressioni e momento"};
+    solution.values = values_of(problem, found, check_reye(problem));
+    for (const ProblemValue& each : solution.values)
+        if (!std::isfinite(each.value) || !std::isfinite(*each.numeric))
+            return tl::unexpected(Errors{
+                {ErrorCode::bad_input,
+                 problem.where,
+                 {"these numbers are too far apart: {0} comes out as no number; check the units",
+                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}});
+    if (found.lifts)
+        solution.remarks.emplace_back(
+            "the force lies outside the middle third, so the pad lifts at one end: the contact that remains is a triangle of pressure",
+            "la forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha pressione triangolare");
+    solution.of = std::move(found);
+    return solution;
+}
+
+}  // namespace kinegraph

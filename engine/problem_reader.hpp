@@ -1,0 +1,52 @@
+// The sections of a file that state a problem in place of joints: "hertz", "reye", "impact". Each fault where it stands; what
+// only numbers can tell (curvatures that leave no contact) is told here too, since these problems need no drawing.
+#pragma once
+
+#include <memory>
+
+#include "engine/form_reader.hpp"
+#include "engine/problem.hpp"
+
+namespace kinegraph {
+
+/// What the reader of a mechanism file is built on, beside the forms.
+class ProblemReader : protected FormReader {
+protected:
+    /// The keys of such sections.
+    static constexpr std::array<std::string_view, 3> problem_keys{"hertz", "reye", "impact"};
+    static bool states_problem(const Members& file);
+    /// The section of the file, or null where it states none or one that cannot be read. Its bodies are added to `mechanism`.
+    std::shared_ptr<const Problem> read_problem(const Members& file, Mechanism& mechanism);
+
+private:
+    /// The body of that name, added where the file has none.
+    BodyIndex problem_body(JsonValue member, Mechanism& mechanism);
+    /// The two members of "bodies", or "not there".
+    std::array<JsonValue, 2> two_bodies(const Members& section);
+
+    std::optional<HertzProblem> read_hertz(JsonValue section, Mechanism& mechanism);
+    HertzBody read_hertz_body(JsonValue member, bool line, Mechanism& mechanism);
+    void read_shape(const Members& form, bool line, HertzBody& body);
+    void read_radius(JsonValue value, std::size_t plane, HertzBody& body);
+    void read_material(const Members& form, HertzBody& body);
+    void check_curvatures(const HertzProblem& problem, JsonValue bodies);
+
+    std::optional<ReyeProblem> read_reye(JsonValue section);
+    void read_pad(const Members& form, ReyeProblem& problem);
+    void read_disc(const Members& form, ReyeProblem& problem);
+    void read_shoe(const Members& form, ReyeProblem& problem);
+
+    std::optional<ImpactProblem> read_impact(JsonValue section, Mechanism& mechanism);
+    ImpactBody read_impact_body(JsonValue member, Mechanism& mechanism);
+};
+
+/// Young's modulus (Pa) and Poisson's ratio of a material known by name. Shigley, Mechanical Engineering Design, table A–5;
+/// nylon: Ashby, Materials Selection in Mechanical Design, appendix A.
+struct Material {
+    std::string_view name;
+    double young = 0;
+    const char* poisson = "0";
+};
+std::span<const Material> known_materials();
+
+}  // namespace kinegraph

@@ -1,0 +1,13 @@
+#include "render/sheet/problem_sections.hpp"
+
+#include "engine/problem.hpp"
+
+namespace kinegraph::render {
+
+std::vector<ProblemSection> sections_of_problem(const DrawingContext& context) {
+    if (std::holds_alternative<HertzProblem>(context.solution.mechanism.problem->of)) return hertz_sections(context);
+    if (std::holds_alternative<ReyeProblem>(context.solution.mechanism.problem->of)) return reye_sections(context);
+    return impact_sections(context);
+}
+
+}  // namespace kinegraph::render
