@@ -75,6 +75,9 @@ std::vector<KnownUnit> make_units() {
         {inertia, "kg m²", 1},
         {inertia, "kg cm²", Exact::ratio(1, 10000)},
         {inertia, "kg mm²", Exact::ratio(1, 1000000)},
+        {time, "s", 1},
+        {time, "ms", Exact::ratio(1, 1000)},
+        {time, "min", 60},
     };
 }
 
@@ -162,6 +165,8 @@ Words name_of(QuantityKind kind) {
             return {"moment", "momento"};
         case QuantityKind::inertia:
             return {"moment of inertia", "momento d’inerzia"};
+        case QuantityKind::time:
+            return {"time", "tempo"};
     }
     KG_ASSERT(false, "every kind has a name");
 }
@@ -169,7 +174,7 @@ Words name_of(QuantityKind kind) {
 Words with_article(QuantityKind kind) {
     const Words name = name_of(kind);
     const bool masculine = kind == QuantityKind::dimensionless || kind == QuantityKind::angle || kind == QuantityKind::moment ||
-                           kind == QuantityKind::inertia;
+                           kind == QuantityKind::inertia || kind == QuantityKind::time;
     const std::string_view feminine = name.it.starts_with('a') ? "un’" : "una ";
     return {(name.en.starts_with('a') ? "an " : "a ") + name.en, std::string(masculine ? "un " : feminine) + name.it};
 }

@@ -26,6 +26,7 @@ enum class QuantityKind {
     force,
     moment,
     inertia,
+    time,
 };
 
 /// "length", "angular velocity": as the keys of `units` call it.
@@ -33,7 +34,7 @@ Words name_of(QuantityKind kind);
 /// "a length", "an angle".
 Words with_article(QuantityKind kind);
 
-/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m or kg m².
+/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m, kg m² or s.
 struct KnownUnit {
     QuantityKind kind = QuantityKind::dimensionless;
     std::string_view symbol;  ///< as it is printed: "kg m²"

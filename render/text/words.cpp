@@ -453,6 +453,7 @@ constexpr std::array fixed_words{
     FixedWords{"change points", "change points (the branch is a choice)", "punti di biforcazione (il ramo è una scelta)"},
     FixedWords{"time ratio", "time ratio of slow and quick stroke", "rapporto dei tempi di andata e ritorno"},
     FixedWords{"least transmission angle", "least transmission angle", "minimo angolo di trasmissione"},
+    FixedWords{"pressure angle", "pressure angle", "angolo di pressione"},
     FixedWords{"largest speed", "largest speed", "massima velocità"},
     FixedWords{"largest acceleration", "largest acceleration", "massima accelerazione"},
     FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
