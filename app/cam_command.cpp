@@ -38,12 +38,23 @@ std::optional<Found> follower_of(const Solution& solution, bool translates, doub
     return Found{rises * body.omega->to_double(), rises * body.alpha->to_double()};
 }
 
-/// `to_draw`: the profile itself is drawn, so not the circle that stands for it at the contact.
-tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn, bool to_draw) {
+tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn) {
     auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
     if (!mechanism) return tl::unexpected(mechanism.error());
     mechanism->find.instant_centres = false;
-    if (to_draw) mechanism->bodies[1].circle.reset();
+    return solve(*std::move(mechanism));
+}
+
+/// The same to be drawn with the profile itself: without the circle that stands for it at the contact.
+tl::expected<Solution, Errors> drawn_at(const Cam& cam, const CamGeometry& geometry, double turn) {
+    auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
+    if (!mechanism) return tl::unexpected(mechanism.error());
+    Body& body = mechanism->bodies[1];
+    body.circle.reset();
+    body.points.resize(1);
+    std::erase_if(mechanism->joints, [](const Joint& joint) { return joint.pair().touches(); });
+    mechanism->find = {};
+    mechanism->find.stated = true;
     return solve(*std::move(mechanism));
 }
 
@@ -98,7 +109,7 @@ private:
         double most_speed = 0, most_acceleration = 0, off_speed = 0, off_acceleration = 0;
         for (const CamState& state : states_) {
             if (!std::isfinite(state.curvature)) continue;
-            const auto solution = solved_at(cam_, geometry_, state.turn, false);
+            const auto solution = solved_at(cam_, geometry_, state.turn);
             const auto found = solution ? follower_of(*solution, translates(), geometry_.rises()) : std::nullopt;
             if (!found) {
                 ++not_solved_;
@@ -197,6 +208,7 @@ private:
         CycleTable table;
         table.driver = drawn.mechanism.bodies[1].name;
         table.travel.to = 2 * pi_;
+        table.is_of_cam = true;
         const auto add = [&](Column::Kind kind, const Quantity& quantity, std::string name, QuantityKind unit) {
             table.columns.push_back({kind, quantity, std::move(name), unit});
         };
@@ -226,7 +238,8 @@ private:
     std::vector<render::Way> curves() const {
         const double angle = geometry_.sense() * at_;
         const auto placed = [&](const Spot& on_cam) { return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam); };
-        render::Way profile{"profile", true, {}}, pitch{"pitch curve", false, {}}, base{"base circle", false, {}};
+        render::Way profile{"profile", true, {}, BodyIndex(1)}, pitch{"pitch curve", false, {}, none},
+            base{"base circle", false, {}, none};
         constexpr int samples = 1440;
         for (int i = 0; i <= samples; ++i) {
             const CamState state = geometry_.at(2 * pi_ * i / samples);
@@ -241,7 +254,7 @@ private:
     }
     /// A status where something is missing, which has been said.
     std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
-        auto drawn = solved_at(cam_, geometry_, at_, true);
+        auto drawn = drawn_at(cam_, geometry_, at_);
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
         const auto press = Press::open(targets, language());
         if (!press) return press.error();

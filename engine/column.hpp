@@ -63,6 +63,7 @@ struct CycleTable {
     std::vector<double> left_out;  ///< positions without a row, as Travel::at gives them
     std::optional<Transmission> transmission;
     std::vector<Words> facts;  ///< what else is told below the extremes
+    bool is_of_cam = false;    ///< a cam's whole turn, else a mechanism's motion
 
     /// The column over which the others are drawn: the driver's coordinate, or the time where it has a law.
     std::size_t over() const { return travel.times ? 1 : 0; }

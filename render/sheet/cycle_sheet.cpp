@@ -29,7 +29,7 @@ public:
           plots_(plots),
           ways_(ways),
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date},
+          signature_{options.author, options.date, table.is_of_cam ? "subtitle cam" : "subtitle cycle"},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {
@@ -57,6 +57,7 @@ private:
             [&](double x, double y) {
                 Figure figure = mechanism_with_ways(context_, ways_, x, y);
                 scale_ = figure.scale;
+                if (table_.is_of_cam) figure.caption = one_piece(word("cam and follower", context_.language));
                 return figure;
             },
             corner, std::max(room, 45.0));

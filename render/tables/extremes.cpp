@@ -51,13 +51,15 @@ std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
     const double rounding = rounding_of(table, column);
     const auto is_zero = [&](std::size_t i) { return std::abs(values[i]) <= rounding; };
     const auto at = [&](std::size_t i) { return table.rows[i][table.over()]; };
+    const double way = table.rows.empty() ? 0 : std::abs(table.rows.back()[table.over()] - table.rows.front()[table.over()]);
     std::vector<double> zeros;
+    const auto add = [&](double zero) { zeros.push_back(std::abs(zero) < 1e-9 * way ? 0 : zero); };
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (is_zero(i)) {
             const bool stays = (i > 0 && is_zero(i - 1)) || (i + 1 < values.size() && is_zero(i + 1));
-            if (!stays) zeros.push_back(std::abs(at(i)) < 1e-12 ? 0 : at(i));
+            if (!stays) add(at(i));
         } else if (i > 0 && !is_zero(i - 1) && values[i - 1] * values[i] < 0) {
-            zeros.push_back(at(i - 1) + values[i - 1] / (values[i - 1] - values[i]) * (at(i) - at(i - 1)));
+            add(at(i - 1) + values[i - 1] / (values[i - 1] - values[i]) * (at(i) - at(i - 1)));
         }
     }
     return zeros;

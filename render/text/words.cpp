@@ -442,6 +442,8 @@ constexpr std::array fixed_words{
     FixedWords{"mechanism", "Mechanism", "Meccanismo"},
     FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
     FixedWords{"mechanism and its way", "Mechanism as drawn, and its way", "Meccanismo come disegnato e suo moto"},
+    FixedWords{"cam and follower", "Cam and follower, pitch curve and base circle",
+               "Camma e punteria, curva primitiva e circonferenza di base"},
     FixedWords{"extremes", "Extremes of the motion", "Valori estremi del moto"},
     FixedWords{"quantity", "quantity", "grandezza"},
     FixedWords{"least", "least", "minimo"},
@@ -726,6 +728,8 @@ constexpr std::array fixed_words{
     FixedWords{"subtitle mixed", "Motion and forces by polygons", "Moto e forze con i poligoni"},
     FixedWords{"subtitle pose", "Position and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
+    FixedWords{"subtitle cycle", "Position after position of one motion", "Un moto, posizione dopo posizione"},
+    FixedWords{"subtitle cam", "A disc cam by the law of its follower", "Camma a disco dalla legge della punteria"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
 };
 
