@@ -12,6 +12,7 @@
 #include "app/outputs.hpp"
 #include "constructions/solve.hpp"
 #include "engine/cam.hpp"
+#include "engine/closure.hpp"
 #include "engine/units.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"

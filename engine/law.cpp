@@ -93,13 +93,15 @@ double Law::length() const {
 }
 
 LawState Law::at(double t) const {
+    // A time that sums to a joint of two pieces but for rounding is meant to be there.
+    const double grain = 1e-14 * length();
     double start = 0, way = 0;
+    if (t < -grain) return {};
     for (const LawPiece& piece : pieces) {
-        if (t < start) return {way, 0, 0};
         const double over = piece.over.to_double(), rise = rise_of(piece);
         const bool is_last = &piece == &pieces.back();
-        if (t < start + over || (is_last && t <= start + over)) {
-            const LawState unit = unit_state(piece.form, (t - start) / over);
+        if (t < start + over - grain || (is_last && t <= start + over + grain)) {
+            const LawState unit = unit_state(piece.form, std::clamp((t - start) / over, 0.0, 1.0));
             return {way + rise * unit.s, rise * unit.first / over, rise * unit.second / (over * over)};
         }
         start += over;

@@ -308,9 +308,9 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
     const Quantity& q = column.quantity;
     const std::string axis = q.component == Quantity::Component::whole ? "" : q.component == Quantity::Component::x ? "x" : "y";
-    const auto symbol = [](const char* letter, std::string sub, Face sub_face, int dots = 0) {
+    const auto symbol = [](std::string letter, std::string sub, Face sub_face, int dots = 0) {
         Piece piece;
-        piece.text = letter;
+        piece.text = std::move(letter);
         piece.face = Face::italic;
         piece.sub = std::move(sub);
         piece.sub_face = sub_face;
@@ -353,9 +353,14 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
             return symbol(q.kind == Kind::couple ? "C" : "F", pair + (axis.empty() ? "" : " " + axis), Face::regular);
         }
-        default:
-            return one_piece(std::visit([](const auto& effort) { return effort.name; }, mechanism.efforts[at_index(q.given)]),
-                             Face::italic);
+        default: {
+            // "F_G" is F with the index G.
+            const std::string name =
+                std::visit([](const auto& effort) { return effort.name; }, mechanism.efforts[at_index(q.given)]);
+            const std::size_t index = name.find('_');
+            if (index == 0 || index == std::string::npos) return one_piece(name, Face::italic);
+            return symbol(name.substr(0, index), name.substr(index + 1), Face::italic);
+        }
     }
 }
 
