@@ -30,6 +30,7 @@ struct SolveRequest {
     bool exact = false;
     std::vector<std::string> at;    ///< positions: "30°", "every 30°"; empty: the drawn one
     std::string driver;             ///< whose coordinate `at` is; empty: the first of the file
+    int branch = 0;                 ///< out of a change point that is drawn: from 1, as results list them; 0: none is asked for
     std::vector<std::string> with;  ///< figures on request: "joukowsky"
 };
 Status solve_command(const SolveRequest& request);
@@ -40,8 +41,10 @@ struct SweepRequest {
     std::vector<Setting> set;  ///< parameters in place of the file's
     std::vector<std::string> outputs;
     std::string format;
-    std::string driver;    ///< its name; empty: the first of the file
-    std::string from, to;  ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
+    std::vector<std::string> drivers;  ///< by name: the one that moves, and those that go along; empty: the first of the file
+    std::vector<std::string> step;     ///< quantities: by how much those that go along move at each step
+    int branch = 0;                    ///< out of a change point that is drawn: from 1; 0: none is asked for
+    std::string from, to;              ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;
     std::vector<std::string> plots;   ///< columns by name, parted by commas; empty: what suits
     std::vector<std::string> traces;  ///< "P" or "P,on BODY"
@@ -51,6 +54,19 @@ struct SweepRequest {
     double dpi = 150;
 };
 Status sweep_command(const SweepRequest& request);
+
+/// cam FILE: the disc cam that gives its follower a law.
+struct CamRequest {
+    std::string file;
+    std::vector<std::string> outputs;
+    std::string format;
+    std::string at;  ///< the cam's turn at which its mechanism is written and drawn; empty: where the law begins
+    long steps = 360;
+    render::SheetOptions sheet;
+    std::string theme = "colour";
+    double dpi = 150;
+};
+Status cam_command(const CamRequest& request);
 
 /// check FILE: the file is read, its points are found, what was probably forgotten is said; nothing is solved or written.
 struct CheckRequest {

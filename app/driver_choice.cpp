@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/drivers.hpp"
 #include "engine/spelling.hpp"
 #include "engine/units.hpp"
 
@@ -18,9 +19,8 @@ std::string name_of_driver(const Mechanism& mechanism, int driver) {
     return mechanism.point(std::get<PointDriver>(given).at).name;
 }
 
-bool turns(const Mechanism& mechanism, int driver) {
-    return std::holds_alternative<SpinDriver>(mechanism.drivers[at_index(driver)]);
-}
+bool turns(const Mechanism& mechanism, int driver) { return kinegraph::turns(mechanism.drivers[at_index(driver)]); }
+const Law* law_of(const Mechanism& mechanism, int driver) { return kinegraph::law_of(mechanism.drivers[at_index(driver)]); }
 
 tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::string& name) {
     if (mechanism.drivers.empty())
@@ -40,17 +40,32 @@ tl::expected<int, Words> driver_named(const Mechanism& mechanism, const std::str
                                 did_you_mean(speller.nearest(name, known)), list));
 }
 
-tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {
-    const bool turning = turns(mechanism, driver);
-    const QuantityKind kind = turning ? QuantityKind::angle : QuantityKind::length;
-    const Unit& unit = turning ? mechanism.units.angle : mechanism.units.length;
-    if (const auto number = read_decimal(text)) return *number * unit.si;
+Course course_of(int driver, int branch) {
+    Course course{driver};
+    if (branch > 0) course.branch = static_cast<std::size_t>(branch) - 1;
+    return course;
+}
+
+tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kind, const Exact& unit) {
+    if (const auto number = read_decimal(text)) return *number * unit;
     const auto written = read_quantity(text, kind);
     if (!written) return tl::unexpected(written.error());
     if (written->unit->kind != kind)
         return tl::unexpected(Words("{0} is {1}; {2} is wanted here", "{0} è {1}; qui serve {2}", quoted(text),
                                     with_article(written->unit->kind), with_article(kind)));
     return written->in_si();
+}
+tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver, const std::string& text) {
+    const bool turning = turns(mechanism, driver);
+    return quantity_of(text, turning ? QuantityKind::angle : QuantityKind::length,
+                       (turning ? mechanism.units.angle : mechanism.units.length).si);
+}
+tl::expected<Exact, Words> time_of(const std::string& text) { return quantity_of(text, QuantityKind::time, 1); }
+
+Words time_text(double time) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), time, std::chars_format::general, 6);
+    return decimal(std::string(text.data(), end.ptr) + " s");
 }
 
 Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain) {

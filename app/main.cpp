@@ -215,6 +215,15 @@ void add_driver(CLI::App& command, std::string& driver) {
         ->type_name("NAME");
 }
 
+void add_branch(CLI::App& command, int& branch) {
+    command
+        .add_option("--branch", branch,
+                    "Out of a change point that is drawn: which of the branches that the results list, from 1; without it the one "
+                    "on which the bodies move least")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
+}
+
 void add_solve(CLI::App& program, Action& action) {
     CLI::App* command = add_command(program, "solve", "Solve a mechanism: the sheet and the results, or a table on the terminal");
     auto words = std::make_shared<SolveWords>();
@@ -230,6 +239,7 @@ void add_solve(CLI::App& program, Action& action) {
         ->allow_extra_args(false)
         ->type_name("TURN");
     add_driver(*command, words->request.driver);
+    add_branch(*command, words->request.branch);
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
@@ -247,6 +257,21 @@ struct SweepWords {
         return full;
     }
 };
+
+void add_drivers(CLI::App& command, SweepRequest& request) {
+    command
+        .add_option("--driver", request.drivers,
+                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. Given again: a "
+                    "driver that goes along, by its --step. Others rest")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command
+        .add_option("--step", request.step,
+                    "By how much a driver that goes along moves at each step of the first: 2°, -1 mm; one for each, in their order")
+        ->allow_extra_args(false)
+        ->type_name("TURN");
+    add_branch(command, request.branch);
+}
 
 void add_travel(CLI::App& command, SweepRequest& request) {
     command
@@ -295,11 +320,50 @@ void add_sweep(CLI::App& program, Action& action) {
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
         ->type_name("FORMAT");
     add_settings(*command, request.set);
-    add_driver(*command, request.driver);
+    add_drivers(*command, request);
     add_travel(*command, request);
     add_plots(*command, request);
     add_paper(*command, words->sheet);
     command->callback([&action, words] { action = [words] { return sweep_command(words->meant()); }; });
+}
+
+/// What is typed to draw a cam: the request, and what it says in words.
+struct CamWords {
+    CamRequest request;
+    SolveWords sheet;
+
+    CamRequest meant() const {
+        CamRequest full = request;
+        const SolveRequest words = sheet.meant();
+        full.sheet.language = words.language;
+        full.sheet.paper = words.paper;
+        full.sheet.orientation = words.orientation;
+        return full;
+    }
+};
+
+void add_cam(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "cam", "The disc cam that gives a follower its law: profile, pressure angle, curvature");
+    auto words = std::make_shared<CamWords>();
+    CamRequest& request = words->request;
+    command->add_option("FILE", request.file, "The cam's file; - is standard input")->required();
+    command
+        ->add_option("-o,--output", request.outputs,
+                     "OUT.csv (SI units), .svg, .png or .pdf (the sheet), .json (the mechanism file of one position); may be given "
+                     "again. Without it CSV goes to standard output")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    command->add_option("--format", request.format, "What to write where the name of the output does not say it")
+        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
+        ->type_name("FORMAT");
+    command
+        ->add_option("--at", request.at,
+                     "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
+        ->type_name("TURN");
+    command->add_option("--steps", request.steps, "Rows over the whole turn")->type_name("N")->capture_default_str();
+    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_paper(*command, words->sheet);
+    command->callback([&action, words] { action = [words] { return cam_command(words->meant()); }; });
 }
 
 void add_check(CLI::App& program, Action& action) {
@@ -384,6 +448,7 @@ Status run(int count, char** arguments, Language language) {
     Action action;
     add_solve(program, action);
     add_sweep(program, action);
+    add_cam(program, action);
     add_check(program, action);
     add_diff(program, action);
     add_pairs(program, action);

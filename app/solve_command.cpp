@@ -8,8 +8,10 @@
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
 #include "constructions/solve.hpp"
+#include "engine/drivers.hpp"
 #include "engine/moved.hpp"
 #include "engine/problem.hpp"
+#include "engine/units.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"
 #include "render/text/words.hpp"
@@ -40,14 +42,46 @@ Words why_no_lever(const Solution& solution) {
 struct Asked {
     Exact coordinate;
     Words text;
+    std::optional<Rates> rates;  ///< of a driver with a law
 };
+/// Where the driver has a law: its rates when it first comes to a coordinate.
+tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanism, int driver, const Exact& coordinate) {
+    const Law* law = law_of(mechanism, driver);
+    if (law == nullptr) return std::nullopt;
+    const auto rates = rates_at(*law, coordinate.to_double());
+    if (rates) return *rates;
+    const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
+    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}", "{0}: la legge del movente {1} va da {2} a {3}",
+                                text(coordinate.to_double()), name_of_driver(mechanism, driver), text(rates.error().first),
+                                text(rates.error().second)));
+}
+/// A time of a law, zero as drawn; nothing where the text is no time.
+std::optional<Asked> asked_by_time(const Law& law, const std::string& text) {
+    const auto written = read_quantity(text, QuantityKind::time);
+    if (!written || written->unit->kind != QuantityKind::time) return std::nullopt;
+    const double drawn = law.drawn.to_double();
+    const LawState here = law.at(drawn + written->in_si().to_double());
+    return Asked{Exact::from_double(here.s - law.at(drawn).s), time_text(written->in_si().to_double()),
+                 Rates{Exact::from_double(here.first), Exact::from_double(here.second)}};
+}
 tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& request, const Mechanism& mechanism, int driver) {
     constexpr std::size_t most = 720;
     std::vector<Asked> all;
+    std::optional<Words> beyond;
     const auto add = [&](const Exact& coordinate) {
-        all.push_back({coordinate, coordinate_text(mechanism, driver, coordinate.to_double())});
+        const auto rates = rates_of_law(mechanism, driver, coordinate);
+        if (rates)
+            all.push_back({coordinate, coordinate_text(mechanism, driver, coordinate.to_double()), *rates});
+        else if (!beyond)
+            beyond = rates.error();
     };
     for (const std::string& text : request.at) {
+        if (const Law* law = law_of(mechanism, driver)) {
+            if (auto timed = asked_by_time(*law, text)) {
+                all.push_back(*std::move(timed));
+                continue;
+            }
+        }
         const bool every = text.starts_with("every ");
         const auto read = coordinate_of(mechanism, driver, every ? text.substr(6) : text);
         if (!read) return tl::unexpected(std::string("--at: ") + read.error());
@@ -63,6 +97,7 @@ tl::expected<std::vector<Asked>, Words> positions_asked(const SolveRequest& requ
                                         "--at {0}: un giro si divide in 1–{1} posizioni", text, std::to_string(most)));
         for (Exact turn = 0; turn < 2 * pi(); turn += *read) add(turn);
     }
+    if (beyond) return tl::unexpected(std::string("--at ") + *beyond);
     if (all.size() > most)
         return tl::unexpected(
             Words("--at: at most {0} positions in one run", "--at: al più {0} posizioni in un comando", std::to_string(most)));
@@ -90,14 +125,19 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
     if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(mechanism);
     if (!pose) return wrong_file(pose.error());
-    auto positions = Positions::of(mechanism, *pose, *driver);
+    auto positions = Positions::of(mechanism, *pose, course_of(*driver, request.branch));
     if (!positions) return wrong_file(positions.error());
     const Mover mover(mechanism, *pose);
     const std::string name = name_of_driver(mechanism, *driver);
     std::vector<Solution> solutions;
-    for (const auto& [coordinate, text] : *asked) {
+    for (const auto& [coordinate, text, rates] : *asked) {
+        const auto put_rates = [&, &rates = rates](Mechanism& there) {
+            if (rates) there.drivers[at_index(*driver)] = with_rates(there.drivers[at_index(*driver)], *rates);
+        };
         if (coordinate.is_zero()) {
-            auto drawn = solve(mechanism);
+            Mechanism as_drawn = mechanism;
+            put_rates(as_drawn);
+            auto drawn = solve(std::move(as_drawn));
             if (!drawn) return wrong_file(drawn.error());
             solutions.push_back(*std::move(drawn));
         } else {
@@ -112,6 +152,7 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
                      text},
                     Status::unsolved);
             Moved moved = mover.moved(here, coordinate);
+            put_rates(moved.mechanism);
             solutions.push_back(
                 solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; }));
         }

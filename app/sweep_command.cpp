@@ -42,9 +42,16 @@ class RowFile {
 public:
     RowFile(Growing file, Format format) : file_(std::move(file)), format_(format) {}
 
-    void head(const std::vector<Column>& columns, const std::string& driver, const Travel& travel) {
+    /// `along`: the drivers that go along, with their coordinates over the driver's.
+    void head(const std::vector<Column>& columns, const std::string& driver,
+              const std::vector<std::pair<std::string, double>>& along, const Travel& travel) {
         if (format_ == Format::json) {
-            text_ = "{\n  \"driver\": " + in_quotes(driver, "\\") + ",\n  \"from\": ";
+            text_ = "{\n  \"driver\": " + in_quotes(driver, "\\");
+            for (const auto& [name, per] : along) {
+                text_ += (&name == &along.front().first ? ",\n  \"along\": {" : ", ") + in_quotes(name, "\\") + ": ";
+                append(text_, per);
+            }
+            text_ += along.empty() ? ",\n  \"from\": " : "},\n  \"from\": ";
             append(text_, travel.from);
             text_ += ",\n  \"to\": ";
             append(text_, travel.to);
@@ -123,7 +130,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     void at(long done) {
-        constexpr long seldom = 512;
+        constexpr long seldom = 16;  // a position may have to be planned, which takes milliseconds
         if (!shows_ || done % seldom != 0) return;
         const auto now = std::chrono::steady_clock::now();
         if (now < next_) return;
@@ -140,32 +147,69 @@ private:
 
 /// What a sweep is asked for, read against the mechanism.
 struct Asked {
-    int driver = 0;
-    std::optional<double> from, to;
+    Course course;
+    std::optional<Exact> from, to;  ///< coordinates, or times where the driver has a law
 };
+
+/// The drivers that go along with the first, each by its --step.
+std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mechanism, Asked& asked) {
+    const std::size_t more = request.drivers.empty() ? 0 : request.drivers.size() - 1;
+    if (more != request.step.size())
+        return Words("--step is of a driver that goes along: each --driver after the first has one, in the same order ({0} and {1} "
+                     "are given; the number of steps is --steps)",
+                     "--step è di un movente che accompagna: ogni --driver dopo il primo ne ha uno, nello stesso ordine (ne sono "
+                     "dati {0} e {1}; il numero dei passi è --steps)",
+                     std::to_string(more), std::to_string(request.step.size()));
+    if (more == 0) return std::nullopt;
+    if (law_of(mechanism, asked.course.driver) != nullptr)
+        return Words("--step: driver {0} has a law, and moves in steps of time", "--step: il movente {0} ha una legge, e si muove a "
+                     "passi di tempo", name_of_driver(mechanism, asked.course.driver));
+    const bool has_way = asked.to || turns(mechanism, asked.course.driver);
+    if (!has_way)
+        return Words("--step counts the steps of driver {0}; say how far it goes with --to",
+                     "--step conta i passi del movente {0}; dire fin dove va con --to",
+                     name_of_driver(mechanism, asked.course.driver));
+    const Exact from = asked.from.value_or(0);
+    const Exact way = asked.to ? *asked.to - from : 2 * pi();
+    for (std::size_t i = 0; i < more; ++i) {
+        const auto driver = driver_named(mechanism, request.drivers[i + 1]);
+        if (!driver) return driver.error();
+        const auto is_taken = [&](const Course::Along& each) { return each.driver == *driver; };
+        if (*driver == asked.course.driver || std::any_of(asked.course.along.begin(), asked.course.along.end(), is_taken))
+            return Words("--driver {0} is given twice", "--driver {0} è dato due volte", request.drivers[i + 1]);
+        const auto step = coordinate_of(mechanism, *driver, request.step[i]);
+        if (!step) return std::string("--step ") + step.error();
+        asked.course.along.push_back({*driver, *step * Exact::from_double(static_cast<double>(request.steps)) / way});
+    }
+    return std::nullopt;
+}
+
 tl::expected<Asked, Words> asked_of(const SweepRequest& request, const Mechanism& mechanism) {
     Asked asked;
-    const auto driver = driver_named(mechanism, request.driver);
+    const auto driver = driver_named(mechanism, request.drivers.empty() ? "" : request.drivers.front());
     if (!driver) return tl::unexpected(driver.error());
-    asked.driver = *driver;
+    asked.course = course_of(*driver, request.branch);
+    const bool has_law = law_of(mechanism, *driver) != nullptr;
     for (const auto& [text, option, value] :
          {std::tuple(&request.from, "--from ", &asked.from), std::tuple(&request.to, "--to ", &asked.to)}) {
         if (text->empty()) continue;
-        const auto read = coordinate_of(mechanism, *driver, *text);
+        const auto read = has_law ? time_of(*text) : coordinate_of(mechanism, *driver, *text);
         if (!read) return tl::unexpected(std::string(option) + read.error());
-        *value = read->to_double();
+        *value = *read;
     }
     if (asked.from && asked.to && *asked.from == *asked.to)
         return tl::unexpected(Words("--from and --to are the same position; solve --at gives one",
                                     "--from e --to sono la stessa posizione; solve --at ne dà una"));
     if (request.steps < 2) return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
+    if (const auto wrong = add_along(request, mechanism, asked)) return tl::unexpected(*wrong);
     return asked;
 }
 
 /// Sums over the rows of an effort: its mean and extremes.
 class EffortSums {
 public:
-    explicit EffortSums(const std::vector<Column>& columns) {
+    /// Means are over column `over`: the driver's coordinate, or the time.
+    EffortSums(const std::vector<Column>& columns, std::size_t over) : over_(over) {
         for (std::size_t i = 0; i < columns.size(); ++i)
             if (columns[i].quantity.kind == Quantity::Kind::effort) sums_.push_back({i});
     }
@@ -173,18 +217,19 @@ public:
         for (Sum& sum : sums_) {
             const double value = row[sum.column];
             if (sum.rows > 0) {
-                sum.integral += (value + sum.last) / 2 * (row[0] - sum.last_turn);
-                sum.way += row[0] - sum.last_turn;
+                sum.integral += (value + sum.last) / 2 * (row[over_] - sum.last_at);
+                sum.way += row[over_] - sum.last_at;
             }
-            if (sum.rows == 0 || value < sum.least) sum.least = value, sum.least_at = row[0];
-            if (sum.rows == 0 || value > sum.most) sum.most = value, sum.most_at = row[0];
+            if (sum.rows == 0 || value < sum.least) sum.least = value, sum.least_at = row[over_];
+            if (sum.rows == 0 || value > sum.most) sum.most = value, sum.most_at = row[over_];
             sum.last = value;
-            sum.last_turn = row[0];
+            sum.last_at = row[over_];
             ++sum.rows;
         }
     }
     /// A line each.
-    std::vector<Words> told(const Cycle& cycle, const Mechanism& mechanism, int driver) const {
+    template <class Place>
+    std::vector<Words> told(const Cycle& cycle, const Mechanism& mechanism, Place place) const {
         std::vector<Words> lines;
         for (const Sum& sum : sums_) {
             if (sum.rows < 2) continue;
@@ -198,9 +243,8 @@ public:
             const double rounding = 1e-9 * std::max(std::abs(sum.least), std::abs(sum.most)), mean = sum.integral / sum.way;
             lines.emplace_back("{0}: mean {1}, least {2} at {3}, greatest {4} at {5}",
                                "{0}: media {1}, minimo {2} a {3}, massimo {4} a {5}", column.name,
-                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least),
-                               coordinate_text(mechanism, driver, sum.least_at), text(sum.most),
-                               coordinate_text(mechanism, driver, sum.most_at));
+                               text(std::abs(mean) < rounding ? 0 : mean), text(sum.least), place(sum.least_at), text(sum.most),
+                               place(sum.most_at));
         }
         return lines;
     }
@@ -208,29 +252,38 @@ public:
 private:
     struct Sum {
         std::size_t column = 0;
-        double integral = 0, way = 0, last = 0, last_turn = 0, least = 0, most = 0, least_at = 0, most_at = 0;
+        double integral = 0, way = 0, last = 0, last_at = 0, least = 0, most = 0, least_at = 0, most_at = 0;
         long rows = 0;
     };
+    std::size_t over_;
     std::vector<Sum> sums_;
 };
 
 /// What is said of a sweep when it is done.
 class Report {
 public:
-    Report(const SweepRequest& request, const Mechanism& mechanism, int driver)
-        : request_(request), mechanism_(mechanism), driver_(driver) {}
+    Report(const SweepRequest& request, const Mechanism& mechanism, const Course& course, const Travel& travel)
+        : request_(request), mechanism_(mechanism), course_(course), driver_(course.driver), has_law_(travel.times.has_value()) {}
 
     void line(const Words& words) const { say(spoken(request_.file), words, request_.sheet.language); }
-    void on_travel(const Travel& travel) const {
+    void on_travel(const Travel& travel, const std::optional<Positions::BranchTaken>& branch) const {
         if (travel.starts_at_limit || travel.ends_at_limit)
             line({"driver {0} goes from {1} to {2}, {3}", "il movente {0} va da {1} a {2}, {3}",
-                  name_of_driver(mechanism_, driver_), text(travel.from), text(travel.to),
+                  name_of_driver(mechanism_, driver_), coordinate_text(mechanism_, driver_, travel.from),
+                  coordinate_text(mechanism_, driver_, travel.to),
                   travel.starts_at_limit ? Words("its limits", "i suoi limiti") : Words("its limit", "il suo limite")});
+        if (branch)
+            line({"a change point is drawn: of its {0} branches number {1} is taken; --branch takes another",
+                  "è disegnato un punto di biforcazione: dei suoi {0} rami si prende il numero {1}; --branch ne prende un altro",
+                  std::to_string(branch->of), std::to_string(branch->index + 1)});
         for (const double each : travel.change_points)
-            line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
+            if (!branch || each != 0) line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
                   "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza salti",
                   coordinate_text(mechanism_, driver_, each, 1e-6)});
-        if (mechanism_.drivers.size() > 1)
+        if (travel.times)
+            line({"driver {0} follows its law, from {1} to {2}", "il movente {0} segue la sua legge, da {1} a {2}",
+                  name_of_driver(mechanism_, driver_), time_text(travel.times->first), time_text(travel.times->second)});
+        if (mechanism_.drivers.size() > 1 + course_.along.size())
             line({"the other drivers rest where they are drawn, with the rates of the file",
                   "gli altri moventi restano dove sono disegnati, con le velocità e accelerazioni del file"});
     }
@@ -242,7 +295,8 @@ public:
         std::snprintf(share.data(), share.size(), "%.1e", off.share);
         line({"largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
               "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
-              decimal(share.data()), cycle.columns()[static_cast<std::size_t>(off.column)].name, text(off.coordinate)});
+              decimal(share.data()), cycle.columns()[static_cast<std::size_t>(off.column)].name,
+              coordinate_text(mechanism_, driver_, off.coordinate)});
     }
     void on_rows_left_out(long count, double first, double last) const {
         if (count == 1)
@@ -254,11 +308,15 @@ public:
                   text(first), text(last)});
     }
 
+    /// Where a row is: a coordinate, or a time.
+    Words text(double at) const { return has_law_ ? time_text(at) : coordinate_text(mechanism_, driver_, at); }
+
 private:
-    Words text(double coordinate) const { return coordinate_text(mechanism_, driver_, coordinate); }
     const SweepRequest& request_;
     const Mechanism& mechanism_;
+    const Course& course_;
     int driver_;
+    bool has_law_;
 };
 
 /// The drawing as a run needs it: what is asked, read against the columns before the first row.
@@ -268,9 +326,9 @@ struct Drawing {
     CycleTable table;
     long stride = 1;  ///< more rows than a pen can draw are not kept
 
-    void keep(long i, double coordinate, const std::optional<std::span<const double>>& row) {
+    void keep(long i, double at, const std::optional<std::span<const double>>& row) {
         if (!row)
-            table.left_out.push_back(coordinate);
+            table.left_out.push_back(at);
         else if (i % stride == 0)
             table.rows.emplace_back(row->begin(), row->end());
     }
@@ -278,8 +336,13 @@ struct Drawing {
 
 class Sweep {
 public:
-    Sweep(const SweepRequest& request, const Mechanism& mechanism, Cycle cycle, int driver, const Travel& travel)
-        : request_(request), mechanism_(mechanism), cycle_(std::move(cycle)), driver_(driver), travel_(travel) {}
+    Sweep(const SweepRequest& request, const Mechanism& mechanism, Cycle cycle, Course course, Travel travel)
+        : request_(request),
+          mechanism_(mechanism),
+          cycle_(std::move(cycle)),
+          course_(std::move(course)),
+          driver_(course_.driver),
+          travel_(std::move(travel)) {}
 
     Status run(const std::vector<Target>& targets) {
         missing_ = cycle_.begin(travel_);
@@ -296,9 +359,9 @@ public:
             auto file = Growing::open(target.path);
             if (!file) return fail_to_write(file.error(), language());
             files.emplace_back(*std::move(file), target.format);
-            files.back().head(cycle_.columns(), name_of_driver(mechanism_, driver_), travel_);
+            files.back().head(cycle_.columns(), name_of_driver(mechanism_, driver_), along(), travel_);
         }
-        EffortSums efforts(cycle_.columns());
+        EffortSums efforts(cycle_.columns(), travel_.times ? 1 : 0);
         const auto fails = [&]() -> std::optional<NotWritten> {
             for (const RowFile& file : files)
                 if (file.failure()) return file.failure();
@@ -318,6 +381,12 @@ public:
 
 private:
     Language language() const { return request_.sheet.language; }
+    std::vector<std::pair<std::string, double>> along() const {
+        std::vector<std::pair<std::string, double>> all;
+        for (const Course::Along& each : course_.along)
+            all.emplace_back(name_of_driver(mechanism_, each.driver), each.per.to_double());
+        return all;
+    }
 
     std::optional<Words> prepare_drawing(bool draws) {
         auto traces = traces_of(request_.traces, mechanism_);
@@ -348,15 +417,15 @@ private:
             // At a limit the driver has no velocity to give.
             if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) continue;
             const double share = static_cast<double>(i) / static_cast<double>(request_.steps);
-            const double coordinate = i == request_.steps ? travel_.to : travel_.from + share * (travel_.to - travel_.from);
-            const auto row = cycle_.row(coordinate);
-            if (draws) drawing_.keep(i, coordinate, row);
+            const double at = travel_.at(share);
+            const auto row = cycle_.row(at);
+            if (draws) drawing_.keep(i, at, row);
             if (row) {
                 efforts.take(*row);
                 for (RowFile& file : files) file.row(*row);
             } else {
-                if (left_out_++ == 0) first_left_out_ = coordinate;
-                last_left_out_ = coordinate;
+                if (left_out_++ == 0) first_left_out_ = at;
+                last_left_out_ = at;
             }
             if (fails()) return false;
         }
@@ -384,13 +453,14 @@ private:
     }
 
     Status report(const EffortSums& efforts) const {
-        const Report report(request_, mechanism_, driver_);
+        const Report report(request_, mechanism_, course_, travel_);
         const auto tell_of = [&](const char* kind, const std::string& line) {
             report.line(render::word(kind, language()) + ": " + line);
         };
         for (const std::string& remark : remarks_) tell_of("a remark", remark);
-        report.on_travel(travel_);
-        for (const Words& line : efforts.told(cycle_, mechanism_, driver_)) report.line(line);
+        report.on_travel(travel_, cycle_.positions().branch());
+        for (const Words& line : efforts.told(cycle_, mechanism_, [&](double at) { return report.text(at); }))
+            report.line(line);
         report.on_rows_left_out(left_out_, first_left_out_, last_left_out_);
         report.on_difference(cycle_);
         const auto tell = [&](const Message& message) { return render::tell(message, language()); };
@@ -401,6 +471,7 @@ private:
     const SweepRequest& request_;
     const Mechanism& mechanism_;
     Cycle cycle_;
+    Course course_;
     int driver_;
     Travel travel_;
     Drawing drawing_;
@@ -409,6 +480,26 @@ private:
     long left_out_ = 0;
     double first_left_out_ = 0, last_left_out_ = 0;
 };
+
+/// How far it goes, or why it cannot.
+tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mechanism& mechanism, const Asked& asked) {
+    const int driver = asked.course.driver;
+    const auto in_doubles = [](const std::optional<Exact>& value) {
+        return value ? std::optional(value->to_double()) : std::nullopt;
+    };
+    const std::optional<double> from = in_doubles(asked.from), to = in_doubles(asked.to);
+    const Law* law = law_of(mechanism, driver);
+    const auto travel =
+        law != nullptr ? travel_of_law(positions, *law, from, to) : travel_of(positions, turns(mechanism, driver), from, to);
+    if (travel) return *travel;
+    const TravelFault& fault = travel.error();
+    const std::string name = name_of_driver(mechanism, driver);
+    if (!fault.limit)
+        return tl::unexpected(Words("driver {0} has no limit; give --from and --to",
+                                    "il movente {0} non ha limiti; dare --from e --to", name));
+    return tl::unexpected(out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name,
+                                       coordinate_text(mechanism, driver, *fault.limit)));
+}
 
 }  // namespace
 
@@ -430,18 +521,11 @@ Status sweep_command(const SweepRequest& request) {
     if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(name, pose.error(), language);
-    auto cycle = Cycle::of(*mechanism, *pose, asked->driver);
+    auto cycle = Cycle::of(*mechanism, *pose, asked->course);
     if (!cycle) return say(name, cycle.error(), language);
-    const auto travel = travel_of(cycle->positions(), turns(*mechanism, asked->driver), asked->from, asked->to);
-    if (!travel) {
-        const TravelFault& fault = travel.error();
-        const std::string driver = name_of_driver(*mechanism, asked->driver);
-        const auto at = [&](double coordinate) { return coordinate_text(*mechanism, asked->driver, coordinate); };
-        return wrong(fault.limit ? out_of_reach(at(fault.wanted), driver, at(*fault.limit))
-                                 : Words("driver {0} has no limit; give --from and --to",
-                                         "il movente {0} non ha limiti; dare --from e --to", driver));
-    }
-    return Sweep(request, *mechanism, *std::move(cycle), asked->driver, *travel).run(*targets);
+    const auto travel = travel_asked(cycle->positions(), *mechanism, *asked);
+    if (!travel) return wrong(travel.error());
+    return Sweep(request, *mechanism, *std::move(cycle), asked->course, *travel).run(*targets);
 }
 
 }  // namespace kinegraph::app

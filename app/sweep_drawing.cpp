@@ -31,9 +31,10 @@ std::vector<std::vector<std::size_t>> usual_plots(const std::vector<Column>& col
     if (!subject)
         for (const Column& column : columns)
             if (column.kind == Column::Kind::angle) subject = column.quantity;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i].quantity.kind == Quantity::Kind::effort) plots.push_back({i});
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Quantity& q = columns[i].quantity;
-        if (q.kind == Quantity::Kind::effort) plots.push_back({i});
         if (!subject || q.kind == Quantity::Kind::unnamed) continue;
         const bool slides = subject->joint != none && q.joint == subject->joint &&
                             (q.kind == Quantity::Kind::sliding_velocity || q.kind == Quantity::Kind::sliding_acceleration);

@@ -10,6 +10,7 @@
 #include "constructions/solve.hpp"
 #include "engine/check.hpp"
 #include "engine/check_forces.hpp"
+#include "engine/drivers.hpp"
 #include "engine/moved.hpp"
 #include "engine/replay.hpp"
 
@@ -98,7 +99,7 @@ class ColumnWriter {
 public:
     ColumnWriter(const Solution& solution, bool turns, bool has_time) : solution_(solution), m_(solution.mechanism) {
         columns_.push_back({Column::Kind::turn, {}, "turn", turns ? QuantityKind::angle : QuantityKind::length});
-        if (has_time) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::dimensionless});
+        if (has_time) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
     }
     std::vector<Column> write() && {
         for (const Entry& entry : entries_of(solution_)) write(entry.quantity);
@@ -178,7 +179,7 @@ struct PlannedPosition {
     std::vector<Source> sources;                ///< by column
 };
 
-bool hangs_on_position(const Given& given, const Mechanism& mechanism) {
+bool hangs_on_position(const Given& given, const Mechanism& mechanism, int driver) {
     const auto between = [](const Bearing& bearing) { return std::holds_alternative<Bearing::Between>(bearing.form); };
     switch (given.kind) {
         case Given::Kind::place:
@@ -196,6 +197,9 @@ bool hangs_on_position(const Given& given, const Mechanism& mechanism) {
         }
         case Given::Kind::effort_unit:
             return between(std::get<ForceEffort>(mechanism.efforts[at_index(given.index)]).along);
+        case Given::Kind::driver_velocity:
+        case Given::Kind::driver_acceleration:
+            return static_cast<int>(given.index) == driver && law_of(mechanism.drivers[at_index(driver)]) != nullptr;
         default:
             return false;
     }
@@ -207,12 +211,17 @@ bool hangs_on_position(const Given& given, const Mechanism& mechanism) {
 
 class Cycle::Rows {
 public:
-    Rows(const Mechanism& mechanism, const Pose& pose, int driver, Positions positions)
-        : mechanism_(mechanism), pose_(pose), driver_(driver), positions_(std::move(positions)), mover_(mechanism, pose) {
-        const Driver& given = mechanism.drivers[at_index(driver)];
-        turns_ = std::holds_alternative<SpinDriver>(given);
-        const Exact rate = given_rate(Given::Kind::driver_velocity);
-        rate_ = given_rate(Given::Kind::driver_acceleration).is_zero() ? rate.to_double() : 0;
+    Rows(const Mechanism& mechanism, const Pose& pose, const Course& course, Positions positions)
+        : mechanism_(mechanism),
+          pose_(pose),
+          driver_(course.driver),
+          law_(law_of(mechanism.drivers[at_index(driver_)])),
+          positions_(std::move(positions)),
+          mover_(mechanism, pose) {
+        const Driver& given = mechanism.drivers[at_index(driver_)];
+        turns_ = turns(given);
+        rate_ = rate_along(course);
+        if (law_ != nullptr) drawn_ = {law_->drawn.to_double(), law_->at(law_->drawn.to_double()).s};
         for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
             const auto& pushes = mechanism.joints[k].pushes;
             senses_.push_back(pushes && dot(*pushes, pose.normals[k]).sign() < 0 ? -1 : 1);
@@ -224,10 +233,9 @@ public:
         is_checked_ = checked;
         // Anywhere but where something is likely to be special.
         for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
-            if (!positions_.move_to(travel.from + share * (travel.to - travel.from)) || positions_.is_singular()) continue;
-            positions_.read(places_);
+            if (!go_to(travel.at(share))) continue;
             Solution solution = planned_here();
-            columns_ = ColumnWriter(solution, turns_, rate_ != 0).write();
+            columns_ = ColumnWriter(solution, turns_, law_ != nullptr || rate_ != 0).write();
             values_.resize(columns_.size());
             solution.mechanism.find = mechanism_.find;
             check_mechanism_ = solution.mechanism;
@@ -240,9 +248,8 @@ public:
         return {};
     }
 
-    std::optional<std::span<const double>> row(double coordinate) {
-        if (!positions_.move_to(coordinate) || positions_.is_singular()) return std::nullopt;
-        positions_.read(places_);
+    std::optional<std::span<const double>> row(double at) {
+        if (!go_to(at)) return std::nullopt;
         PlannedPosition* plan = replayed();
         if (plan == nullptr) {
             // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its values are
@@ -300,8 +307,33 @@ public:
     int plans() const { return planned_; }
 
 private:
-    Exact given_rate(Given::Kind kind) const {
-        return std::get<Exact>(given_value({.kind = kind, .index = driver_, .constant = {}, .name = {}}, mechanism_, pose_));
+    /// The driver's rate where it is a clock: it does not change, and those that go along have theirs in proportion. Else zero.
+    double rate_along(const Course& course) const {
+        const auto rates = [&](int driver) { return rates_of(mechanism_.drivers[at_index(driver)]); };
+        const Rates own = rates(course.driver);
+        for (const Course::Along& each : course.along) {
+            const double along = each.per.to_double() * own.first.to_double();
+            if (std::abs(rates(each.driver).first.to_double() - along) > 1e-9 * std::abs(along)) return 0;
+        }
+        return own.second.is_zero() ? own.first.to_double() : 0;
+    }
+    /// False: it cannot be reached, or has no one answer.
+    bool go_to(double at) {
+        double coordinate = at;
+        if (law_ != nullptr) {
+            state_ = law_->at(drawn_.first + at);
+            coordinate = state_.s - drawn_.second;
+            time_ = at;
+        }
+        if (!positions_.move_to(coordinate) || positions_.is_singular()) return false;
+        positions_.read(places_);
+        return true;
+    }
+    /// Gives a mechanism that has been moved here the rates of the law.
+    void put_rates(Mechanism& moved) const {
+        if (law_ == nullptr) return;
+        Driver& driver = moved.drivers[at_index(driver_)];
+        driver = with_rates(std::move(driver), {Exact::from_double(state_.first), Exact::from_double(state_.second)});
     }
 
     /// Of each body: the direction from its first point to its second, as drawn.
@@ -324,6 +356,7 @@ private:
         ++planned_;
         Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
         moved.mechanism.find = found_in_rows(mechanism_.find);
+        put_rates(moved.mechanism);
         return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
     }
 
@@ -339,7 +372,7 @@ private:
             {},
             std::vector<PlannedPosition::Source>(columns_.size())};
         for (std::size_t i = 0; i < record.program.givens.size(); ++i)
-            if (hangs_on_position(record.program.givens[i], mechanism_))
+            if (hangs_on_position(record.program.givens[i], mechanism_, driver_))
                 plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const auto found = std::find_if(entries.begin(), entries.end(),
@@ -395,6 +428,10 @@ private:
                 const Spot &n = places_.normals[i], &t = places_.tangents[i];
                 return (2 * dot(n, t) / squared_length(t)) * t - n;
             }
+            case Given::Kind::driver_velocity:
+                return state_.first;
+            case Given::Kind::driver_acceleration:
+                return state_.second;
             case Given::Kind::effort_unit:
                 return along(std::get<ForceEffort>(mechanism_.efforts[i]).along);
             default:
@@ -450,7 +487,7 @@ private:
             case Column::Kind::turn:
                 return positions_.coordinate();
             case Column::Kind::time:
-                return positions_.coordinate() / rate_;
+                return law_ != nullptr ? time_ : positions_.coordinate() / rate_;
             case Column::Kind::angle:
                 return directions_[at_index(q.body)] + positions_.turn(q.body);
             case Column::Kind::place_x:
@@ -488,6 +525,7 @@ private:
         }
     }
     void put_into_check_pose() {
+        put_rates(check_mechanism_);
         const auto put = [](const std::vector<Spot>& from, std::vector<Vector>& to) {
             for (std::size_t i = 0; i < from.size(); ++i)
                 if (from[i].x != 0 || from[i].y != 0 || !to[i].is_zero()) to[i] = exactly(from[i]);
@@ -557,6 +595,10 @@ private:
     const Mechanism& mechanism_;
     const Pose& pose_;
     int driver_;
+    const Law* law_;                        ///< null: the rates are the file's
+    std::pair<double, double> drawn_{0, 0};  ///< of the law: its time and its way in the drawn position
+    LawState state_;                        ///< of the law, here
+    double time_ = 0;                       ///< since the drawn position, by the law
     bool turns_ = true;
     double rate_ = 0;  ///< zero: no time
     Positions positions_;
@@ -578,16 +620,16 @@ Cycle::Cycle(std::unique_ptr<Rows> rows) : rows_(std::move(rows)) {}
 Cycle::Cycle(Cycle&&) noexcept = default;
 Cycle::~Cycle() = default;
 
-Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, int driver) {
-    auto positions = Positions::of(mechanism, pose, driver);
+Result<Cycle> Cycle::of(const Mechanism& mechanism, const Pose& pose, const Course& course) {
+    auto positions = Positions::of(mechanism, pose, course);
     if (!positions) return tl::unexpected(std::move(positions.error()));
-    return Cycle(std::make_unique<Rows>(mechanism, pose, driver, *std::move(positions)));
+    return Cycle(std::make_unique<Rows>(mechanism, pose, course, *std::move(positions)));
 }
 
 const Positions& Cycle::positions() const { return rows_->positions(); }
 std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
 const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
-std::optional<std::span<const double>> Cycle::row(double coordinate) { return rows_->row(coordinate); }
+std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row(at); }
 Cycle::Difference Cycle::difference() const { return rows_->difference(); }
 int Cycle::plans() const { return rows_->plans(); }
 
@@ -638,6 +680,30 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
     std::erase_if(travel.change_points, [&](double each) {
         return each < std::min(travel.from, travel.to) - 1e-9 || each > std::max(travel.from, travel.to) + 1e-9;
     });
+    return travel;
+}
+
+tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, const Law& law, std::optional<double> from,
+                                                std::optional<double> to) {
+    const double drawn = law.drawn.to_double(), way = law.at(drawn).s;
+    Travel travel;
+    travel.times = {from.value_or(0 - drawn), to.value_or(law.length() - drawn)};
+    // It goes no farther than at its ends and where one piece meets the next.
+    const auto [first, last] = std::minmax({travel.times->first + drawn, travel.times->second + drawn});
+    std::vector<double> turning_points{law.at(first).s - way, law.at(last).s - way};
+    double end = 0;
+    for (const LawPiece& piece : law.pieces) {
+        end += piece.over.to_double();
+        if (end > first && end < last) turning_points.push_back(law.at(end).s - way);
+    }
+    const auto [least, most] = std::minmax_element(turning_points.begin(), turning_points.end());
+    travel.from = *least;
+    travel.to = *most;
+    Positions tried = positions;
+    for (const double each : {travel.from, travel.to})
+        if (!tried.move_to(each)) return tl::unexpected(TravelFault{each, tried.limit().value_or(tried.coordinate())});
+    travel.change_points = tried.change_points();
+    std::sort(travel.change_points.begin(), travel.change_points.end());
     return travel;
 }
 

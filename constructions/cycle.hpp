@@ -25,14 +25,22 @@ struct TravelFault {
 tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool turns, std::optional<double> from,
                                             std::optional<double> to);
 
+/// Of a driver with a law: from and to are times, s, zero as drawn; what is not given is the law's beginning or end.
+tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, const Law& law, std::optional<double> from,
+                                                std::optional<double> to);
+
 /// Of the first coupler that a driven body pushes by a pin, and that pushes by a pin a body hinged or sliding on the frame: the
 /// least angle between it and the follower's link (or the normal of its guide). Nothing where there is none.
 std::optional<Transmission> transmission_of(const Mechanism& mechanism, Positions positions, int driver, const Travel& travel);
 
 class Cycle {
 public:
-    /// Of one driver (index). `mechanism` must outlive the cycle. Errors: those of Positions::of.
-    static Result<Cycle> of(const Mechanism& mechanism, const Pose& pose, int driver);
+    /// `mechanism` must outlive the cycle. Rates are the file's at every position; those of the course's driver follow its law,
+    /// where it has one. Errors: those of Positions::of.
+    static Result<Cycle> of(const Mechanism& mechanism, const Pose& pose, const Course& course);
+    static Result<Cycle> of(const Mechanism& mechanism, const Pose& pose, int driver) {
+        return of(mechanism, pose, Course{driver});
+    }
     Cycle(Cycle&&) noexcept;
     ~Cycle();
 
@@ -41,8 +49,9 @@ public:
     /// results are in no row. Without `checked` no row is held against the check.
     std::vector<Unsolved> begin(const Travel& travel, bool checked = true);
     const std::vector<Column>& columns() const;
-    /// The row of a position within the travel, one number a column; none where the mechanism gives no unique answer.
-    std::optional<std::span<const double>> row(double coordinate);
+    /// The row of a position within the travel, one number a column; none where the mechanism gives no unique answer. `at` is a
+    /// coordinate of the driver, or a time where it has a law, as Travel::at gives it.
+    std::optional<std::span<const double>> row(double at);
 
     /// The largest difference from the check so far, as a share of the largest of its kind, and where. `column` < 0: none was
     /// held.

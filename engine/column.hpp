@@ -4,10 +4,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/quantity.hpp"
 #include "engine/units.hpp"
+#include "engine/words.hpp"
 
 namespace kinegraph {
 
@@ -21,7 +23,8 @@ struct Column {
         place_y,
         slid,    ///< at a straight slide, along X, since the drawn pose
         result,  ///< `quantity`: a scalar or a component
-        along    ///< `quantity`, a sliding: along X, or along the common tangent of a contact
+        along,   ///< `quantity`, a sliding: along X, or along the common tangent of a contact
+        named    ///< what `name` says, a word of the sheet
     } kind = Kind::turn;
     Quantity quantity;  ///< places: the velocity of the point; angle: ω; slid: the sliding velocity
     std::string name;   ///< as docs/format.md lists them: "omega 3", "vx B", "Fx A 3 on 2"
@@ -33,6 +36,15 @@ struct Travel {
     double from = 0, to = 0;
     bool starts_at_limit = false, ends_at_limit = false;  ///< the driver stops there: a dead point
     std::vector<double> change_points;
+    /// Where the driver has a law: from when to when, s, zero as drawn; positions then follow each other in equal times, and
+    /// `from` and `to` are the least and the greatest coordinate.
+    std::optional<std::pair<double, double>> times = std::nullopt;
+
+    /// The share of the way, from 0 to 1, as a time where there is a law, else as a coordinate.
+    double at(double share) const {
+        const double first = times ? times->first : from, last = times ? times->second : to;
+        return share == 1 ? last : first + share * (last - first);
+    }
 };
 
 /// The least angle (rad, at most a right one) under which a coupler pushes what it drives, and where.
@@ -48,8 +60,13 @@ struct CycleTable {
     Travel travel;
     std::vector<Column> columns;  ///< the first is the driver's coordinate
     std::vector<std::vector<double>> rows;
-    std::vector<double> left_out;  ///< coordinates of positions without a row
+    std::vector<double> left_out;  ///< positions without a row, as Travel::at gives them
     std::optional<Transmission> transmission;
+    std::vector<Words> facts;  ///< what else is told below the extremes
+    bool is_of_cam = false;    ///< a cam's whole turn, else a mechanism's motion
+
+    /// The column over which the others are drawn: the driver's coordinate, or the time where it has a law.
+    std::size_t over() const { return travel.times ? 1 : 0; }
 };
 
 }  // namespace kinegraph

@@ -17,6 +17,7 @@
 #include "engine/error.hpp"
 #include "engine/exact.hpp"
 #include "engine/index.hpp"
+#include "engine/law.hpp"
 #include "engine/pair.hpp"
 
 namespace kinegraph {
@@ -123,16 +124,18 @@ struct Joint {
     BodyIndex other_than(BodyIndex body) const { return bodies[bodies[0] == body ? 1 : 0]; }
 };
 
-/// rad/s, rad/s², m/s, m/s².
+/// rad/s, rad/s², m/s, m/s². Where there is a law the rates are its, in the drawn position.
 struct SpinDriver {
     BodyIndex body = none, relative_to = frame;
     Exact omega, alpha;
     std::string where;
+    std::optional<Law> law = std::nullopt;
 };
 struct SlideDriver {
     JointIndex joint = none;
     Exact speed, acceleration;
     std::string where;
+    std::optional<Law> law = std::nullopt;
 };
 struct PointDriver {
     BodyIndex body = none;
@@ -140,6 +143,7 @@ struct PointDriver {
     Bearing along;
     Exact speed, acceleration;
     std::string where;
+    std::optional<Law> law = std::nullopt;
 };
 using Driver = std::variant<SpinDriver, SlideDriver, PointDriver>;
 

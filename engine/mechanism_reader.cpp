@@ -16,7 +16,9 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/drivers.hpp"
 #include "engine/json_source.hpp"
+#include "engine/law_reader.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/point_cycles.hpp"
 #include "engine/problem_reader.hpp"
@@ -682,7 +684,8 @@ private:
         if (!expect(value, Kind::object, {"a driver", "un movente"})) return;
         if (value["joint"]) {
             const Members form =
-                members(value, {"joint", "speed", "acceleration"}, {"a driver of a joint", "un movente di una coppia"});
+                members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
+                        {"a driver of a joint", "un movente di una coppia"});
             SlideDriver driver;
             driver.where = value.pointer();
             driver.joint = sliding_joint(
@@ -696,13 +699,14 @@ private:
             }
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
             driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
-            mechanism_.drivers.emplace_back(std::move(driver));
+            driver.law = law(form, {"speed", "acceleration"});
+            add(std::move(driver));
             return;
         }
         const Words frame_rests("the frame does not move; drive another body",
                                 "il telaio non si muove; comandare un altro corpo");
         if (value["at"] || value["along"] || value["speed"] || value["acceleration"]) {
-            const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "joint"},
+            const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "law", "drawn at", "joint"},
                                          {"a driver of a point", "un movente di un punto"});
             PointDriver driver;
             driver.where = value.pointer();
@@ -719,11 +723,13 @@ private:
                 required(form, "along", {"the direction in which it is driven", "la direzione in cui è comandato"}));
             driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
             driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
-            mechanism_.drivers.emplace_back(std::move(driver));
+            driver.law = law(form, {"speed", "acceleration"});
+            add(std::move(driver));
             return;
         }
         const Members form =
-            members(value, {"body", "relative to", "omega", "alpha", "joint", "at", "along", "speed", "acceleration"},
+            members(value,
+                    {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
                     {"a driver", "un movente"});
         for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
             if (form.has_or_misspells(key)) return;
@@ -741,7 +747,43 @@ private:
         }
         driver.omega = quantity_or_zero(form["omega"], QuantityKind::angular_velocity);
         driver.alpha = quantity_or_zero(form["alpha"], QuantityKind::angular_acceleration);
-        mechanism_.drivers.emplace_back(std::move(driver));
+        driver.law = law(form, {"omega", "alpha"});
+        add(std::move(driver));
+    }
+
+    /// A driver, with the rates of its law.
+    void add(Driver driver) {
+        if (const Law* law = law_of(driver)) driver = with_rates(std::move(driver), *rates_at(*law, 0));
+        mechanism_.drivers.push_back(std::move(driver));
+    }
+
+    /// FORMAT "Laws of motion": of a driver; `rates` are the keys that it stands for.
+    std::optional<Law> law(const Members& form, std::initializer_list<std::string_view> rates) {
+        const JsonValue value = form["law"], drawn = form["drawn at"];
+        if (!value) {
+            if (drawn)
+                fault(drawn, {"\"drawn at\" is a time of the \"law\", and there is none",
+                              "\"drawn at\" è un istante di \"law\", che manca"});
+            return std::nullopt;
+        }
+        for (const std::string_view key : rates) {
+            if (form[key])
+                fault(form[key], {"\"law\" gives the rates at every time; leave out {0}",
+                                  "\"law\" dà velocità e accelerazione a ogni istante; togliere {0}", quoted(key)});
+        }
+        const bool turning = *rates.begin() == "omega";
+        const std::size_t faults = faults_.size();
+        Law law = law_of_value(
+            value, turning ? LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
+                           : LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
+        if (faults_.size() > faults) return std::nullopt;
+        law.drawn = quantity_or_zero(drawn, QuantityKind::time);
+        if (law.drawn.sign() < 0 || law.drawn.to_double() > law.length() * (1 + 1e-12)) {
+            fault(drawn, {"it is no time of the law: before its beginning, or after its end",
+                          "non è un istante della legge: precede il suo inizio, o segue la sua fine"});
+            return std::nullopt;
+        }
+        return law;
     }
 
     /// {"body": 2, "speed": 150}: a body turns.

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/assert.hpp"
+#include "engine/drivers.hpp"
+#include "engine/mobility.hpp"
 
 namespace kinegraph {
 namespace {
@@ -37,39 +40,54 @@ double largest(const std::vector<double>& values) {
 
 Error stuck(const Driver& driver) {
     return {ErrorCode::no_unique_answer,
-            std::visit([](const auto& given) { return given.where; }, driver),
+            where_of(driver),
             {"the drawn position is a dead point or a change point: the driver moves from it in no or in several ways; draw the "
              "mechanism in another position",
              "la posizione disegnata è un punto morto o un punto di biforcazione: il movente se ne muove in nessun modo o in più "
              "d’uno; disegnare il meccanismo in un’altra posizione"}};
 }
 
+Error no_branch(const Driver& driver) {
+    return {ErrorCode::bad_input,
+            where_of(driver),
+            {"no branch is to be chosen: the drawn position is no change point", "non c’è ramo da scegliere: la posizione disegnata "
+             "non è un punto di biforcazione"}};
+}
+Error no_such_branch(const Driver& driver, std::size_t branch) {
+    return {ErrorCode::no_unique_answer,
+            where_of(driver),
+            {"from the drawn position the driver has no branch {0}; the results list them under \"branches\"",
+             "dalla posizione disegnata il movente non ha un ramo {0}; i risultati li elencano in \"branches\"",
+             std::to_string(branch + 1)}};
+}
+
 }  // namespace
 
 // --- making -------------------------------------------------------------------------------------------------------------------
 
-Result<Positions> Positions::of(const Mechanism& mechanism, const Pose& pose, int driver) {
+Result<Positions> Positions::of(const Mechanism& mechanism, const Pose& pose, const Course& course) {
     auto closure = closure_of(mechanism, pose);
     if (!closure) return tl::unexpected(std::move(closure.error()));
     auto carriers = carriers_of(mechanism);
     if (!carriers) return tl::unexpected(std::move(carriers.error()));
     Positions made;
-    made.driver_ = driver;
+    made.course_ = course;
     made.points_.resize(carriers->size());
     for (std::size_t i = 0; i < carriers->size(); ++i) made.points_[i].carrier = (*carriers)[i];
     made.prepare(*closure, mechanism);
     made.prepare_places(mechanism, pose);
-    if (auto error = made.choose_leading_rows(mechanism)) return tl::unexpected(Errors{*std::move(error)});
+    auto error = made.choose_leading_rows(mechanism);
+    if (error && !made.leave_change_point(mechanism, pose)) {
+        if (course.branch) error = no_such_branch(mechanism.drivers[at_index(course.driver)], *course.branch);
+        return tl::unexpected(Errors{*std::move(error)});
+    }
+    if (course.branch && !made.branch_) return tl::unexpected(Errors{no_branch(mechanism.drivers[at_index(course.driver)])});
     return made;
 }
 
 void Positions::prepare(const Closure& closure, const Mechanism& mechanism) {
     unit_ = closure.unit.to_double();
-    const bool turns = std::holds_alternative<SpinDriver>(mechanism.drivers[at_index(driver_)]);
-    to_unit_ = turns ? 1 : 1 / unit_;
-    // Two degrees, or a fortieth of the drawing: what a look ahead by velocities can well see.
-    constexpr double longest_turn = 0.035, longest_share = 1.0 / 40;
-    longest_step_ = turns ? longest_turn : longest_share * unit_;
+    prepare_course(mechanism);
     bodies_ = closure.bodies;
     places_.resize(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i) places_[i].at = rough(bodies_[i].reference);
@@ -85,6 +103,21 @@ void Positions::prepare(const Closure& closure, const Mechanism& mechanism) {
         if (body.x < 0) continue;
         here_.q[at_index(body.x)] = body.reference.x.to_double();
         here_.q[at_index(body.x) + 1] = body.reference.y.to_double();
+    }
+}
+
+void Positions::prepare_course(const Mechanism& mechanism) {
+    const std::vector<Driver>& drivers = mechanism.drivers;
+    exact_shares_.resize(drivers.size());
+    exact_shares_[at_index(course_.driver)] = 1;
+    for (const Course::Along& each : course_.along) exact_shares_[at_index(each.driver)] = each.per;
+    // Two degrees, or a fortieth of the drawing: what a look ahead by velocities can well see.
+    constexpr double longest_turn = 0.035, longest_share = 1.0 / 40;
+    longest_step_ = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        const double share = exact_shares_[i].to_double();
+        shares_.push_back(turns(drivers[i]) ? share : share / unit_);
+        if (share != 0) longest_step_ = std::min(longest_step_, (turns(drivers[i]) ? longest_turn : longest_share * unit_) / std::abs(share));
     }
 }
 
@@ -127,7 +160,7 @@ void Positions::prepare_places(const Mechanism& mechanism, const Pose& pose) {
 
 /// The driver must lead somewhere. Bodies that nothing determines rest: their columns are taken out.
 std::optional<Error> Positions::choose_leading_rows(const Mechanism& mechanism) {
-    const Error error = stuck(mechanism.drivers[at_index(driver_)]);
+    const Error error = stuck(mechanism.drivers[at_index(course_.driver)]);
     const auto rank_of = [&](bool with_drivers) {
         write_jacobian();
         for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -164,6 +197,102 @@ std::optional<Error> Positions::choose_leading_rows(const Mechanism& mechanism) 
     return stays_free ? std::nullopt : std::optional(error);
 }
 
+// --- out of a change point ----------------------------------------------------------------------------------------------------
+
+/// The branches that the second order allows, each tried: those that a step along them confirms, of which one is taken.
+bool Positions::leave_change_point(const Mechanism& mechanism, const Pose& pose) {
+    const InstantMotion motion = instant_motion_of(mechanism, pose, mobility_of(mechanism, pose));
+    if (motion.second_order != InstantMotion::SecondOrder::branches) return false;
+    std::vector<std::pair<std::size_t, std::vector<double>>> ways;
+    for (std::size_t i = 0; i < motion.branches.size(); ++i) {
+        if (course_.branch && *course_.branch != i) continue;
+        if (auto tangent = tangent_of(motion.branches[i])) ways.emplace_back(i, *std::move(tangent));
+    }
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const auto& a, const auto& b) { return largest(a.second) < (1 - 1e-9) * largest(b.second); });
+    for (const auto& [index, tangent] : ways) {
+        if (!start_along(tangent)) continue;
+        branch_ = {index, motion.branches.size()};
+        return true;
+    }
+    return false;
+}
+
+/// dq/ds with the branch's ratios of angular velocities, at the drawn pose. Nothing where the drivers contradict them.
+std::optional<std::vector<double>> Positions::tangent_of(const Branch& branch) {
+    const std::size_t columns = here_.q.size();
+    std::vector<bool> turning(columns, false);
+    std::vector<double> ratio(columns, 0.0);
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+        const std::size_t column = at_index(bodies_[i].turn);
+        turning[column] = true;
+        ratio[column] = branch.ratios.empty() ? 0 : branch.ratios[i];
+    }
+    // The places as they are, and one unknown more for all turns together.
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < columns; ++k)
+        if (!turning[k]) places.push_back(k);
+    std::vector<double> line(columns), wanted(rows_.size()), found;
+    Elimination rates;
+    rates.resize(rows_.size(), places.size() + 1);
+    rates.clear();
+    set_places(here_.q);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        std::fill(line.begin(), line.end(), 0.0);
+        write(rows_[r], line.data());
+        for (std::size_t k = 0; k < places.size(); ++k) rates.row(r)[k] = line[places[k]];
+        for (std::size_t k = 0; k < columns; ++k) rates.row(r)[places.size()] += line[k] * ratio[k];
+        wanted[r] = rows_[r].driver >= 0 ? shares_[at_index(rows_[r].driver)] : 0;
+    }
+    rates.factor();
+    found.resize(places.size() + 1);
+    std::vector<double> used = wanted;
+    rates.solve(used, found);
+    std::vector<double> tangent(columns, 0.0);
+    for (std::size_t k = 0; k < places.size(); ++k) tangent[places[k]] = found[k];
+    for (std::size_t k = 0; k < columns; ++k)
+        if (turning[k]) tangent[k] = ratio[k] * found.back();
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        std::fill(line.begin(), line.end(), 0.0);
+        write(rows_[r], line.data());
+        double off = -wanted[r];
+        for (std::size_t k = 0; k < columns; ++k) off += line[k] * tangent[k];
+        if (std::abs(off) > 1e-6 * std::max(1.0, largest(tangent))) return std::nullopt;
+    }
+    return tangent;
+}
+
+/// Takes the tangent's branch if a position a little ahead lies on it; what comes next is seen from there.
+bool Positions::start_along(const std::vector<double>& tangent) {
+    const std::size_t columns = here_.q.size();
+    for (double reach = 0.05 * longest_step_; reach < longest_step_; reach *= 3) {
+        State ahead = here_;
+        ahead.s = reach;
+        for (std::size_t k = 0; k < columns; ++k) ahead.q[k] += reach * tangent[k];
+        leading_.resize(columns);  // as many as are wanted; which they are is seen ahead
+        if (!close(ahead) || jacobian_.rank() < columns || ahead.slack < 100 * least_slack) continue;
+        write_jacobian();
+        jacobian_.factor();
+        look_along(ahead);
+        double bend = 0;
+        for (std::size_t k = 0; k < columns; ++k) bend = std::max(bend, std::abs(ahead.v[k] - tangent[k]));
+        if (bend > 0.3 * std::max(largest(tangent), largest(ahead.v))) continue;
+        for (std::size_t k = 0; k < columns; ++k) leading_[k] = jacobian_.row_of_pivot(k);
+        std::sort(leading_.begin(), leading_.end());
+        square_.resize(columns, columns);
+        ahead.sign = sign_of_leading_rows();
+        here_.v = tangent;
+        here_.slack = 0;
+        here_.sign = ahead.sign;
+        for (State* state : {&before_, &next_, &low_, &high_, &middle_}) *state = here_;
+        regular_ = ahead;
+        change_points_ = {0};
+        set_places(here_.q);
+        return true;
+    }
+    return false;
+}
+
 // --- the equations ------------------------------------------------------------------------------------------------------------
 
 void Positions::set_places(const std::vector<double>& q) {
@@ -178,7 +307,7 @@ void Positions::set_places(const std::vector<double>& q) {
 void Positions::write_excesses(double s) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         right_[i] = excess(rows_[i], now(rows_[i].i), now(rows_[i].j), facing_of);
-        if (rows_[i].driver == driver_) right_[i] -= s * to_unit_;
+        if (rows_[i].driver >= 0) right_[i] -= s * shares_[at_index(rows_[i].driver)];
     }
 }
 
@@ -259,7 +388,8 @@ bool Positions::close(State& state) {
 
 /// dq/ds by the matrix factored last.
 void Positions::look_along(State& state) {
-    for (std::size_t i = 0; i < rows_.size(); ++i) right_[i] = rows_[i].driver == driver_ ? to_unit_ : 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        right_[i] = rows_[i].driver >= 0 ? shares_[at_index(rows_[i].driver)] : 0;
     jacobian_.solve(right_, state.v);
 }
 
@@ -437,7 +567,7 @@ bool Positions::close_at(std::size_t column, State& state, double& slope) {
         write_excesses(state.s);
         write_jacobian();
         for (std::size_t r = 0; r < rows_.size(); ++r) {
-            jacobian_.row(r)[column] = rows_[r].driver == driver_ ? -to_unit_ : 0;
+            jacobian_.row(r)[column] = rows_[r].driver >= 0 ? -shares_[at_index(rows_[r].driver)] : 0;
         }
         jacobian_.factor();
         jacobian_.solve(right_, delta_);
@@ -570,11 +700,13 @@ std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const
     set_places(here_.q);
     const int grid = closure.bits + 8;
     const auto facing = [&](const Exact& angle) { return unit_along(direction_of(Angle{angle, false}, grid), grid); };
-    std::vector<Exact> q;
+    std::vector<Exact> q, targets;
     for (const double value : state.q) q.push_back(Exact::from_double(value));
+    for (const Exact& share : exact_shares_) targets.push_back(coordinate * share);
+    for (const Closure::Row& row : closure.rows)
+        if (row.driver >= 0 && row.kind != Closure::Row::Kind::turns) targets[at_index(row.driver)] /= closure.unit;
     std::vector<BodyPlaceOf<Exact>> places(bodies_.size());
     const double done = std::ldexp(1, -closure.bits - 2);
-    const Exact target = coordinate * (to_unit_ == 1 ? Exact(1) : 1 / closure.unit);
     for (int pass = 0; pass < 40; ++pass) {
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const Closure::Body& body = closure.bodies[i];
@@ -586,7 +718,7 @@ std::vector<BodyPlaceOf<Exact>> Positions::refined(const Closure& closure, const
         for (std::size_t r = 0; r < closure.rows.size(); ++r) {
             const Closure::Row& row = closure.rows[r];
             Exact value = excess(row, places[at_index(row.i)], places[at_index(row.j)], facing);
-            if (row.driver == driver_) value -= target;
+            if (row.driver >= 0) value -= targets[at_index(row.driver)];
             right_[r] = value.to_double();
         }
         jacobian_.solve(right_, delta_);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/branches.hpp"
 #include "engine/closure.hpp"
 #include "engine/elimination.hpp"
 
@@ -18,12 +19,27 @@ struct Places {
     std::vector<Spot> guides, normals, tangents;  ///< by JointIndex, as in Pose
 };
 
+/// Which drivers (by index) move: one, whose coordinate says where the mechanism is, and others in proportion to it.
+struct Course {
+    struct Along {
+        int driver = 0;
+        Exact per;  ///< its coordinate over that of the first, in rad and m
+    };
+    int driver = 0;
+    std::vector<Along> along = {};
+    std::optional<std::size_t> branch = std::nullopt;  ///< where a change point is drawn: which of the branches that leave it
+};
+
 class Positions {
 public:
-    /// `driver` (index) is the one that moves; its coordinate, zero as drawn, is its turn (rad) or slide (m). Other drivers rest
-    /// as drawn, and so do bodies that the drivers leave undetermined. Errors: those of closure_of and carriers_of; a drawn pose
-    /// from which the driver does not lead in one way only (a dead point, a change point, a lock).
-    static Result<Positions> of(const Mechanism& mechanism, const Pose& pose, int driver);
+    /// The coordinate of a driver, zero as drawn, is its turn (rad) or slide (m). Drivers that are not of the course rest as drawn,
+    /// and so do bodies that the drivers leave undetermined. From a change point that is drawn it goes along the branch asked for,
+    /// else along the one on which the bodies move least. Errors: those of closure_of and carriers_of; a drawn pose from which the
+    /// driver does not lead in one way only (a dead point, a lock, a change point without branches or without the one asked for).
+    static Result<Positions> of(const Mechanism& mechanism, const Pose& pose, const Course& course);
+    static Result<Positions> of(const Mechanism& mechanism, const Pose& pose, int driver) {
+        return of(mechanism, pose, Course{driver});
+    }
 
     /// Moves on the branch that continuity gives. False: out of reach; `limit` says where the driver stops, and nothing moved.
     bool move_to(double coordinate);
@@ -34,6 +50,12 @@ public:
     bool is_singular() const { return here_.slack < least_slack; }
     /// Coordinates of the change points passed, in the order met: the branch is a choice there, and goes on smoothly.
     const std::vector<double>& change_points() const { return change_points_; }
+
+    /// Where a change point is drawn: the branch that was taken, by its index in the results, and how many there are.
+    struct BranchTaken {
+        std::size_t index = 0, of = 0;
+    };
+    const std::optional<BranchTaken>& branch() const { return branch_; }
 
     double size() const { return unit_; }                         ///< of the drawing, m, within a factor of two
     double turn(BodyIndex body) const { return now(body).turn; }  ///< rad, since the drawn pose; goes on past a full turn
@@ -79,7 +101,11 @@ private:
     Positions() = default;
     void prepare(const Closure& closure, const Mechanism& mechanism);
     void prepare_places(const Mechanism& mechanism, const Pose& pose);
+    void prepare_course(const Mechanism& mechanism);
     std::optional<Error> choose_leading_rows(const Mechanism& mechanism);
+    bool leave_change_point(const Mechanism& mechanism, const Pose& pose);
+    std::optional<std::vector<double>> tangent_of(const Branch& branch);
+    bool start_along(const std::vector<double>& tangent);
 
     const BodyPlaceOf<double>& now(BodyIndex body) const { return places_[at_index(body)]; }
     Spot world(BodyIndex body, const Spot& local) const { return now(body).at + faced(now(body).facing, local); }
@@ -105,9 +131,10 @@ private:
     std::vector<BodyPlaceOf<double>> places_;
     std::vector<bool> frozen_;          ///< by column: undetermined, and at rest
     std::vector<std::size_t> leading_;  ///< as many rows as there are columns that move, independent as drawn
-    int driver_ = 0;
-    double unit_ = 1;     ///< of the closure, m
-    double to_unit_ = 1;  ///< from the driver's coordinate to the closure's numbers
+    Course course_;
+    double unit_ = 1;                  ///< of the closure, m
+    std::vector<double> shares_;       ///< by driver: its coordinate, in the closure's numbers, over the course's
+    std::vector<Exact> exact_shares_;  ///< the same in rad and m
     double longest_step_ = 0;
     Elimination jacobian_, square_;
     std::vector<double> right_, delta_;
@@ -115,6 +142,7 @@ private:
     bool has_before_ = false;
     std::optional<double> limit_;
     std::vector<double> change_points_;
+    std::optional<BranchTaken> branch_;
     std::vector<PointRule> points_;
     std::vector<JointRule> joints_;
 };

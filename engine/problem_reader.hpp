@@ -4,13 +4,13 @@
 
 #include <memory>
 
-#include "engine/form_reader.hpp"
+#include "engine/law_reader.hpp"
 #include "engine/problem.hpp"
 
 namespace kinegraph {
 
 /// What the reader of a mechanism file is built on, beside the forms.
-class ProblemReader : protected FormReader {
+class ProblemReader : protected LawReader {
 protected:
     /// The keys of such sections.
     static constexpr std::array<std::string_view, 3> problem_keys{"hertz", "reye", "impact"};

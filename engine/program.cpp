@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/drivers.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
 
@@ -11,29 +12,6 @@ namespace {
 std::size_t at(auto index) { return at_index(index); }
 
 ProjectivePoint point_at(const Vector& place) { return {place.x, place.y, 1}; }
-
-Exact velocity_of(const Driver& driver) {
-    return std::visit(
-        [](const auto& given) -> Exact {
-            if constexpr (requires { given.omega; }) {
-                return given.omega;
-            } else {
-                return given.speed;
-            }
-        },
-        driver);
-}
-Exact acceleration_of(const Driver& driver) {
-    return std::visit(
-        [](const auto& given) -> Exact {
-            if constexpr (requires { given.alpha; }) {
-                return given.alpha;
-            } else {
-                return given.acceleration;
-            }
-        },
-        driver);
-}
 
 Vector act_vector(const GivenMotion& given, const Pose& pose) {
     if (const auto* bearing = std::get_if<Bearing>(&given.value)) return direction_of(*bearing, pose);
@@ -60,9 +38,6 @@ Vector other_normal(const Vector& normal, const Vector& tangent) {
     return (2 * dot(normal, tangent) / squared_length(tangent)) * tangent - normal;
 }
 
-std::string where_of(const Driver& driver) {
-    return std::visit([](const auto& given) { return given.where; }, driver);
-}
 std::string where_of(const Load& load) {
     return std::visit([](const auto& given) { return given.where; }, load);
 }
@@ -98,9 +73,9 @@ Value given_value(const Given& given, const Mechanism& mechanism, const Pose& po
         case Kind::driver_unit:
             return pose.driver_units[i];
         case Kind::driver_velocity:
-            return velocity_of(mechanism.drivers[i]);
+            return rates_of(mechanism.drivers[i]).first;
         case Kind::driver_acceleration:
-            return acceleration_of(mechanism.drivers[i]);
+            return rates_of(mechanism.drivers[i]).second;
         case Kind::act_velocity:
             return act_vector(mechanism.motion->velocities[i], pose);
         case Kind::act_acceleration:
@@ -133,7 +108,7 @@ std::string name_of_given(Given::Kind kind, int index, const Mechanism& mechanis
     using Kind = Given::Kind;
     const std::size_t i = index < 0 ? 0 : at(index);
     const auto driver = [&](const char* of_spin, const char* of_slide) {
-        const bool spins = std::holds_alternative<SpinDriver>(mechanism.drivers[i]);
+        const bool spins = turns(mechanism.drivers[i]);
         return where_of(mechanism.drivers[i]) + (spins ? of_spin : of_slide);
     };
     switch (kind) {

@@ -82,6 +82,7 @@ std::vector<KnownUnit> make_units() {
         {pressure, "bar", 100000},
         {pressure, "psi", pound_force / (inch * inch)},
         {time, "s", 1},
+        {time, "ms", Exact::ratio(1, 1000)},
         {time, "min", 60},
         {time, "h", 3600},
         {wear, "m²/N", 1},
@@ -296,14 +297,14 @@ tl::expected<Exact, Words> read_decimal(std::string_view text) {
     return *value;
 }
 
-bool is_within_range(const Exact& si_value) {
+bool is_within_range(const Exact& in_si) {
     static const Exact largest = decimal("1e60");
     static const Exact smallest = decimal("1e-60");
-    if (si_value.is_zero()) return true;
+    if (in_si.is_zero()) return true;
     // Most numbers are far from the ends, which their bits alone tell.
     constexpr std::size_t surely_within = 190;
-    if (si_value.bits() < surely_within) return true;
-    const Exact magnitude = abs(si_value);
+    if (in_si.bits() < surely_within) return true;
+    const Exact magnitude = abs(in_si);
     return smallest <= magnitude && magnitude <= largest;
 }
 

@@ -59,8 +59,8 @@ Words unknown_unit_message(std::string_view text, QuantityKind wanted);
 /// length, whatever the exponent says.
 tl::expected<Exact, Words> read_decimal(std::string_view text);
 
-/// The rule of magnitudes: zero, or 1e-60 ≤ |si_value| ≤ 1e60.
-bool is_within_range(const Exact& si_value);
+/// The rule of magnitudes: zero, or 1e-60 ≤ |in_si| ≤ 1e60.
+bool is_within_range(const Exact& in_si);
 
 /// As a file writes it.
 struct WrittenQuantity {

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "engine/moved.hpp"
 #include "tests/files.hpp"
@@ -145,6 +147,68 @@ TEST(Cycle, TheWorkOfAConservativeCycleIsNothing) {
     // A smooth function of a whole turn: equal steps add up to its integral.
     EXPECT_GT(most, 0.1);
     EXPECT_LT(std::abs(work), 1e-10 * most);
+}
+
+TEST(Cycle, TheGenevaWheelFollowsItsClosedFormWhileThePinIsInTheSlot) {
+    // ω₃/ω₂ = r (r − d cos θ)/(r² + d² − 2 r d cos θ) with θ the crank's angle from the line of centres, from −45° to 45°.
+    Swept s = swept_example("geneva_wheel");
+    const double r = 0.05, d = r * std::sqrt(2.0), drawn = 20 * pi_ / 180, omega = s.at(0)["omega 2"];
+    for (int degrees = -45; degrees <= 45; degrees += 3) {
+        const double a = degrees * pi_ / 180, apart = r * r + d * d - 2 * r * d * std::cos(a);
+        auto row = s.at(a - drawn);
+        ASSERT_FALSE(row.empty()) << degrees;
+        EXPECT_NEAR(row["omega 3"], omega * r * (r - d * std::cos(a)) / apart, 1e-9 * std::abs(omega)) << degrees;
+        EXPECT_NEAR(row["alpha 3"], omega * omega * r * d * (d * d - r * r) * std::sin(a) / (apart * apart),
+                    1e-8 * omega * omega)
+            << degrees;
+    }
+}
+
+TEST(Cycle, APlanetaryTrainKeepsItsRatioOverManyTurns) {
+    Swept s = swept_example("planetary_train");
+    const double omega = s.at(0)["omega 2"];
+    for (const double turns : {0.3, 7.1, 40.6}) {
+        auto row = s.at(2 * pi_ * turns);
+        ASSERT_FALSE(row.empty());
+        EXPECT_NEAR(row["omega 4"], 0.3 * omega, 1e-9 * std::abs(omega));
+        EXPECT_NEAR(row["angle 4"] - s.at(0)["angle 4"], 0.3 * 2 * pi_ * turns, 1e-9);
+    }
+}
+
+TEST(Cycle, TheSluiceGatesActuatorDoesTheWorkOfItsWeight) {
+    Swept s = swept_example("sluice_gate_travel");
+    const double weight = 1.66e6 * 9.81;
+    ASSERT_TRUE(s.travel.starts_at_limit && s.travel.ends_at_limit);
+    // At every position F ds = m g dy, the height by differences of places alone; and as drawn the notes' 17.7 mm at 14 mm ≙ m g.
+    EXPECT_NEAR(s.at(0)["effort F_G"], -weight * 17.746 / 14, 1e-4 * weight);
+    for (double share = 0.02; share < 0.99; share += 0.04) {
+        const double at = s.travel.from + share * (s.travel.to - s.travel.from), h = 1e-3;
+        const double rise = (s.at(at + h)["y O"] - s.at(at - h)["y O"]) / (2 * h);
+        EXPECT_NEAR(s.at(at)["effort F_G"] / weight, rise, 1e-5 * std::max(1.0, std::abs(rise))) << at;
+    }
+}
+
+TEST(Cycle, JansensFootWalksOnALevelPath) {
+    // Jansen's eleven numbers: the foot's stride is level to a fraction of its height of step while it bears.
+    Swept s = swept_example("jansen_leg");
+    double low = 1e9, high = -1e9, left = 1e9, right = -1e9;
+    std::vector<std::array<double, 2>> places;
+    for (int i = 0; i < 360; ++i) {
+        auto row = s.at(2 * pi_ * i / 360);
+        places.push_back({row["x F"], row["y F"]});
+        low = std::min(low, row["y F"]), high = std::max(high, row["y F"]);
+        left = std::min(left, row["x F"]), right = std::max(right, row["x F"]);
+    }
+    const double lift = high - low, stride = right - left;
+    int bearing = 0;
+    double first = 1e9, last = -1e9;
+    for (const auto& [x, y] : places) {
+        if (y - low > 0.06 * lift) continue;
+        ++bearing;
+        first = std::min(first, x), last = std::max(last, x);
+    }
+    EXPECT_GT(last - first, 0.75 * stride) << "on the ground over three quarters of the stride";
+    EXPECT_GT(bearing, 120) << "for more than a third of the turn";
 }
 
 TEST(Cycle, EveryExampleThatIsDrivenIsSweptAndAgreesWithTheCheck) {

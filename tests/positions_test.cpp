@@ -37,6 +37,9 @@ Drawn drawn(Mechanism mechanism, int driver = 0) {
     return {std::move(mechanism), *std::move(pose), *std::move(positions)};
 }
 
+using Spot = VectorOf<double>;
+Spot rough(const Vector& a) { return {a.x.to_double(), a.y.to_double()}; }
+
 /// A four-bar by its lengths (mm), crank a at an angle in degrees; the crank drives.
 std::string four_bar(double a, double b, double c, double d, double angle) {
     const auto n = [](double value) { return std::to_string(value); };
@@ -101,11 +104,65 @@ TEST(Positions, AParallelogramGoesThroughItsChangePointsAndSaysSo) {
     EXPECT_NEAR(d.positions.turn(BodyIndex(3)), 0, 1e-9);
 }
 
-TEST(Positions, AChangePointThatIsDrawnIsRefused) {
+TEST(Positions, AChangePointThatIsDrawnIsLeftAlongABranch) {
+    // A folded parallelogram a, b: ω4/ω2 = 1, or −(b + a)/(b − a), the antiparallelogram.
     const Mechanism mechanism = example("change_point_parallelogram");
+    const Pose pose = *draw_pose(mechanism);
+    for (const double way : {1.0, -1.0}) {
+        auto parallel = *Positions::of(mechanism, pose, 0);
+        ASSERT_TRUE(parallel.branch());
+        EXPECT_EQ(parallel.branch()->of, 2U);
+        EXPECT_TRUE(parallel.is_singular());
+        for (const double turn : {0.3, 2.0, 3.5, 7.0}) {
+            ASSERT_TRUE(parallel.move_to(way * turn));
+            EXPECT_NEAR(parallel.turn(BodyIndex(3)), way * turn, 1e-9) << "the bodies move least in the parallelogram";
+        }
+        EXPECT_NEAR(parallel.change_points().front(), 0, 1e-9);
+        auto crossed = *Positions::of(mechanism, pose, Course{.driver = 0, .branch = 1 - parallel.branch()->index});
+        ASSERT_TRUE(crossed.move_to(way * 0.02));
+        // a = 40, b = 100: ω4/ω2 = −140/60 where it is folded.
+        EXPECT_NEAR(crossed.turn(BodyIndex(3)) / (way * 0.02), -140.0 / 60, 0.01);
+        Places places;
+        ASSERT_TRUE(crossed.move_to(way * 1.2));
+        crossed.read(places);
+        // The antiparallelogram is symmetric: B is the mirror image of A's partner, so tan(φ2/2) tan(φ4/2) = −(b − a)/(b + a).
+        const double second = way * 1.2, fourth = crossed.turn(BodyIndex(3));
+        EXPECT_NEAR(std::tan(fourth / 2) / std::tan(second / 2), -140.0 / 60, 1e-9);
+        ASSERT_TRUE(crossed.move_to(0));
+        EXPECT_NEAR(crossed.turn(BodyIndex(3)), 0, 1e-6) << "and back";
+    }
+    const auto third = Positions::of(mechanism, pose, Course{.driver = 0, .branch = 2});
+    ASSERT_FALSE(third);
+    EXPECT_EQ(third.error().front().code, ErrorCode::no_unique_answer);
+    const Mechanism plain = example("four_bar");
+    EXPECT_FALSE(Positions::of(plain, *draw_pose(plain), Course{.driver = 0, .branch = 0})) << "there is none to choose";
+}
+
+TEST(Positions, ADeadPointThatIsDrawnIsRefused) {
+    const Mechanism mechanism = example("slider_driven_dead_point");
     const auto positions = Positions::of(mechanism, *draw_pose(mechanism), 0);
     ASSERT_FALSE(positions);
     EXPECT_EQ(positions.error().front().code, ErrorCode::no_unique_answer);
+}
+
+TEST(Positions, TwoDriversMoveTogether) {
+    // Two links in a row: the tip is where both turns say.
+    const Mechanism mechanism = example("scara");
+    const Pose pose = *draw_pose(mechanism);
+    auto positions = *Positions::of(mechanism, pose, Course{.driver = 0, .along = {{1, Exact::ratio(-3, 2)}}});
+    const auto place = [&](const char* name) { return rough(pose.at(*mechanism.point_named(name))); };
+    const auto relative = std::get<SpinDriver>(mechanism.drivers[1]).relative_to;
+    for (const double turn : {0.4, 2.9, -5.0}) {
+        ASSERT_TRUE(positions.move_to(turn));
+        Places places;
+        positions.read(places);
+        const double second = relative == frame ? -1.5 * turn : turn - 1.5 * turn;
+        const Spot a = faced(Spot{std::cos(turn), std::sin(turn)}, place("A") - place("O"));
+        const Spot b = faced(Spot{std::cos(second), std::sin(second)}, place("B") - place("A"));
+        const Spot tip = places.points[at_index(*mechanism.point_named("B"))] - place("O");
+        EXPECT_NEAR(tip.x, a.x + b.x, 1e-12);
+        EXPECT_NEAR(tip.y, a.y + b.y, 1e-12);
+    }
 }
 
 TEST(Positions, GearsKeepTheirRatioOverManyTurns) {

@@ -36,6 +36,14 @@ void draw_ways(Sketch& sketch, const std::vector<Way>& ways) {
     for (const Way& way : ways) {
         if (way.places.size() < 2) continue;
         const Theme& theme = sketch.theme;
+        if (way.outline != none) {
+            const std::vector<Spot> spots = spots_of(way, sketch.scale());
+            sketch.tints.emplace_back(tinted(filled(spots, theme.colour_of(way.outline).tint)));
+            sketch.bodies.emplace_back(GroupBegin{"path", "", "", {{"data-name", way.name}}, none});
+            sketch.bodies.emplace_back(polyline(spots, sketch.pen_of(way.outline, theme.vector), true));
+            sketch.bodies.emplace_back(GroupEnd{});
+            continue;
+        }
         sketch.construction.emplace_back(GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
         sketch.construction.emplace_back(
             polyline(spots_of(way, sketch.scale()),

@@ -7,6 +7,7 @@
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
+#include "render/tables/extremes.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -58,21 +59,25 @@ public:
           columns_(columns),
           id_("plot-" + std::to_string(number)),
           room_(room),
-          x_unit_(unit_of(table.turns ? QuantityKind::angle : QuantityKind::length, context.solution.mechanism)),
+          over_(table.over()),
+          x_unit_(unit_of(table.columns[over_].unit, context.solution.mechanism)),
           y_unit_(unit_of(table.columns[columns.front()].unit, context.solution.mechanism)) {
-        if (table.turns) x_unit_ = {"°", pi() / 180};
-        for (const double end : {table.travel.from, table.travel.to}) x_.take(in_x(end));
+        for (const double end : {table.travel.at(0), table.travel.at(1)}) x_.take(in_x(end));
         for (const auto& row : table.rows)
             for (const std::size_t column : columns) y_.take(in_y(row[column]));
-        if (y_.width() < 1e-9 * std::max(std::abs(y_.most), std::abs(y_.least)) || y_.most <= y_.least) {
-            // A constant lies in the middle.
-            const double half = y_.most == 0 || y_.most < y_.least ? 1 : std::abs(y_.most) / 2;
-            const double middle = y_.most < y_.least ? 0 : y_.most;
+        const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(), [&](std::size_t column) {
+                                 return is_constant(table, column);
+                             });
+        if (is_flat) {
+            // A constant lies in the middle; what is rounding is zero.
+            double middle = y_.most < y_.least ? 0 : (y_.most + y_.least) / 2;
+            if (std::abs(middle) <= in_y(rounding_of(table, columns.front()))) middle = 0;
+            const double half = middle == 0 ? 1 : std::abs(middle) / 2;
             y_ = {middle - half, middle + half};
         }
         y_step_ = tick_step(y_.width(), std::max(2, static_cast<int>(room.y / 9)), y_unit_.symbol == "°");
         y_ = {std::floor(y_.least / y_step_ - 1e-9) * y_step_, std::ceil(y_.most / y_step_ + 1e-9) * y_step_};
-        x_step_ = tick_step(x_.width(), std::max(3, static_cast<int>(room.x / 11)), table.turns);
+        x_step_ = tick_step(x_.width(), std::max(3, static_cast<int>(room.x / 11)), x_unit_.symbol == "°");
     }
 
     Figure draw() {
@@ -147,9 +152,12 @@ private:
             figure_.marks.emplace_back(line(foot, {foot.x, frame_.min.y}, faint));
             text(one_piece(tick(near_zero(x, x_step_), x_step_)), theme_.small, {foot.x, foot.y + 3.6}, 0.5, theme_.text);
         }
-        RichText coordinate = one_piece(table_.turns ? "φ" : "s", Face::italic);
-        coordinate.front().sub = table_.driver;
-        coordinate.front().sub_face = Face::regular;
+        const bool over_time = table_.travel.times.has_value();
+        RichText coordinate = one_piece(over_time ? "t" : table_.turns ? "φ" : "s", Face::italic);
+        if (!over_time) {
+            coordinate.front().sub = table_.driver;
+            coordinate.front().sub_face = Face::regular;
+        }
         append(coordinate, one_piece("  [" + x_unit_.symbol + "]"));
         text(coordinate, theme_.small, {ends, frame_.max.y + 7.4}, 1, theme_.secondary);
         figure_.marks.emplace_back(GroupEnd{});
@@ -177,6 +185,7 @@ private:
         };
         upright(0, "drawn-position", {theme_.thin, theme_.text, {}, false});
         const Pen broken{theme_.outline, theme_.secondary, dashes(), false};
+        if (table_.travel.times) return;  // limits and change points are places, and these are times
         if (table_.travel.starts_at_limit) upright(table_.travel.from, "dead-point", broken);
         if (table_.travel.ends_at_limit) upright(table_.travel.to, "dead-point", broken);
         for (const double each : table_.travel.change_points) upright(each, "change-point", broken);
@@ -192,14 +201,15 @@ private:
         Path path;
         path.stroked = true;
         path.pen = {theme_.vector, colour(curve), line_kind(curve), path.pen.dashes.empty()};
+        const double rounding = rounding_of(table_, column);
         bool down = false;
         std::size_t gap = 0;
         for (const auto& row : table_.rows) {
-            while (gap < table_.left_out.size() && lies_before(table_.left_out[gap], row[0])) {
+            while (gap < table_.left_out.size() && lies_before(table_.left_out[gap], row[over_])) {
                 down = false;
                 ++gap;
             }
-            const Spot spot = at(in_x(row[0]), in_y(row[column]));
+            const Spot spot = at(in_x(row[over_]), in_y(std::abs(row[column]) < rounding ? 0 : row[column]));
             path.segments.emplace_back(down ? Segment(LineTo{spot}) : Segment(MoveTo{spot}));
             down = true;
         }
@@ -207,7 +217,7 @@ private:
         mark_extremes(curve);
         figure_.marks.emplace_back(GroupEnd{});
     }
-    bool lies_before(double a, double b) const { return table_.travel.to > table_.travel.from ? a < b : a > b; }
+    bool lies_before(double a, double b) const { return table_.travel.at(1) > table_.travel.at(0) ? a < b : a > b; }
 
     void mark(std::size_t curve, Spot spot, const std::string& words, bool is_zero) {
         if (is_zero)
@@ -224,26 +234,19 @@ private:
     /// The greatest and the least value, and where the curve passes zero; not of a constant.
     void mark_extremes(std::size_t curve) {
         const std::size_t column = columns_[curve];
-        const auto& rows = table_.rows;
-        if (rows.size() < 3) return;
-        const auto smaller = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
-        const auto [least, most] = std::minmax_element(rows.begin(), rows.end(), smaller);
-        const double span = (*most)[column] - (*least)[column];
-        if (span <= 1e-9 * std::max(std::abs((*most)[column]), std::abs((*least)[column]))) return;
-        for (const auto& row : {*most, *least})
-            mark(curve, at(in_x(row[0]), in_y(row[column])), number(in_y(row[column]), 4, context_.language), false);
-        std::vector<double> zeros;
-        for (std::size_t i = 1; i < rows.size(); ++i) {
-            const double a = rows[i - 1][column], b = rows[i][column];
-            if (a * b > 0 || a == b || (b == 0 && i + 1 < rows.size())) continue;
-            const double x = in_x(rows[i - 1][0] + a / (a - b) * (rows[i][0] - rows[i - 1][0]));
-            if (zeros.empty() || std::abs(x - zeros.back()) > 1e-3 * x_.width()) zeros.push_back(x);
-        }
+        if (table_.rows.size() < 3 || is_constant(table_, column)) return;
+        const auto [least, most] = extremes_of(table_, column);
+        for (const Extreme& each : {most, least})
+            if (each.value != 0)
+                mark(curve, at(in_x(each.at), in_y(each.value)), number(in_y(each.value), 4, context_.language), false);
+        const std::vector<double> zeros = zeros_of(table_, column);
         // Beyond these, a reader counts.
         constexpr std::size_t most_zeros = 4;
         if (zeros.size() > most_zeros) return;
-        for (const double x : zeros)
+        for (const double zero : zeros) {
+            const double x = in_x(zero);
             mark(curve, at(x, 0), number(x, 4, context_.language) + (x_unit_.symbol == "°" ? "°" : " " + x_unit_.symbol), true);
+        }
     }
 
     /// Names in a row above the frame, each with its line.
@@ -266,6 +269,7 @@ private:
     const std::vector<std::size_t>& columns_;
     std::string id_;
     Spot room_;
+    std::size_t over_;  ///< column of the abscissas
     Unit x_unit_, y_unit_;
     Range x_, y_;
     double x_step_ = 1, y_step_ = 1;
@@ -296,17 +300,19 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism) {
             return units.moment;
         case QuantityKind::pressure:
             return units.pressure;
-        default:
+        case QuantityKind::time:
             return {"s", 1};
+        default:
+            return {"", 1};
     }
 }
 
 RichText typeset(const Column& column, const Mechanism& mechanism, Language language) {
     const Quantity& q = column.quantity;
     const std::string axis = q.component == Quantity::Component::whole ? "" : q.component == Quantity::Component::x ? "x" : "y";
-    const auto symbol = [](const char* letter, std::string sub, Face sub_face, int dots = 0) {
+    const auto symbol = [](std::string letter, std::string sub, Face sub_face, int dots = 0) {
         Piece piece;
-        piece.text = letter;
+        piece.text = std::move(letter);
         piece.face = Face::italic;
         piece.sub = std::move(sub);
         piece.sub_face = sub_face;
@@ -329,6 +335,8 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             return symbol("s", mechanism.joint(q.joint).name, Face::italic);
         case Column::Kind::along:
             return symbol(q.kind == Kind::sliding_velocity ? "v" : "a", mechanism.joint(q.joint).name, Face::italic);
+        case Column::Kind::named:
+            return one_piece(word(column.name, language));
         case Column::Kind::result:
             break;
     }
@@ -347,9 +355,14 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
             return symbol(q.kind == Kind::couple ? "C" : "F", pair + (axis.empty() ? "" : " " + axis), Face::regular);
         }
-        default:
-            return one_piece(std::visit([](const auto& effort) { return effort.name; }, mechanism.efforts[at_index(q.given)]),
-                             Face::italic);
+        default: {
+            // "F_G" is F with the index G.
+            const std::string name =
+                std::visit([](const auto& effort) { return effort.name; }, mechanism.efforts[at_index(q.given)]);
+            const std::size_t index = name.find('_');
+            if (index == 0 || index == std::string::npos) return one_piece(name, Face::italic);
+            return symbol(name.substr(0, index), name.substr(index + 1), Face::italic);
+        }
     }
 }
 

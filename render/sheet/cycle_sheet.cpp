@@ -9,6 +9,7 @@
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/title_block.hpp"
+#include "render/tables/extremes.hpp"
 #include "render/tables/prose.hpp"
 
 namespace kinegraph::render {
@@ -28,7 +29,7 @@ public:
           plots_(plots),
           ways_(ways),
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date},
+          signature_{options.author, options.date, table.is_of_cam ? "subtitle cam" : "subtitle cycle"},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {
@@ -56,6 +57,7 @@ private:
             [&](double x, double y) {
                 Figure figure = mechanism_with_ways(context_, ways_, x, y);
                 scale_ = figure.scale;
+                if (table_.is_of_cam) figure.caption = one_piece(word("cam and follower", context_.language));
                 return figure;
             },
             corner, std::max(room, 45.0));
@@ -98,6 +100,10 @@ private:
     std::string coordinate(double si) const {
         const Unit unit = table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
         return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
+    }
+    /// Where something is: the driver's coordinate, or the time where it has a law.
+    std::string place(double at) const {
+        return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at);
     }
     std::string amount(double si, QuantityKind kind) const {
         const Unit unit = unit_of(kind, context_.solution.mechanism);
@@ -142,13 +148,16 @@ private:
     }
     void row_of(Block& block, std::size_t column) {
         if (table_.rows.empty() || y_ > format_.content.height() / 2) return;
-        const auto smaller = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
-        const auto [least, most] = std::minmax_element(table_.rows.begin(), table_.rows.end(), smaller);
+        const auto [least, most] = extremes_of(table_, column);
         const QuantityKind unit = table_.columns[column].unit;
+        const RichText name = typeset(table_.columns[column], context_.solution.mechanism, context_.language);
+        if (is_constant(table_, column)) {
+            const RichText value = with_powers(amount((least.value + most.value) / 2, unit));
+            return cells(block, {name, value, {}, value, {}}, theme_.text);
+        }
         cells(block,
-              {typeset(table_.columns[column], context_.solution.mechanism, context_.language),
-               with_powers(amount((*least)[column], unit)), one_piece(coordinate((*least)[0])),
-               with_powers(amount((*most)[column], unit)), one_piece(coordinate((*most)[0]))},
+              {name, with_powers(amount(least.value, unit)), one_piece(place(least.at)), with_powers(amount(most.value, unit)),
+               one_piece(place(most.at))},
               theme_.text);
     }
 
@@ -177,6 +186,11 @@ private:
                     coordinate(table_.transmission->at));
         if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
         if (const auto hardest = largest_of_points(Kind::acceleration)) say(in_words("largest acceleration"), *hardest);
+        for (const Words& fact : table_.facts) {
+            std::string line = in(fact, context_.language);
+            for (std::size_t sign = 0; (sign = line.find(" -", sign)) != std::string::npos;) line.replace(sign, 2, " −");
+            said.push_back(with_powers(line));
+        }
         return said;
     }
 
@@ -189,50 +203,57 @@ private:
             append(text, with_powers(": " + value));
             said.push_back(std::move(text));
         };
-        const auto smaller = [&](const auto& a, const auto& b) { return a[column] < b[column]; };
-        const auto [least, most] = std::minmax_element(table_.rows.begin(), table_.rows.end(), smaller);
+        const auto [least, most] = extremes_of(table_, column);
         if (of.kind == Column::Kind::slid) {
-            say("stroke", amount((*most)[column] - (*least)[column], of.unit));
+            say("stroke", amount(most.value - least.value, of.unit));
             // Over a whole turn at constant speed the time goes with the turn between the two ends of the stroke.
-            const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs((*most)[0] - (*least)[0]);
-            if (!table_.turns || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 || one == whole) return;
+            const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
+            if (!table_.turns || table_.travel.times || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 || one == whole ||
+                rests(column, least) || rests(column, most))
+                return;
             const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
             // A stroke that takes as long there as back is no quick return.
-            if (ratio > 1.02) say("time ratio", number(ratio, 3, context_.language));
+            if (ratio > 1.001) say("time ratio", number(ratio, 4, context_.language));
         }
         if (of.quantity.kind == Kind::effort) {
             double sum = 0, way = 0;
             for (std::size_t i = 1; i < table_.rows.size(); ++i) {
-                const double step = table_.rows[i][0] - table_.rows[i - 1][0];
+                const double step = table_.rows[i][table_.over()] - table_.rows[i - 1][table_.over()];
                 sum += (table_.rows[i][column] + table_.rows[i - 1][column]) / 2 * step;
                 way += step;
             }
-            const double rounding = 1e-9 * std::max(std::abs((*least)[column]), std::abs((*most)[column]));
+            const double rounding = 1e-9 * std::max(std::abs(least.value), std::abs(most.value));
             if (way != 0) say("mean", amount(std::abs(sum / way) < rounding ? 0 : sum / way, of.unit));
         }
     }
 
+    /// At its extreme it stays for more than two rows: an end of the stroke that is no one position.
+    bool rests(std::size_t column, const Extreme& end) const {
+        const double near = 1e-9 * std::abs(end.value) + rounding_of(table_, column);
+        return std::count_if(table_.rows.begin(), table_.rows.end(),
+                             [&](const auto& row) { return std::abs(row[column] - end.value) <= near; }) > 2;
+    }
+
     /// "1.23 m/s (A) at 45°".
     std::optional<std::string> largest_of_points(Kind kind) const {
-        double largest = 0, where = 0;
+        Extreme largest;
         PointIndex point;
         for (std::size_t i = 0; i + 1 < table_.columns.size(); ++i) {
             const Column &x = table_.columns[i], &y = table_.columns[i + 1];
             if (x.kind != Column::Kind::result || x.quantity.kind != kind || x.quantity.component != Quantity::Component::x ||
                 y.quantity.point != x.quantity.point || y.quantity.kind != kind)
                 continue;
-            for (const auto& row : table_.rows) {
-                const double size = length(Spot{row[i], row[i + 1]});
-                if (size <= largest * (1 + 1e-9)) continue;
-                largest = size;
-                where = row[0];
-                point = x.quantity.point;
-            }
+            std::vector<double> sizes;
+            for (const auto& row : table_.rows) sizes.push_back(length(Spot{row[i], row[i + 1]}));
+            const Extreme of_point = extremes_of(table_, sizes).second;
+            if (of_point.value <= largest.value * (1 + 1e-9)) continue;
+            largest = of_point;
+            point = x.quantity.point;
         }
         if (point == none) return std::nullopt;
-        return amount(largest, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) + " (" +
+        return amount(largest.value, kind == Kind::velocity ? QuantityKind::velocity : QuantityKind::acceleration) + " (" +
                context_.solution.mechanism.point(point).name + ") " + word("at the position", context_.language) + " " +
-               coordinate(where);
+               place(largest.at);
     }
 
     DrawingContext context_;

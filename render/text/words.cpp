@@ -442,6 +442,7 @@ constexpr std::array fixed_words{
     FixedWords{"mechanism", "Mechanism", "Meccanismo"},
     FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
     FixedWords{"mechanism and its way", "Mechanism as drawn, and its way", "Meccanismo come disegnato e suo moto"},
+    FixedWords{"cam and follower", "Cam and follower", "Camma e punteria"},
     FixedWords{"extremes", "Extremes of the motion", "Valori estremi del moto"},
     FixedWords{"quantity", "quantity", "grandezza"},
     FixedWords{"least", "least", "minimo"},
@@ -453,6 +454,7 @@ constexpr std::array fixed_words{
     FixedWords{"change points", "change points (the branch is a choice)", "punti di biforcazione (il ramo è una scelta)"},
     FixedWords{"time ratio", "time ratio of slow and quick stroke", "rapporto dei tempi di andata e ritorno"},
     FixedWords{"least transmission angle", "least transmission angle", "minimo angolo di trasmissione"},
+    FixedWords{"pressure angle", "pressure angle", "angolo di pressione"},
     FixedWords{"largest speed", "largest speed", "massima velocità"},
     FixedWords{"largest acceleration", "largest acceleration", "massima accelerazione"},
     FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
@@ -725,6 +727,8 @@ constexpr std::array fixed_words{
     FixedWords{"subtitle mixed", "Motion and forces by polygons", "Moto e forze con i poligoni"},
     FixedWords{"subtitle pose", "Position and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
+    FixedWords{"subtitle cycle", "Position after position of one motion", "Un moto, posizione dopo posizione"},
+    FixedWords{"subtitle cam", "A disc cam by the law of its follower", "Camma a disco dalla legge della punteria"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
 };
 

@@ -1,0 +1,320 @@
+// cam FILE: the disc cam that gives its follower a law; every position of it solved as a mechanism, and held against the law.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/driver_choice.hpp"
+#include "app/outputs.hpp"
+#include "constructions/solve.hpp"
+#include "engine/cam.hpp"
+#include "engine/closure.hpp"
+#include "engine/units.hpp"
+#include "render/sheet/cycle_sheet.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+using Spot = VectorOf<double>;
+constexpr double pi_ = std::numbers::pi;
+
+/// Speed and acceleration of the follower as our own solver finds them, m/s or rad/s; nothing where it finds none.
+struct Found {
+    double speed = 0, acceleration = 0;
+};
+std::optional<Found> follower_of(const Solution& solution, bool translates, double rises) {
+    if (translates) {
+        for (const Sliding& each : solution.sliding)
+            if (solution.mechanism.joint(each.joint).along && each.velocity && each.acceleration)
+                return Found{each.velocity->y.to_double(), each.acceleration->y.to_double()};
+        return std::nullopt;
+    }
+    const BodyMotion& body = solution.bodies.back();
+    if (!body.omega || !body.alpha) return std::nullopt;
+    return Found{rises * body.omega->to_double(), rises * body.alpha->to_double()};
+}
+
+tl::expected<Solution, Errors> solved_at(const Cam& cam, const CamGeometry& geometry, double turn) {
+    auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
+    if (!mechanism) return tl::unexpected(mechanism.error());
+    mechanism->find.instant_centres = false;
+    return solve(*std::move(mechanism));
+}
+
+/// The same to be drawn with the profile itself: without the circle that stands for it at the contact.
+tl::expected<Solution, Errors> drawn_at(const Cam& cam, const CamGeometry& geometry, double turn) {
+    auto mechanism = read_mechanism(mechanism_file_of(cam, geometry, turn), cam.source);
+    if (!mechanism) return tl::unexpected(mechanism.error());
+    Body& body = mechanism->bodies[1];
+    body.circle.reset();
+    body.points.resize(1);
+    std::erase_if(mechanism->joints, [](const Joint& joint) { return joint.pair().touches(); });
+    mechanism->find = {};
+    mechanism->find.stated = true;
+    return solve(*std::move(mechanism));
+}
+
+void append(std::string& text, double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value);
+    text.append(digits.data(), end.ptr);
+}
+
+class CamRun {
+public:
+    CamRun(const CamRequest& request, const Cam& cam, const CamGeometry& geometry, double at)
+        : request_(request), cam_(cam), geometry_(geometry), at_(at), rate_(std::abs(cam.omega.to_double())) {}
+
+    Status run(const std::vector<Target>& targets) {
+        const auto theme = theme_of(request_.theme, request_.file, language());
+        if (!theme) return theme.error();
+        fill_rows();
+        summary_ = summary_of(cam_, geometry_);
+        confirm();
+        std::vector<Output> outputs;
+        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        for (const Target& target : targets) {
+            if (target.format == Format::csv) outputs.push_back({target.path, csv()});
+            if (target.format == Format::json) outputs.push_back({target.path, mechanism_file_of(cam_, geometry_, at_)});
+        }
+        if (draws)
+            if (const auto status = draw(targets, *theme, outputs)) return *status;
+        if (names_clash(outputs, request_.file, language())) return Status::bad_input;
+        if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
+        for (const Words& line : facts()) say_line(line);
+        for (const std::string& remark : remarks_) say_line(Words(render::word("a remark", language()) + ": " + remark));
+        say_confirmed();
+        return summary_.undercut || not_solved_ > 0 ? Status::unsolved : Status::done;
+    }
+
+private:
+    Language language() const { return request_.sheet.language; }
+    void say_line(const Words& line) const { say(spoken(request_.file), line, language()); }
+    bool translates() const { return cam_.follower.moves == Follower::Moves::translating; }
+    bool is_flat() const { return cam_.follower.face == Follower::Face::flat; }
+
+    void fill_rows() {
+        for (long i = 0; i <= request_.steps; ++i)
+            states_.push_back(geometry_.at(2 * pi_ * static_cast<double>(i) / static_cast<double>(request_.steps)));
+    }
+    double speed(const CamState& state) const { return state.rise.first * rate_; }
+    double acceleration(const CamState& state) const { return state.rise.second * rate_ * rate_; }
+
+    /// Every position as a mechanism, solved; where the law jumps, the piece that begins there is meant.
+    void confirm() {
+        double most_speed = 0, most_acceleration = 0, off_speed = 0, off_acceleration = 0;
+        for (const CamState& state : states_) {
+            if (!std::isfinite(state.curvature)) continue;
+            const auto solution = solved_at(cam_, geometry_, state.turn);
+            const auto found = solution ? follower_of(*solution, translates(), geometry_.rises()) : std::nullopt;
+            if (!found) {
+                ++not_solved_;
+                continue;
+            }
+            ++solved_;
+            most_speed = std::max(most_speed, std::abs(speed(state)));
+            most_acceleration = std::max(most_acceleration, std::abs(acceleration(state)));
+            off_speed = std::max(off_speed, std::abs(found->speed - speed(state)));
+            off_acceleration = std::max(off_acceleration, std::abs(found->acceleration - acceleration(state)));
+        }
+        if (most_speed > 0) difference_ = off_speed / most_speed;
+        if (most_acceleration > 0) difference_ = std::max(difference_, off_acceleration / most_acceleration);
+    }
+    void say_confirmed() const {
+        std::array<char, 32> share{};
+        std::snprintf(share.data(), share.size(), "%.1e", difference_);
+        say_line({"{0} positions solved as mechanisms: speed and acceleration of the follower differ from the law by {1} of the "
+                  "largest at most",
+                  "{0} posizioni risolte come meccanismi: velocità e accelerazione della punteria differiscono dalla legge al più di "
+                  "{1} della maggiore",
+                  std::to_string(solved_), decimal(share.data())});
+        if (not_solved_ > 0)
+            say_line({"{0} positions have no unique answer", "{0} posizioni non hanno risposta unica", std::to_string(not_solved_)});
+    }
+
+    // --- what a designer asks -----------------------------------------------------------------------------------------------
+    Words turn_text(double turn) const {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "%.4g°", turn * 180 / pi_);
+        return decimal(text.data());
+    }
+    Words length_text(double length) const {
+        std::array<char, 32> text{};
+        std::snprintf(text.data(), text.size(), "%.4g ", length / cam_.units.length.si.to_double());
+        return decimal(text.data() + cam_.units.length.symbol);
+    }
+    std::vector<Words> facts() const {
+        std::vector<Words> said;
+        said.emplace_back("largest pressure angle: {0} at {1}", "massimo angolo di pressione: {0} a {1}",
+                          turn_text(summary_.most_pressure), turn_text(summary_.most_pressure_at));
+        if (summary_.undercut) said.push_back(undercut());
+        if (summary_.least_convex && !summary_.undercut)
+            said.emplace_back("least radius of curvature of the profile, convex: {0} at {1}",
+                              "minimo raggio di curvatura del profilo, convesso: {0} a {1}", length_text(*summary_.least_convex),
+                              turn_text(summary_.least_convex_at));
+        if (summary_.least_concave)
+            said.emplace_back("least radius of curvature of the profile, hollow: {0} at {1}",
+                              "minimo raggio di curvatura del profilo, concavo: {0} a {1}", length_text(*summary_.least_concave),
+                              turn_text(summary_.least_concave_at));
+        if (summary_.face)
+            said.emplace_back("the flat face is touched from {0} to {1} of the foot of its normal through the cam’s centre",
+                              "il piattello è toccato da {0} a {1} dal piede della sua normale per il centro della camma",
+                              length_text((*summary_.face)[0]), length_text((*summary_.face)[1]));
+        return said;
+    }
+
+    Words undercut() const {
+        const Words from = turn_text((*summary_.undercut)[0]), to = turn_text((*summary_.undercut)[1]);
+        if (is_flat())
+            return {"undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; take a "
+                    "larger base radius",
+                    "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere un raggio "
+                    "di base maggiore",
+                    from, to};
+        return {"undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not keep its "
+                "law; take a larger base radius or a smaller roller",
+                "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà la legge; "
+                "prendere un raggio di base maggiore o una rotella minore",
+                from, to};
+    }
+
+    // --- rows ---------------------------------------------------------------------------------------------------------------
+    std::string csv() const {
+        std::string text = "turn,time,s,v,a,";
+        if (!is_flat()) text += "x pitch,y pitch,";
+        text += "x profile,y profile,pressure angle,curvature\n";
+        for (const CamState& state : states_) {
+            const Spot pitch = state.on_cam(state.trace, geometry_.sense());
+            const Spot profile = state.on_cam(state.contact, geometry_.sense());
+            if (!std::isfinite(state.curvature)) continue;
+            std::vector<double> values{state.turn, state.turn / rate_, state.rise.s, speed(state), acceleration(state)};
+            if (!is_flat()) values.insert(values.end(), {pitch.x, pitch.y});
+            values.insert(values.end(), {profile.x, profile.y, state.pressure_angle, state.curvature});
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if (i > 0) text += ',';
+                append(text, values[i]);
+            }
+            text += '\n';
+        }
+        return text;
+    }
+
+    // --- the sheet ----------------------------------------------------------------------------------------------------------
+    CycleTable table(const Solution& drawn) const {
+        CycleTable table;
+        table.driver = drawn.mechanism.bodies[1].name;
+        table.travel.to = 2 * pi_;
+        table.is_of_cam = true;
+        const auto add = [&](Column::Kind kind, const Quantity& quantity, std::string name, QuantityKind unit) {
+            table.columns.push_back({kind, quantity, std::move(name), unit});
+        };
+        using Kind = Quantity::Kind;
+        add(Column::Kind::turn, {}, "turn", QuantityKind::angle);
+        if (translates()) {
+            const Quantity slides{.kind = Kind::sliding_velocity, .joint = JointIndex(drawn.mechanism.joints.size() - 1)};
+            add(Column::Kind::slid, slides, "s", QuantityKind::length);
+            add(Column::Kind::along, slides, "v", QuantityKind::velocity);
+            add(Column::Kind::along, {.kind = Kind::sliding_acceleration, .joint = slides.joint}, "a", QuantityKind::acceleration);
+        } else {
+            const auto body = BodyIndex(drawn.mechanism.bodies.size() - 1);
+            add(Column::Kind::angle, {.kind = Kind::omega, .body = body}, "s", QuantityKind::angle);
+            add(Column::Kind::result, {.kind = Kind::omega, .body = body}, "v", QuantityKind::angular_velocity);
+            add(Column::Kind::result, {.kind = Kind::alpha, .body = body}, "a", QuantityKind::angular_acceleration);
+        }
+        add(Column::Kind::named, {}, "pressure angle", QuantityKind::angle);
+        const long stride = std::max(1L, request_.steps / 3600);
+        for (std::size_t i = 0; i < states_.size(); i += static_cast<std::size_t>(stride)) {
+            const CamState& state = states_[i];
+            table.rows.push_back({state.turn, state.rise.s, speed(state), acceleration(state), state.pressure_angle});
+        }
+        for (const Words& fact : facts()) table.facts.push_back(fact);
+        return table;
+    }
+    /// Working profile, pitch curve and base circle, as they lie in the position that is drawn.
+    std::vector<render::Way> curves() const {
+        const double angle = geometry_.sense() * at_;
+        const auto placed = [&](const Spot& on_cam) { return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam); };
+        render::Way profile{"profile", true, {}, BodyIndex(1)}, pitch{"pitch curve", false, {}, none},
+            base{"base circle", false, {}, none};
+        constexpr int samples = 1440;
+        for (int i = 0; i <= samples; ++i) {
+            const CamState state = geometry_.at(2 * pi_ * i / samples);
+            profile.places.push_back(placed(state.on_cam(state.contact, geometry_.sense())));
+            pitch.places.push_back(placed(state.on_cam(state.trace, geometry_.sense())));
+            const double round = 2 * pi_ * i / samples, radius = cam_.base_circle.to_double();
+            base.places.push_back({radius * std::cos(round), radius * std::sin(round)});
+        }
+        std::vector<render::Way> ways{base, profile};
+        if (cam_.follower.face == Follower::Face::roller) ways.push_back(pitch);
+        return ways;
+    }
+    /// A status where something is missing, which has been said.
+    std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
+        auto drawn = drawn_at(cam_, geometry_, at_);
+        if (!drawn) return say(spoken(request_.file), drawn.error(), language());
+        const auto press = Press::open(targets, language());
+        if (!press) return press.error();
+        render::SheetOptions options = request_.sheet;
+        options.theme = theme;
+        const auto pages =
+            render::lay_out_cycle(*drawn, table(*drawn), {{1}, {2}, {3}, {4}}, curves(), options, press->fonts());
+        for (const Target& target : targets)
+            if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
+        press->remark_missing(remarks_);
+        return std::nullopt;
+    }
+
+    const CamRequest& request_;
+    const Cam& cam_;
+    const CamGeometry& geometry_;
+    double at_, rate_;
+    std::vector<CamState> states_;
+    CamSummary summary_;
+    long solved_ = 0, not_solved_ = 0;
+    double difference_ = 0;
+    std::vector<std::string> remarks_;
+};
+
+/// The turn at which the mechanism is written and drawn, rad.
+tl::expected<double, Words> turn_asked(const CamRequest& request, const Cam& cam) {
+    if (request.steps < 2) return tl::unexpected(Words("--steps: at least 2 are needed", "--steps: ne occorrono almeno 2"));
+    if (request.at.empty()) return 0.0;
+    const auto turn = quantity_of(request.at, QuantityKind::angle, cam.units.angle.si);
+    if (!turn) return tl::unexpected(std::string("--at ") + turn.error());
+    if (turn->sign() < 0 || *turn > 2 * pi())
+        return tl::unexpected(Words("--at {0}: the cam's turn lies between 0 and 360°", "--at {0}: la rotazione della camma è fra 0 e "
+                                    "360°", request.at));
+    return turn->to_double();
+}
+
+}  // namespace
+
+Status cam_command(const CamRequest& request) {
+    const Language language = request.sheet.language;
+    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
+    auto targets = targets_of(request.outputs, request.format, request.file, formats);
+    if (!targets) return refuse(targets.error(), language);
+    if (targets->empty()) targets->push_back({"-", Format::csv});
+    const auto text = read_whole(request.file, {"cam file", "file di camma"});
+    if (!text) {
+        say(spoken(request.file), text.error(), language);
+        return Status::bad_input;
+    }
+    const auto cam = read_cam(*text, bare_name(request.file));
+    if (!cam) return say(spoken(request.file), cam.error(), language);
+    const auto geometry = CamGeometry::of(*cam);
+    if (!geometry) return say(spoken(request.file), geometry.error(), language);
+    const auto at = turn_asked(request, *cam);
+    if (!at) {
+        say(spoken(request.file), at.error(), language);
+        return Status::bad_input;
+    }
+    return CamRun(request, *cam, *geometry, *at).run(*targets);
+}
+
+}  // namespace kinegraph::app

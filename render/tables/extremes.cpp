@@ -1,0 +1,84 @@
+#include "render/tables/extremes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kinegraph::render {
+namespace {
+
+std::vector<double> values_of(const CycleTable& table, std::size_t column) {
+    std::vector<double> values;
+    values.reserve(table.rows.size());
+    for (const auto& row : table.rows) values.push_back(row[column]);
+    return values;
+}
+
+/// The extreme near row i, if the rows about it lie on a smooth curve.
+Extreme refined(const CycleTable& table, const std::vector<double>& y, std::size_t i) {
+    const auto at = [&](std::size_t k) { return table.rows[k][table.over()]; };
+    const Extreme as_it_is{at(i), y[i]};
+    if (i < 2 || i + 2 >= y.size()) return as_it_is;
+    const double step = at(i + 1) - at(i);
+    for (std::size_t k = i - 2; k < i + 2; ++k)
+        if (std::abs(at(k + 1) - at(k) - step) > 1e-6 * std::abs(step)) return as_it_is;
+    const auto bend = [&](std::size_t k) { return y[k - 1] - 2 * y[k] + y[k + 1]; };
+    const double here = bend(i);
+    for (const double beside : {bend(i - 1), bend(i + 1)})
+        if (beside * here <= 0 || std::abs(beside) < 0.5 * std::abs(here) || std::abs(beside) > 2 * std::abs(here)) return as_it_is;
+    const double off = std::clamp((y[i - 1] - y[i + 1]) / (2 * here), -0.5, 0.5);
+    return {at(i) + off * step, y[i] - (y[i - 1] - y[i + 1]) * off / 4};
+}
+
+}  // namespace
+
+std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vector<double>& values) {
+    if (values.empty()) return {};
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto row = [&](auto found) { return static_cast<std::size_t>(found - values.begin()); };
+    return {refined(table, values, row(least)), refined(table, values, row(most))};
+}
+
+std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column) {
+    auto found = extremes_of(table, values_of(table, column));
+    const double rounding = rounding_of(table, column);
+    for (Extreme* each : {&found.first, &found.second})
+        if (std::abs(each->value) < rounding) each->value = 0;
+    return found;
+}
+
+std::vector<double> zeros_of(const CycleTable& table, std::size_t column) {
+    const std::vector<double> values = values_of(table, column);
+    const double rounding = rounding_of(table, column);
+    const auto is_zero = [&](std::size_t i) { return std::abs(values[i]) <= rounding; };
+    const auto at = [&](std::size_t i) { return table.rows[i][table.over()]; };
+    const double way = table.rows.empty() ? 0 : std::abs(table.rows.back()[table.over()] - table.rows.front()[table.over()]);
+    std::vector<double> zeros;
+    const auto add = [&](double zero) { zeros.push_back(std::abs(zero) < 1e-9 * way ? 0 : zero); };
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (is_zero(i)) {
+            const bool stays = (i > 0 && is_zero(i - 1)) || (i + 1 < values.size() && is_zero(i + 1));
+            if (!stays) add(at(i));
+        } else if (i > 0 && !is_zero(i - 1) && values[i - 1] * values[i] < 0) {
+            add(at(i - 1) + values[i - 1] / (values[i - 1] - values[i]) * (at(i) - at(i - 1)));
+        }
+    }
+    return zeros;
+}
+
+double rounding_of(const CycleTable& table, std::size_t column) {
+    double largest = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (table.columns[i].unit != table.columns[column].unit || table.columns[i].kind == Column::Kind::turn) continue;
+        for (const auto& row : table.rows) largest = std::max(largest, std::abs(row[i]));
+    }
+    constexpr double share = 1e-9;
+    return share * largest;
+}
+
+bool is_constant(const CycleTable& table, std::size_t column) {
+    const auto [least, most] = extremes_of(table, values_of(table, column));
+    const double largest = std::max(std::abs(least.value), std::abs(most.value));
+    return most.value - least.value <= std::max(1e-9 * largest, rounding_of(table, column));
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,190 @@
+// Cams: the curve that a law asks for against closed forms, against the follower that rolls round it, and against our own solver.
+#include "engine/cam.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/closure.hpp"
+#include "tests/solved.hpp"
+
+namespace kinegraph {
+namespace {
+
+using Spot = VectorOf<double>;
+constexpr double pi_ = std::numbers::pi;
+
+std::string file(const std::string& follower, const std::string& law, int base, const char* omega = "10") {
+    return R"({"kinegraph": 1, "units": {"length": "mm"}, "cam": {"omega": )" + std::string(omega) + R"(, "base radius": )" +
+           std::to_string(base) + R"(, "follower": )" + follower + R"(, "law": )" + law + "}}";
+}
+/// Up, a rest, down, a rest.
+std::string dwells(const std::string& rise) {
+    return R"([{"form": "cycloidal", "rise": )" + rise + R"(, "turn": 110}, {"form": "rest", "turn": 50},
+        {"form": "modified trapezoidal", "rise": -)" + rise + R"(, "turn": 120}, {"form": "rest", "turn": 80}])";
+}
+Cam cam_of(const std::string& text) {
+    auto cam = read_cam(text, "cam.json");
+    if (!cam) throw std::runtime_error(cam.error().front().where + ": " + cam.error().front().message.en);
+    return *std::move(cam);
+}
+
+struct Kind {
+    const char* name;
+    const char* follower;
+    const char* rise;
+    const char* omega;
+};
+const std::vector<Kind> kinds{
+    {"roller, offset", R"({"moves": "translating", "face": "roller", "radius": 10, "offset": 8})", "24", "10"},
+    {"edge", R"({"moves": "translating", "face": "knife edge", "offset": -6})", "20", "-10"},
+    {"flat", R"({"moves": "translating", "face": "flat"})", "15", "-10"},
+    {"rocker with roller", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80})", "20", "10"},
+    {"on the right", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80, "side": "right"})",
+     "20", "10"},
+    {"rocker with edge", R"({"moves": "oscillating", "face": "knife edge", "pivot": [-90, 10], "arm": 80})", "20", "-10"},
+    {"lever", R"({"moves": "oscillating", "face": "flat", "pivot": [90, 10], "offset": 5})", "12", "10"},
+    {"lever on the right", R"({"moves": "oscillating", "face": "flat", "pivot": [90, 10], "offset": -5, "side": "right"})", "12",
+     "-10"}};
+
+/// What the profile leaves between itself and the follower that stands where the law has it; negative where it would cut.
+double clearance(const Cam& cam, const CamState& at, const Spot& profile) {
+    if (cam.follower.face == Follower::Face::flat) return dot(at.outward, at.contact - profile);
+    const Spot d = profile - at.trace;
+    return std::hypot(d.x, d.y) - cam.follower.radius.to_double();
+}
+
+TEST(Cam, ItsProfileTouchesTheFollowerEverywhereAndCutsItNowhere) {
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(kind.name);
+        const Cam cam = cam_of(file(kind.follower, dwells(kind.rise), 40, kind.omega));
+        const CamGeometry geometry = *CamGeometry::of(cam);
+        std::vector<Spot> profile;
+        for (int i = 0; i < 3600; ++i) {
+            const CamState state = geometry.at(2 * pi_ * i / 3600);
+            profile.push_back(state.on_cam(state.contact, geometry.sense()));
+        }
+        EXPECT_NEAR(std::hypot(profile[0].x, profile[0].y), 0.04, cam.follower.face == Follower::Face::knife_edge ? 1e-12 : 1e-3);
+        EXPECT_FALSE(summary_of(cam, geometry).undercut);
+        for (int degrees = 0; degrees < 360; degrees += 15) {
+            const CamState state = geometry.at(degrees * pi_ / 180);
+            const double turned = geometry.sense() * state.turn;
+            double least = std::numeric_limits<double>::infinity();
+            for (const Spot& on_cam : profile)
+                least = std::min(least, clearance(cam, state, faced(Spot{std::cos(turned), std::sin(turned)}, on_cam)));
+            EXPECT_NEAR(least, 0, 1e-6) << degrees;
+        }
+    }
+}
+
+TEST(Cam, OurOwnSolverFindsTheLaw) {
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(kind.name);
+        const Cam cam = cam_of(file(kind.follower, dwells(kind.rise), 40, kind.omega));
+        const CamGeometry geometry = *CamGeometry::of(cam);
+        const bool translates = cam.follower.moves == Follower::Moves::translating;
+        for (int degrees = 5; degrees < 360; degrees += 35) {
+            const CamState state = geometry.at(degrees * pi_ / 180);
+            const Solution solution = tests::solved(mechanism_file_of(cam, geometry, state.turn));
+            EXPECT_TRUE(solution.unsolved.empty()) << degrees;
+            const double speed = state.rise.first * 10, acceleration = state.rise.second * 100;
+            if (translates) {
+                const Sliding& slide = solution.sliding.back();
+                EXPECT_NEAR(slide.velocity->y.to_double(), speed, 1e-12) << degrees;
+                EXPECT_NEAR(slide.acceleration->y.to_double(), acceleration, 1e-10) << degrees;
+            } else {
+                const BodyMotion& body = solution.bodies.back();
+                EXPECT_NEAR(body.omega->to_double(), geometry.rises() * speed, 1e-10) << degrees;
+                EXPECT_NEAR(body.alpha->to_double(), geometry.rises() * acceleration, 1e-8) << degrees;
+            }
+        }
+    }
+}
+
+TEST(Cam, AnEccentricIsFoundAgain) {
+    // Harmonic all round under a flat face, s = e (1 − cos θ): a circle of radius r + e about a point e beside the axis.
+    const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})",
+                                R"([{"form": "harmonic", "rise": 20, "turn": 180}, {"form": "harmonic", "rise": -20, "turn": 180}])", 30));
+    const CamGeometry geometry = *CamGeometry::of(cam);
+    for (int degrees = 0; degrees < 360; degrees += 7) {
+        const CamState state = geometry.at(degrees * pi_ / 180);
+        EXPECT_NEAR(state.curvature, 1 / 0.04, 1e-9);
+        const Spot on_cam = state.on_cam(state.contact, geometry.sense());
+        EXPECT_NEAR(std::hypot(on_cam.x, on_cam.y + 0.01), 0.04, 1e-12) << degrees;
+        EXPECT_EQ(state.pressure_angle, 0);
+    }
+    const CamSummary summary = summary_of(cam, geometry);
+    EXPECT_NEAR((*summary.face)[0], -0.01, 1e-6);
+    EXPECT_NEAR((*summary.face)[1], 0.01, 1e-6);
+}
+
+TEST(Cam, ThePressureAngleIsTheTextbooks) {
+    const Cam cam = cam_of(file(kinds[0].follower, dwells("24"), 40));
+    const CamGeometry geometry = *CamGeometry::of(cam);
+    for (int degrees = 0; degrees < 360; degrees += 5) {
+        const CamState state = geometry.at(degrees * pi_ / 180);
+        const double height = std::sqrt(0.05 * 0.05 - 0.008 * 0.008) + state.rise.s;
+        EXPECT_NEAR(std::tan(state.pressure_angle), (state.rise.first - 0.008) / height, 1e-12);
+    }
+}
+
+TEST(Cam, UndercutIsSaid) {
+    // ρ = r + s + s″ of a flat face; cycloidal: s + s″ is least where the deceleration is greatest.
+    const std::string law = dwells("40");
+    for (const auto& [base, is_cut] : {std::pair(20, true), std::pair(120, false)}) {
+        const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})", law, base));
+        const CamGeometry geometry = *CamGeometry::of(cam);
+        double least = 1;
+        for (int i = 0; i <= 7200; ++i) {
+            const LawState here = cam.law.at(2 * pi_ * i / 7200);
+            least = std::min(least, base * 1e-3 + here.s + here.second);
+        }
+        ASSERT_EQ(least <= 0, is_cut);
+        EXPECT_EQ(summary_of(cam, geometry).undercut.has_value(), is_cut) << base;
+    }
+    // A roller larger than the pitch curve's least radius.
+    const std::string steep = R"([{"form": "cycloidal", "rise": 40, "turn": 60}, {"form": "cycloidal", "rise": -40, "turn": 60},
+        {"form": "rest", "turn": 240}])";
+    const Cam blunt = cam_of(file(R"({"moves": "translating", "face": "roller", "radius": 25})", steep, 15));
+    EXPECT_TRUE(summary_of(blunt, *CamGeometry::of(blunt)).undercut);
+    const Cam fine = cam_of(file(R"({"moves": "translating", "face": "roller", "radius": 2})", steep, 80));
+    EXPECT_FALSE(summary_of(fine, *CamGeometry::of(fine)).undercut);
+}
+
+TEST(Cam, FaultsOfFilesAreTold) {
+    const std::string roller = R"({"moves": "translating", "face": "roller", "radius": 10})";
+    const std::string law = dwells("20");
+    struct Case {
+        std::string text;
+        const char* told;
+    };
+    for (const Case& each :
+         {Case{file(roller, R"([{"form": "rest", "turn": 350}])", 40), "its pieces make 350°"},
+          Case{file(roller, R"([{"form": "harmonic", "rise": 1, "turn": 360}])", 40), "the rises add up to zero"},
+          Case{file(roller, R"([{"form": "harmonic", "rise": -1, "turn": 180}, {"form": "harmonic", "rise": 1, "turn": 180}])", 40),
+               "begins at its lowest"},
+          Case{file(roller, law, 40, "0"), "does not turn"}, Case{file(roller, law, -4), "greater than zero"},
+          Case{file(R"({"moves": "sliding", "face": "roller", "radius": 10})", law, 40), "\"sliding\" is none of"},
+          Case{file(R"({"moves": "translating", "face": "flat", "radius": 10})", law, 40), "only a roller has a radius"},
+          Case{file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "arm": 5})", law, 40), "\"pivot\" is missing"},
+          Case{R"({"kinegraph": 1})", "\"cam\" is missing"}, Case{"[]", "is a JSON object"}}) {
+        const auto cam = read_cam(each.text, "cam.json");
+        ASSERT_FALSE(cam) << each.told;
+        EXPECT_NE(cam.error().front().message.en.find(each.told), std::string::npos) << cam.error().front().message.en;
+    }
+    const Cam far = cam_of(file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "pivot": [200, 0], "arm": 20})", law, 40));
+    EXPECT_FALSE(CamGeometry::of(far));
+    const Cam beside = cam_of(file(R"({"moves": "translating", "face": "knife edge", "offset": 50})", law, 40));
+    EXPECT_FALSE(CamGeometry::of(beside));
+}
+
+TEST(Cam, TheExampleIsTheMechanismOfItsCam) {
+    const std::string folder = tests::example_file("cams/disc_cam");
+    const Cam cam = cam_of(tests::contents(folder));
+    EXPECT_EQ(mechanism_file_of(cam, *CamGeometry::of(cam), pi_ / 3), tests::contents(tests::example_file("cam_from_law")));
+}
+
+}  // namespace
+}  // namespace kinegraph
