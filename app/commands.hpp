@@ -42,6 +42,7 @@ struct SweepRequest {
     long steps = 360;
     std::vector<std::string> plots;   ///< columns by name, parted by commas; empty: what suits
     std::vector<std::string> traces;  ///< "P" or "P,on BODY"
+    std::vector<std::string> centrodes;  ///< pairs of bodies, "i,j"
     int poses = 0;
     render::SheetOptions sheet;
     std::string theme = "colour";

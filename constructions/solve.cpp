@@ -6,6 +6,7 @@
 
 #include "constructions/act_of_motion.hpp"
 #include "constructions/check_rows.hpp"
+#include "constructions/curvature.hpp"
 #include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/free_bodies.hpp"
@@ -30,6 +31,7 @@ std::size_t at(auto index) { return at_index(index); }
 struct Wanted {
     bool centres = false, velocities = false, accelerations = false, forces = false;
     bool stated = false;
+    bool curvature = false;  ///< only where it is asked for
 };
 
 Wanted wanted_of(const Mechanism& mechanism) {
@@ -38,7 +40,8 @@ Wanted wanted_of(const Mechanism& mechanism) {
     const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
     if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
     if (!find.stated) return {true, driven, driven, loaded, false};
-    Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true};
+    Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
+    if (find.curvature) wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
         wanted.velocities = true;
         wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
@@ -117,6 +120,7 @@ private:
             }
             solution_.sliding = draw_slidings(structure_, board_, motion_, wanted_.accelerations);
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
             collect_motion();
             explain_missing_motion();
         }
