@@ -643,6 +643,26 @@ TEST(Examples, WheelsRollAndGearsMesh) {
     }
 }
 
+TEST(Examples, ACouplerCurveHasItsCurvature) {
+    // By complex numbers, derivatives to 40 digits (mm).
+    const Solution solution = example("coupler_curve");
+    const Reading read{solution};
+    for (const Curvature& found : solution.curvature) {
+        if (found.body != read.body("3")) continue;
+        const Complex pole{34.4450321936063e-3, 34.4450321936063e-3}, j{90.2475793497754e-3, 131.427957755175e-3},
+            k{56.0827598043967e-3, 138.530298782143e-3}, centre{7.71061451467852e-3, 35.2920156270123e-3};
+        expect_near(complex(found.pole->place()), pole, "P");
+        expect_near(complex(*found.inflection_pole), j, "J");
+        expect_near(complex(*found.acceleration_pole), k, "K");
+        expect_near(length(*found.inflection_pole - found.pole->place()), 111.891072564335e-3, "δ");
+        for (const PathCentre& path : found.points) {
+            if (path.label != "C") continue;
+            expect_near(complex(path.centre->place()), centre, "C₀");
+            expect_near(length(path.centre->place() - read.place("C")), 27.5641162221024e-3, "ρ");
+        }
+    }
+}
+
 TEST(Examples, CamFollowersMoveByTheirClosedForms) {
     // s(θ) = e sin θ + √(l² − (e cos θ − x)²) over the cam's centre at rest; for the flat face the root is r.
     const double e = 0.02, theta = 40 * degree, omega = 10;

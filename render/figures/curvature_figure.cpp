@@ -2,7 +2,9 @@
 // circle and the acceleration pole, and the osculating circles of the paths of its points, to scale. Takes every place from the
 // Solution and computes no mechanics.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/centre_symbol.hpp"
 #include "render/figures/fit.hpp"
@@ -189,7 +191,7 @@ private:
     void draw_arcs(const Round& round, const Pen& pen) {
         constexpr int pieces = 720;
         const auto spot = [&](int i) {
-            const double angle = 2 * pi() * i / pieces;
+            const double angle = 2 * std::numbers::pi * i / pieces;
             return round.centre + round.radius * Spot{std::cos(angle), std::sin(angle)};
         };
         int outside = -1;
@@ -206,7 +208,7 @@ private:
             if (inside || start < 0) continue;
             if (i - 1 > start)
                 sketch_.construction.emplace_back(
-                    arc(round.centre, round.radius, 2 * pi() * start / pieces, 2 * pi() * (i - 1) / pieces, pen));
+                    arc(round.centre, round.radius, 2 * std::numbers::pi * start / pieces, 2 * std::numbers::pi * (i - 1) / pieces, pen));
             start = -1;
         }
     }
@@ -251,17 +253,17 @@ private:
                                                       {"data-unit", unit_of.symbol}},
                                                      path.statement});
         const bool whole = contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
-        const double half = std::min(pi(), std::max(shortest_arc / radius, 0.4)), middle = std::atan2(at.y - centre.y, at.x - centre.x);
+        const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)), towards = std::atan2(at.y - centre.y, at.x - centre.x);
         if (whole)
             sketch_.construction.emplace_back(circle(centre, radius, pen));
         else
-            sketch_.construction.emplace_back(arc(centre, radius, middle - half, middle + half, pen));
+            sketch_.construction.emplace_back(arc(centre, radius, towards - half, towards + half, pen));
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, path.statement);
         RichText text = typeset(symbol_of(path), sketch_.context.language);
         append(text, with_powers(" = " + number(value / unit_of.si.to_double(), 4, sketch_.context.language) + " " + unit_of.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, at, 1.4, path.statement);
-        const double aside = middle + (whole ? 0.6 : 0.7 * half);
+        const double aside = towards + (whole ? 0.6 : 0.7 * half);
         label.anchor = centre + radius * Spot{std::cos(aside), std::sin(aside)};
     }
 
