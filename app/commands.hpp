@@ -40,8 +40,8 @@ struct SweepRequest {
     std::string driver;    ///< its name; empty: the first of the file
     std::string from, to;  ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;
-    std::vector<std::string> plots;   ///< columns by name, parted by commas; empty: what suits
-    std::vector<std::string> traces;  ///< "P" or "P,on BODY"
+    std::vector<std::string> plots;      ///< columns by name, parted by commas; empty: what suits
+    std::vector<std::string> traces;     ///< "P" or "P,on BODY"
     std::vector<std::string> centrodes;  ///< pairs of bodies, "i,j"
     int poses = 0;
     render::SheetOptions sheet;

@@ -65,7 +65,8 @@ tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs
         }
         if (bodies[0] == bodies[1])
             return tl::unexpected(Words("--centrodes {0}: a body has no motion against itself; give two bodies",
-                                        "--centrodes {0}: un corpo non si muove rispetto a se stesso; dare due corpi", quoted(text)));
+                                        "--centrodes {0}: un corpo non si muove rispetto a se stesso; dare due corpi",
+                                        quoted(text)));
         pairs.emplace_back(bodies[0], bodies[1]);
     }
     return pairs;
@@ -74,8 +75,9 @@ tl::expected<std::vector<std::pair<BodyIndex, BodyIndex>>, Words> centrode_pairs
 std::string json_of(const std::vector<Centrodes>& centrodes, const Mechanism& mechanism) {
     std::string text = "[";
     for (const Centrodes& each : centrodes) {
-        text += std::string(text.size() > 1 ? "," : "") + "\n    {\"bodies\": [" + in_json(mechanism.body(each.first).name) + ", " +
-                in_json(mechanism.body(each.second).name) + "], \"to infinity\": " + list(each.infinities) + ", \"branches\": [";
+        text += std::string(text.size() > 1 ? "," : "") + "\n    {\"bodies\": [" + in_json(mechanism.body(each.first).name) +
+                ", " + in_json(mechanism.body(each.second).name) + "], \"to infinity\": " + list(each.infinities) +
+                ", \"branches\": [";
         for (std::size_t i = 0; i < each.branches.size(); ++i) {
             const Centrodes::Branch& branch = each.branches[i];
             text += std::string(i > 0 ? "," : "") + "\n      {\"turn\": " + list(branch.coordinates) +

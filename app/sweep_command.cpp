@@ -356,12 +356,13 @@ private:
             auto traced = trace_centrodes(mechanism_, *pose, driver_, travel_, first, second);
             const std::string names = mechanism_.body(first).name + "," + mechanism_.body(second).name;
             if (!traced || traced->branches.empty())
-                remarks_.push_back(in({"--centrodes {0}: the two bodies never turn against each other, or it is not determined how: "
-                                       "there are no centrodes",
-                                       "--centrodes {0}: i due corpi non ruotano mai l’uno rispetto all’altro, o non è determinato "
-                                       "come: non ci sono polari",
-                                       names},
-                                      language()));
+                remarks_.push_back(
+                    in({"--centrodes {0}: the two bodies never turn against each other, or it is not determined how: "
+                        "there are no centrodes",
+                        "--centrodes {0}: i due corpi non ruotano mai l’uno rispetto all’altro, o non è determinato "
+                        "come: non ci sono polari",
+                        names},
+                       language()));
             if (traced) centrodes_.push_back(*std::move(traced));
         }
         return std::nullopt;

@@ -102,8 +102,13 @@ public:
         std::vector<Sample> coarse;
         constexpr int steps = 180;
         const double low = std::min(travel_.from, travel_.to), high = std::max(travel_.from, travel_.to);
-        // Off the round angles, where mechanisms are special.
-        for (int i = 0; i <= steps; ++i) coarse.push_back(at(low + (high - low) * inner(i, steps)));
+        for (int i = 0; i <= steps; ++i) {
+            const double s = low + (high - low) * inner(i, steps);
+            coarse.push_back(at(s));
+            // A change point has no row, but its neighbours have.
+            constexpr double beside = 1e-6;
+            if (!coarse.back().known) coarse.back() = at(s + (i == steps ? -beside : beside) * (high - low));
+        }
         // The places at which the two do not turn against each other part the rest.
         for (std::size_t i = 0; i + 1 < coarse.size(); ++i) walk(coarse[i], coarse[i + 1]);
         finish_branch(false);

@@ -29,8 +29,8 @@ struct Centrodes {
     static constexpr double cut_at = 25;
 };
 
-/// Of `second` against `first` over the travel of a driver (index), the other drivers at rest. Without branches: the two never turn
-/// against each other, or their velocities are not determined. Errors: those of Positions::of.
+/// Of `second` against `first` over the travel of a driver (index), the other drivers at rest. Without branches: the two never
+/// turn against each other, or their velocities are not determined. Errors: those of Positions::of.
 Result<Centrodes> trace_centrodes(const Mechanism& mechanism, const Pose& pose, int driver, const Travel& travel, BodyIndex first,
                                   BodyIndex second);
 

@@ -109,8 +109,8 @@ private:
             const Pair v = numeric_.velocity(found.body, place), a = numeric_.acceleration(found.body, place);
             const double speed = length(v), across = std::abs(v[0] * a[1] - v[1] * a[0]);
             if (!(across > 0)) continue;
-            add({.kind = Kind::radius, .body = found.body, .point = path.point},
-                kinegraph::length(path.centre->place() - place), speed * speed * speed / across);
+            add({.kind = Kind::radius, .body = found.body, .point = path.point}, kinegraph::length(path.centre->place() - place),
+                speed * speed * speed / across);
         }
         if (found.kind != Curvature::Kind::general || state.omega == 0) return;
         const Vector pole = found.pole->place();

@@ -77,12 +77,7 @@ private:
         statement.bodies = {body};
         return board_.state(std::move(statement));
     }
-    /// A letter that names no point of the file: J, J2, …
-    std::string free_name(const std::string& letter) const {
-        std::string candidate = letter;
-        for (int n = 2; mechanism_.point_named(candidate); ++n) candidate = letter + std::to_string(n);
-        return candidate;
-    }
+    std::string free_name(const std::string& letter) const { return kinegraph::free_name(mechanism_, letter); }
     /// C₀ of C, B1′ of B1.
     std::string name_of_centre(const std::string& point) const {
         const bool numbered = !point.empty() && std::isdigit(static_cast<unsigned char>(point.back())) != 0;
@@ -91,7 +86,8 @@ private:
         return candidate;
     }
 
-    // --- what is known -----------------------------------------------------------------------------------------------------------
+    // --- what is known
+    // -----------------------------------------------------------------------------------------------------------
     NodeIndex base_of(BodyIndex body) const {
         for (const NodeIndex node : structure_.nodes_of(body))
             if (motion_.velocity.has(node) && structure_.node(node).point != none) return node;
@@ -159,8 +155,7 @@ private:
         state.result.kind = Kind::translation;
         state.result.pole_statement = say(body, Sentence::curvature_translation, {name(body)});
         const auto v = velocity(base);
-        state.result.pole =
-            Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v))).element);
+        state.result.pole = Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v))).element);
         const ScalarHandle one = board_.number(1);
         for (const NodeIndex node : paths_of(body)) {
             if (!motion_.velocity.has(node) || !motion_.acceleration.has(node)) continue;
@@ -168,25 +163,26 @@ private:
             const Arrow v_here = board_.scale<Plane::drawing>(one, velocity(node));
             const Arrow a_here = board_.scale<Plane::drawing>(
                 one, board_.vector(board_.pole<Plane::acceleration>(), motion_.acceleration.tip(node)));
-            const bool straight =
-                board_.is_zero(a_here) || board_.parallel(board_.direction(v_here), board_.direction(a_here));
+            const bool straight = board_.is_zero(a_here) || board_.parallel(board_.direction(v_here), board_.direction(a_here));
             const PointName here{path.label};
             if (straight) {
                 path.statement = say(body, Sentence::curvature_by_normal_straight, {here});
-                path.centre = Recorded<ProjectivePoint>::at(
-                    board_.at_infinity(board_.perpendicular(board_.direction(v_here))).element);
+                path.centre =
+                    Recorded<ProjectivePoint>::at(board_.at_infinity(board_.perpendicular(board_.direction(v_here))).element);
                 continue;
             }
             path.statement = say(body, Sentence::curvature_by_normal, {here, PointName{path.name}}, "Huygens");
             const Arrow across = board_.turn(v_here);
             const ScalarHandle share =
                 board_.quotient(board_.moment(v_here, board_.direction(across)), board_.moment(v_here, board_.direction(a_here)));
-            const Drawing centre = board_.carry(diagram_.place(node), board_.scale<Plane::drawing>(share, board_.direction(across)));
+            const Drawing centre =
+                board_.carry(diagram_.place(node), board_.scale<Plane::drawing>(share, board_.direction(across)));
             path.centre = Recorded<ProjectivePoint>::at(centre.element);
         }
     }
 
-    // --- Bobillier, Euler and Savary ---------------------------------------------------------------------------------------------
+    // --- Bobillier, Euler and Savary
+    // ---------------------------------------------------------------------------------------------
     /// By two points whose paths are known and whose rays differ. False: there are none.
     bool by_known_paths(BodyIndex body) {
         const std::vector<KnownPath> known = known_paths(body);
@@ -201,7 +197,8 @@ private:
     bool rays_meet(const KnownPath& a, const KnownPath& b) {
         const Board::Mark before = board_.mark();
         const auto met = board_.meet(board_.join(a.place, a.centre), board_.join(b.place, b.centre));
-        const bool meets = met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) && !board_.coincide(*met, b.place);
+        const bool meets =
+            met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) && !board_.coincide(*met, b.place);
         board_.rewind(before);
         return meets;
     }
@@ -229,16 +226,16 @@ private:
         const Segment join{a.label, b.label};
         const bool both_far = a.centre_name.empty() && b.centre_name.empty();
         result.tangent_statement =
-            both_far ? say(body, Sentence::curvature_bobillier_at_infinity, {pole_symbol, join, ray_of(a), ray_of(b)}, "Bobillier")
-                     : say(body, Sentence::curvature_bobillier,
-                           {pole_symbol, join, join_of_centres(a, b), ray_of(a), ray_of(b)}, "Bobillier");
+            both_far
+                ? say(body, Sentence::curvature_bobillier_at_infinity, {pole_symbol, join, ray_of(a), ray_of(b)}, "Bobillier")
+                : say(body, Sentence::curvature_bobillier,
+                      {pole_symbol, join, join_of_centres(a, b), ray_of(a), ray_of(b), PointName{free_name("Q")}}, "Bobillier");
         const auto axis_point = board_.meet(board_.join(a.place, b.place), board_.join(a.centre, b.centre));
         KG_ASSERT(axis_point, "the join of two points is that of their centres only through the pole");
         result.axis_point = Recorded<ProjectivePoint>::at(axis_point->element);
         // As directions in the complex plane t = a·b/c, up to a real factor: t = (a·c) b + (c∧a) z∧b.
         const Arrow to_a = board_.vector(pole, a.place), to_b = board_.vector(pole, b.place);
-        const Arrow axis =
-            board_.scale<Plane::drawing>(board_.number(1), board_.direction(board_.join(pole, *axis_point)));
+        const Arrow axis = board_.scale<Plane::drawing>(board_.number(1), board_.direction(board_.join(pole, *axis_point)));
         const ScalarHandle along = board_.moment(axis, board_.direction(board_.turn(to_a)));
         const ScalarHandle across = board_.moment(axis, board_.direction(to_a));
         const Arrow tangent =
@@ -329,7 +326,8 @@ private:
                          board_.place(joint.arc)};
     }
 
-    // --- by accelerations --------------------------------------------------------------------------------------------------------
+    // --- by accelerations
+    // --------------------------------------------------------------------------------------------------------
     /// P = A + z∧v_A/ω, J = P + a_P/ω², a_P = a_A + α z∧AP − ω² AP.
     void by_acceleration(BodyIndex body) {
         State& state = of(body);
@@ -356,7 +354,8 @@ private:
         set_inflection_pole(state, board_.carry(pole, board_.scale<Plane::drawing>(board_.quotient(one, square), acceleration)));
     }
 
-    // --- what follows from pole and inflection circle ----------------------------------------------------------------------------
+    // --- what follows from pole and inflection circle
+    // ----------------------------------------------------------------------------
     void complete(BodyIndex body) {
         State& state = of(body);
         state.solved = true;
@@ -374,8 +373,8 @@ private:
         result.acceleration_name = free_name("K");
         const Drawing pole = *state.pole, end = *state.inflection_pole;
         if (board_.is_zero(alpha)) {
-            result.bresse_statement = say(body, Sentence::curvature_bresse_uniform,
-                                          {PointName{result.inflection_name}, name(body)}, "Bresse");
+            result.bresse_statement =
+                say(body, Sentence::curvature_bresse_uniform, {PointName{result.inflection_name}, name(body)}, "Bresse");
             result.acceleration_name = result.inflection_name;
             result.acceleration_pole = Recorded<Vector>::at(end.element);
             return;
@@ -417,9 +416,13 @@ private:
     void draw_path(BodyIndex body, NodeIndex node) {
         const State& state = of(body);
         const Drawing pole = *state.pole, place = diagram_.place(node);
-        const auto known = known_by_pin(node, body);
         PathCentre& path = add_path(body, node);
-        path.is_pin = known.has_value() || is_ray(state.result, path.point);
+        if (const auto known = known_path(node, body, state.result)) {
+            path.is_pin = true;
+            if (!known->centre_name.empty()) path.name = known->centre_name;
+            path.centre = Recorded<ProjectivePoint>::at(known->centre.element);
+            return;
+        }
         const PointName here{path.label};
         if (board_.coincide(place, pole)) {
             path.statement = say(body, Sentence::curvature_at_pole, {here});
@@ -427,8 +430,7 @@ private:
         }
         path.statement = say(body, Sentence::curvature_hartmann, {here, PointName{path.name}, symbol_of_pole(body)}, "Hartmann");
         const Line ray = board_.join(pole, place);
-        const auto foot =
-            board_.meet(board_.through(*state.inflection_pole, board_.perpendicular(board_.direction(ray))), ray);
+        const auto foot = board_.meet(board_.through(*state.inflection_pole, board_.perpendicular(board_.direction(ray))), ray);
         KG_ASSERT(foot && !board_.is_at_infinity(*foot), "a perpendicular meets its line");
         path.foot = Recorded<ProjectivePoint>::at(foot->element);
         if (board_.coincide(*foot, place)) {
@@ -443,8 +445,12 @@ private:
         KG_ASSERT(centre, "a tip lies beside its ray");
         path.centre = Recorded<ProjectivePoint>::at(centre->element);
     }
-    static bool is_ray(const Curvature& result, PointIndex point) {
-        return std::any_of(result.rays.begin(), result.rays.end(), [&](const Curvature::Ray& ray) { return ray.point == point; });
+    /// What another body's pin, or the frame's guide, says of a path already.
+    std::optional<KnownPath> known_path(NodeIndex node, BodyIndex body, const Curvature& result) {
+        const PointIndex point = structure_.node(node).point;
+        for (const Curvature::Ray& ray : result.rays)
+            if (ray.point == point) return KnownPath{point, ray.from, ray.to, diagram_.place(node), {ray.centre.element()}};
+        return rests(node) ? std::nullopt : known_by_pin(node, body);
     }
 
     /// Of straight guides, slots and profiles that the body carries: their centre lies as far beyond the pole as the foot of J on
@@ -458,9 +464,9 @@ private:
             envelope.joint = index;
             const std::size_t before = state.result.envelopes.size();
             envelope.name = free_name(before == 0 ? "E" : "E" + std::to_string(before + 1));
-            envelope.statement = say(body, Sentence::curvature_envelope,
-                                     {reader_name(mechanism_, joint), PointName{envelope.name}, symbol_of_pole(body)},
-                                     "Euler–Savary");
+            envelope.statement =
+                say(body, Sentence::curvature_envelope,
+                    {reader_name(mechanism_, joint), PointName{envelope.name}, symbol_of_pole(body)}, "Euler–Savary");
             const DirectionHandle along = joint.along ? board_.guide(index) : board_.tangent(index);
             const Line normal = board_.through(*state.pole, board_.perpendicular(along));
             const auto touches = board_.meet(normal, board_.through(board_.place(joint.point), along));

@@ -123,6 +123,7 @@ private:
             if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
             collect_motion();
             explain_missing_motion();
+            if (wanted_.curvature) explain_missing_curvature();
         }
         if (wanted_.centres) collect_centres(centres);
     }
@@ -184,6 +185,7 @@ private:
         solution_.act_of_motion = std::move(act.figure);
         if (motion_.velocity.polygon >= 0) {
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
             collect_motion();
         }
         for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
@@ -377,6 +379,15 @@ private:
             } else if (wanted_.accelerations && !wholly_accelerated(body)) {
                 unsolved({Sentence::acceleration_of_body, {named(body)}}, missing_acceleration());
             }
+        }
+    }
+
+    /// Of bodies that move in a known way; what hides the motion of others is said already.
+    void explain_missing_curvature() {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            const bool found = std::any_of(solution_.curvature.begin(), solution_.curvature.end(),
+                                           [&](const Curvature& each) { return each.body == body; });
+            if (!found && reached(body)) unsolved({Sentence::curvature_of_body, {named(body)}}, missing_acceleration());
         }
     }
 

@@ -351,8 +351,7 @@ private:
         if (found.pole && !found.pole->at_infinity()) body.add("pole", place(*found.pole));
         if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
         if (found.inflection_centre) {
-            const double diameter =
-                found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
+            const double diameter = found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
             Entry circle = entry();
             circle.add("centre", found.inflection_centre);
             circle.add("diameter", number(diameter));

@@ -168,8 +168,8 @@ struct ActFigure {
 /// Of a body's point: where the path that it describes has its centre of curvature.
 struct PathCentre {
     PointIndex point = none;
-    std::string label;  ///< of the point
-    std::string name;   ///< of the centre: no point of the file has it
+    std::string label;                 ///< of the point
+    std::string name;                  ///< of the centre: no point of the file has it
     Recorded<ProjectivePoint> centre;  ///< at infinity where the path is straight to the second order; none where the point rests
     Recorded<ProjectivePoint> foot;    ///< of the inflection pole on the ray: there the path is straight; none in a translation
     bool is_pin = false;               ///< its path is known from a body that shares it: nothing new is found there
@@ -178,8 +178,8 @@ struct PathCentre {
 /// Of a straight line that a body carries (guide, slot, profile): where its envelope has its centre of curvature.
 struct EnvelopeCentre {
     JointIndex joint = none;
-    std::string name;              ///< of the centre
-    Recorded<Vector> touches;      ///< the point of the line that touches its envelope: the pole's foot
+    std::string name;          ///< of the centre
+    Recorded<Vector> touches;  ///< the point of the line that touches its envelope: the pole's foot
     Recorded<Vector> centre;
     StatementIndex statement = none;
 };
@@ -196,17 +196,17 @@ struct Curvature {
     /// A point whose path has a known centre of curvature; its ray passes the pole.
     struct Ray {
         PointIndex point = none;
-        std::string from, to;          ///< names; `to` is empty where the centre lies at infinity
+        std::string from, to;  ///< names; `to` is empty where the centre lies at infinity
         Recorded<Vector> at;
         Recorded<ProjectivePoint> centre;
     };
-    std::vector<Ray> rays;                  ///< two, where Bobillier's construction gave the pole tangent
-    Recorded<ProjectivePoint> axis_point;   ///< where the join of the points meets that of the centres
+    std::vector<Ray> rays;                 ///< two, where Bobillier's construction gave the pole tangent
+    Recorded<ProjectivePoint> axis_point;  ///< where the join of the points meets that of the centres
     Recorded<ProjectivePoint> pole;
-    Recorded<Vector> tangent;               ///< of the pole: a direction
-    Recorded<Vector> inflection_pole;       ///< the other end of the inflection circle's diameter through the pole, m
+    Recorded<Vector> tangent;          ///< of the pole: a direction
+    Recorded<Vector> inflection_pole;  ///< the other end of the inflection circle's diameter through the pole, m
     Recorded<Vector> inflection_centre;
-    Recorded<Vector> tangential_pole;       ///< the same of Bresse's second circle; none where α = 0: it is the pole normal
+    Recorded<Vector> tangential_pole;  ///< the same of Bresse's second circle; none where α = 0: it is the pole normal
     Recorded<Vector> acceleration_pole;
     std::string inflection_name, tangential_name, acceleration_name;  ///< "J", "H", "K", or with a number: no point's of the file
     StatementIndex pole_statement = none, tangent_statement = none, inflection_statement = none, bresse_statement = none;

@@ -125,24 +125,24 @@ enum class Sentence {
     act_rest_by_lines,        ///< {0} body, {1} point: its perpendicular misses the centre that the others want, so nothing moves
     act_velocity,             ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
     act_acceleration_centre,  ///< {0} the place K with no acceleration, {1} point
-    curvature_turning,      ///< {0} body, {1} point at rest: it is the centre of all paths
-    curvature_translation,  ///< {0} body: the pole lies at infinity
-    curvature_rest,         ///< {0} body: nothing moves
-    curvature_rays,         ///< {0} pole, {1} {2} rays from a point to the centre of curvature of its path
-    curvature_pole,         ///< {0} pole, {1} point: on the normal to its velocity, at {2} v over {3} ω
-    curvature_bobillier,    ///< {0} pole, {1} join of two points, {2} that of their centres, {3} {4} rays of the two points
+    curvature_turning,        ///< {0} body, {1} point at rest: it is the centre of all paths
+    curvature_translation,    ///< {0} body: the pole lies at infinity
+    curvature_rest,           ///< {0} body: nothing moves
+    curvature_rays,           ///< {0} pole, {1} {2} rays from a point to the centre of curvature of its path
+    curvature_pole,           ///< {0} pole, {1} point: on the normal to its velocity, at {2} v over {3} ω
+    curvature_bobillier,      ///< {0} pole, {1} join of two points, {2} that of their centres, {3} {4} their rays, {5} the meet
     curvature_bobillier_at_infinity,  ///< {0} pole, {1} join of two points, {2} {3} rays: the same, centres at infinity
-    curvature_inflection,   ///< {0} pole, {1} point, {2} its centre, {3} the inflection pole: Euler–Savary
-    curvature_inflection_straight,  ///< {0} pole, {1} point whose path is straight, {2} the inflection pole
-    curvature_by_acceleration,      ///< {0} pole, {1} the inflection pole, {2} ω: the acceleration of the pole over ω²
-    curvature_bresse,               ///< {0} acceleration pole, {1} pole, {2} {3} the ends of both diameters
-    curvature_bresse_uniform,       ///< {0} acceleration pole, {1} body: α = 0, it is the inflection pole
-    curvature_hartmann,             ///< {0} point, {1} its centre of curvature, {2} pole
-    curvature_straight,             ///< {0} point: lies on the inflection circle
-    curvature_at_pole,              ///< {0} point: lies in the pole
-    curvature_by_normal,            ///< {0} point, {1} its centre of curvature: v²/a_n, of a body that translates
-    curvature_by_normal_straight,   ///< {0} point: its acceleration has no normal part
-    curvature_envelope,             ///< {0} joint of the straight line, {1} centre of its envelope, {2} pole
+    curvature_inflection,             ///< {0} pole, {1} point, {2} its centre, {3} the inflection pole: Euler–Savary
+    curvature_inflection_straight,    ///< {0} pole, {1} point whose path is straight, {2} the inflection pole
+    curvature_by_acceleration,        ///< {0} pole, {1} the inflection pole, {2} ω: the acceleration of the pole over ω²
+    curvature_bresse,                 ///< {0} acceleration pole, {1} pole, {2} {3} the ends of both diameters
+    curvature_bresse_uniform,         ///< {0} acceleration pole, {1} body: α = 0, it is the inflection pole
+    curvature_hartmann,               ///< {0} point, {1} its centre of curvature, {2} pole
+    curvature_straight,               ///< {0} point: lies on the inflection circle
+    curvature_at_pole,                ///< {0} point: lies in the pole
+    curvature_by_normal,              ///< {0} point, {1} its centre of curvature: v²/a_n, of a body that translates
+    curvature_by_normal_straight,     ///< {0} point: its acceleration has no normal part
+    curvature_envelope,               ///< {0} joint of the straight line, {1} centre of its envelope, {2} pole
     // Remarks.
     off_its_circle,          ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
     off_its_foot,            ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
@@ -198,9 +198,9 @@ enum class Sentence {
     turning_open,
     omega_unknown,
     acceleration_open,
-    path_straight,     ///< to the second order
-    point_at_rest,     ///< it stands still just now
-    body_translates,   ///< no pole, no inflection circle
+    path_straight,    ///< to the second order
+    point_at_rest,    ///< it stands still just now
+    body_translates,  ///< no pole, no inflection circle
     body_at_rest,
     pole_at_rest,  ///< it has no tangent, and the inflection circle no size
     locked,

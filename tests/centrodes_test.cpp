@@ -87,7 +87,8 @@ TEST(Centrodes, OnItsLongLinkAreHyperbolasCutAtInfinity) {
         "B": {"meet": [{"circle": "A", "radius": 0.1}, {"circle": "O4", "radius": 0.06}], "side": "right"}},
         "bodies": {"2": ["O2", "A"], "3": ["A", "B"], "4": ["O4", "B"]}, "joints": [{"revolute": "O2", "bodies": [1, 2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "O4", "bodies": [1, 4]}],
-        "drivers": [{"body": 2, "omega": 1}]})", "1", "3");
+        "drivers": [{"body": 2, "omega": 1}]})",
+                                       "1", "3");
     ASSERT_EQ(centrodes.infinities.size(), 2U);
     // The coupler's ω vanishes where crank and rocker are parallel: cos θ = a/d.
     const double drawn = 70 * std::numbers::pi / 180, parallel = std::acos(0.06 / 0.1);

@@ -30,10 +30,11 @@ Exact squared_radius(const Solution& solution, const PathCentre& path) {
     return squared_length(path.centre->place() - solution.pose.at(path.point));
 }
 
-/// A trammel of length 1 at 3-4-5: A and B on the axes, pole (4/5, 3/5). C lies on the circle about the rod's middle through both.
+/// A trammel of length 1 at 3-4-5: A and B on the axes, pole (4/5, 3/5). C lies on the circle about the rod's middle through
+/// both.
 std::string trammel(const std::string& more_points = "", const std::string& more_names = "") {
-    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [0.8, 0], "B": [0, 0.6], "M": [0.4, 0.3], "C": [0.7, -0.1])" + more_points +
-           R"(}, "bodies": {"2": ["A"], "3": ["A", "B", "M", "C")" + more_names + R"(], "4": ["B"]},
+    return R"({"kinegraph": 1, "frame": 1, "points": {"A": [0.8, 0], "B": [0, 0.6], "M": [0.4, 0.3], "C": [0.7, -0.1])" +
+           more_points + R"(}, "bodies": {"2": ["A"], "3": ["A", "B", "M", "C")" + more_names + R"(], "4": ["B"]},
         "joints": [{"prismatic": "A", "bodies": [2, 1], "along": 0}, {"revolute": "A", "bodies": [2, 3]},
         {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 90}],
         "drivers": [{"joint": "A", "speed": 1}], "find": ["curvature"]})";
@@ -60,7 +61,8 @@ TEST(Curvature, OfATrammelHasCardansCircle) {
 
 TEST(Curvature, OfASliderCrankFollowsItsClosedForm) {
     // Crank at right angles to the rod's pole ray: crank 3, rod 5, crank upright: A (0, 3), B (4, 0), pole (4, ∞)? So at 3-4-5.
-    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "B": [15, 0], "M": [9, 2]},
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "B": [15, 0], "M": [9, 2]},
         "bodies": {"2": ["O", "A"], "3": ["A", "B", "M"], "4": ["B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"prismatic": "B", "bodies": [4, 1], "along": 0}],
         "drivers": [{"body": 2, "omega": 1}], "find": ["curvature"]})");
@@ -149,12 +151,13 @@ Solution four_bar(const Map& map) {
         const Vector place = map.of({x, y});
         return "[" + decimal(place.x) + ", " + decimal(place.y) + "]";
     };
-    return solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": )" + at(0, 0) + R"(, "Q": )" + at(14, 0) + R"(, "A": )" + at(3, 4) +
-                  R"(, "B": )" + at(15, 9) + R"(, "C": )" + at(7, 11) +
-                  R"(}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
+    return solved(
+        R"({"kinegraph": 1, "frame": 1, "points": {"O": )" + at(0, 0) + R"(, "Q": )" + at(14, 0) + R"(, "A": )" + at(3, 4) +
+        R"(, "B": )" + at(15, 9) + R"(, "C": )" + at(7, 11) +
+        R"(}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
-        "drivers": [{"body": 2, "omega": )" + (map.mirrors ? "-2" : "2") + R"(, "alpha": )" + (map.mirrors ? "-3" : "3") +
-                  R"(}], "find": ["curvature"]})");
+        "drivers": [{"body": 2, "omega": )" +
+        (map.mirrors ? "-2" : "2") + R"(, "alpha": )" + (map.mirrors ? "-3" : "3") + R"(}], "find": ["curvature"]})");
 }
 
 TEST(Curvature, GoesWithTheDrawing) {
@@ -184,7 +187,8 @@ TEST(Curvature, DoesNotHangOnTheDriversSpeed) {
 
 TEST(Curvature, OfWhatTranslatesOrRests) {
     // A parallelogram: all points of the coupler move on circles as large as the cranks'.
-    const Solution parallel = solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "Q": [9, 0], "A": [3, 4], "B": [12, 4],
+    const Solution parallel =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "Q": [9, 0], "A": [3, 4], "B": [12, 4],
         "C": [5, 6]}, "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["Q", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2]},
         {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}, {"revolute": "Q", "bodies": [1, 4]}],
         "drivers": [{"body": 2, "omega": 2}], "find": ["curvature"]})");
@@ -192,9 +196,11 @@ TEST(Curvature, OfWhatTranslatesOrRests) {
     EXPECT_EQ(path_of(parallel, "3", "C").centre->place(), (Vector{2, 2}));
     EXPECT_EQ(path_of(parallel, "3", "A").centre->place(), (Vector{0, 0}));
     const std::string json = results_json(parallel, false, english);
-    EXPECT_NE(json.find(R"("3": {"translation": true, "reason": "it translates: its pole is at infinity")"), std::string::npos) << json;
+    EXPECT_NE(json.find(R"("3": {"translation": true, "reason": "it translates: its pole is at infinity")"), std::string::npos)
+        << json;
 
-    const Solution still = solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4]}, "bodies": {"2": ["O", "A"]},
+    const Solution still =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4]}, "bodies": {"2": ["O", "A"]},
         "joints": [{"revolute": "O", "bodies": [1, 2]}], "drivers": [{"body": 2, "omega": 0}], "find": ["curvature"]})");
     EXPECT_EQ(of_body(still, "2").kind, Kind::rest);
     EXPECT_NE(results_json(still, false, english).find(R"("A": {"radius": null, "reason": "it stands still at this instant"})"),
@@ -203,7 +209,8 @@ TEST(Curvature, OfWhatTranslatesOrRests) {
 }
 
 TEST(Curvature, OfAWheelOnARailIsTheCycloids) {
-    // ρ = 2·PC for a point of the rim at any place; the inflection circle has the radius's diameter; the rail's contact is the pole.
+    // ρ = 2·PC for a point of the rim at any place; the inflection circle has the radius's diameter; the rail's contact is the
+    // pole.
     const Solution wheel = solved(R"({"kinegraph": 1, "frame": 1, "points": {"P": [0, 0], "M": [0, 5], "C": [3, 9], "T": [0, 10]},
         "bodies": {"2": {"points": ["M", "C", "T"], "circle": {"centre": "M", "radius": 5}}},
         "joints": [{"rolling": "P", "bodies": [2, 1], "profiles": {"1": {"line": 0}}}],
@@ -232,8 +239,9 @@ TEST(Curvature, OfALineIsThatOfItsEnvelope) {
 TEST(Curvature, IsWrittenAsTheFormatSays) {
     const Solution solution = tests::example("coupler_curve");
     const std::string json = results_json(solution, false, english);
-    for (const char* key : {R"("curvature": {)", R"("3": {"pole": [)", R"("pole tangent": [)", R"("inflection circle": {"centre": [)",
-                            R"("diameter": )", R"("acceleration pole": [)", R"("points": {"A": {"centre": [)", R"("radius": )"})
+    for (const char* key :
+         {R"("curvature": {)", R"("3": {"pole": [)", R"("pole tangent": [)", R"("inflection circle": {"centre": [)",
+          R"("diameter": )", R"("acceleration pole": [)", R"("points": {"A": {"centre": [)", R"("radius": )"})
         EXPECT_NE(json.find(key), std::string::npos) << key << "\n" << json;
     for (const PathCentre& path : of_body(solution, "3").points)
         EXPECT_TRUE(path.is_pin || path.statement != none) << path.label << " comes with its sentence";

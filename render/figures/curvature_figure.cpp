@@ -1,6 +1,6 @@
-// The curvature of one body's motion: pole and pole tangent with the lines that found them, the inflection circle, Bresse's second
-// circle and the acceleration pole, and the osculating circles of the paths of its points, to scale. Takes every place from the
-// Solution and computes no mechanics.
+// The curvature of one body's motion: pole and pole tangent with the lines that found them, the inflection circle, Bresse's
+// second circle and the acceleration pole, and the osculating circles of the paths of its points, to scale. Takes every place
+// from the Solution and computes no mechanics.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace drawing;
 
-constexpr double beyond = 6;        // of a line past what it joins, mm
+constexpr double beyond = 6;         // of a line past what it joins, mm
 constexpr double shortest_arc = 16;  // of an osculating circle to either side of its point, mm
 constexpr double tick = 14;          // half of a straight path, mm
 
@@ -52,7 +52,9 @@ Box extent_of(const Subject& subject, const Curvature& found) {
     const auto take = [&](std::optional<Spot> place) {
         if (place && is_near(subject.box, *place)) extent.include(*place);
     };
-    take(spot_of(found.pole));
+    // Everything hangs on the pole: it is fetched from farther away.
+    if (const auto pole = spot_of(found.pole); pole && contains(grown(subject.box, 1.6 * subject.size()), *pole))
+        extent.include(*pole);
     take(spot_of(found.inflection_pole));
     take(spot_of(found.acceleration_pole));
     for (const PathCentre& path : found.points)
@@ -73,6 +75,7 @@ public:
 
     void draw() {
         draw_in_grey(sketch_);
+        draw_body();
         draw_rays();
         draw_tangent();
         draw_circles();
@@ -122,6 +125,13 @@ private:
         belong(sketch_.centres, first, statement);
     }
 
+    /// The body whose motion it is stands out of the grey.
+    void draw_body() {
+        const Shape& shape = sketch_.shape(found_.body);
+        for (const Bar& bar : shape.strokes)
+            sketch_.bodies.emplace_back(line(bar.from, bar.to, sketch_.pen_of(found_.body, 2.5 * theme_.outline)));
+    }
+
     /// Bobillier: the two rays, the join of their points and that of their centres, the axis.
     void draw_rays() {
         const auto pole = on_paper(spot_of(found_.pole));
@@ -142,7 +152,7 @@ private:
         if (meet) draw_line(*pole, *meet, pen, found_.tangent_statement);
         if (!meet) draw_line(*pole, *pole + unit(points[1] - points[0]), pen, found_.tangent_statement);
         if (shows(meet)) draw_dot(*meet, found_.tangent_statement);
-        if (shows(meet)) name(point("Q"), *meet, found_.tangent_statement);
+        if (shows(meet)) name(point(free_name(sketch_.mechanism, "Q")), *meet, found_.tangent_statement);
     }
 
     void draw_tangent() {
@@ -152,10 +162,11 @@ private:
         draw_line(*pole, *pole + along, {theme_.outline, theme_.text, dash_dot(), false}, found_.tangent_statement);
         draw_segment(*pole, *end, sketch_.axis(), found_.inflection_statement);
         const Interval seen = within(view_, *pole, along);
+        if (!(seen.from < seen.to)) return;
         const bool ahead = seen.to > -seen.from;
-        LabelRequest& label = sketch_.add_label(one_piece("t", Face::italic), theme_.text,
-                                                *pole + (ahead ? 0.85 * seen.to : 0.85 * seen.from) * along, 1.2,
-                                                found_.tangent_statement);
+        LabelRequest& label =
+            sketch_.add_label(one_piece("t", Face::italic), theme_.text,
+                              *pole + (ahead ? 0.85 * seen.to : 0.85 * seen.from) * along, 1.2, found_.tangent_statement);
         label.toward = label.anchor + along;
     }
 
@@ -207,8 +218,8 @@ private:
             if (inside && start < 0) start = i;
             if (inside || start < 0) continue;
             if (i - 1 > start)
-                sketch_.construction.emplace_back(
-                    arc(round.centre, round.radius, 2 * std::numbers::pi * start / pieces, 2 * std::numbers::pi * (i - 1) / pieces, pen));
+                sketch_.construction.emplace_back(arc(round.centre, round.radius, 2 * std::numbers::pi * start / pieces,
+                                                      2 * std::numbers::pi * (i - 1) / pieces, pen));
             start = -1;
         }
     }
@@ -234,9 +245,7 @@ private:
             axes.push_back({kinegraph::name_of(symbol_of(path)), at, *centre, ""});
         }
     }
-    Symbol symbol_of_diameter() const {
-        return {Symbol::Letter::diameter, sketch_.mechanism.body(found_.body).name, ""};
-    }
+    Symbol symbol_of_diameter() const { return {Symbol::Letter::diameter, sketch_.mechanism.body(found_.body).name, ""}; }
     static Symbol symbol_of(const PathCentre& path) { return {Symbol::Letter::radius, path.label, ""}; }
 
     /// An arc about the point, as long as a quarter of the circle and no shorter than can be seen.
@@ -245,15 +254,15 @@ private:
         const Unit& unit_of = sketch_.mechanism.units.length;
         const Pen pen{1.4 * theme_.outline, colour_.line, {}, false};
         const std::size_t first = sketch_.construction.size();
-        sketch_.construction.emplace_back(GroupBegin{"osculating",
-                                                     sketch_.id("osculating", path.label),
-                                                     "",
-                                                     {{"data-name", path.label},
-                                                      {"data-value", shortest(value / unit_of.si.to_double())},
-                                                      {"data-unit", unit_of.symbol}},
-                                                     path.statement});
+        sketch_.construction.emplace_back(GroupBegin{
+            "osculating",
+            sketch_.id("osculating", path.label),
+            "",
+            {{"data-name", path.label}, {"data-value", shortest(value / unit_of.si.to_double())}, {"data-unit", unit_of.symbol}},
+            path.statement});
         const bool whole = contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
-        const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)), towards = std::atan2(at.y - centre.y, at.x - centre.x);
+        const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)),
+                     towards = std::atan2(at.y - centre.y, at.x - centre.x);
         if (whole)
             sketch_.construction.emplace_back(circle(centre, radius, pen));
         else
@@ -261,7 +270,8 @@ private:
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, path.statement);
         RichText text = typeset(symbol_of(path), sketch_.context.language);
-        append(text, with_powers(" = " + number(value / unit_of.si.to_double(), 4, sketch_.context.language) + " " + unit_of.symbol));
+        append(text,
+               with_powers(" = " + number(value / unit_of.si.to_double(), 4, sketch_.context.language) + " " + unit_of.symbol));
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, at, 1.4, path.statement);
         const double aside = towards + (whole ? 0.6 : 0.7 * half);
         label.anchor = centre + radius * Spot{std::cos(aside), std::sin(aside)};

@@ -67,8 +67,8 @@ void draw_centrode(Sketch& sketch, const Way& way) {
     const bool is_fixed = way.kind == Way::Kind::fixed_centrode;
     const Pen pen = is_fixed ? Pen{theme.outline, theme.accent, {}, false} : Pen{theme.outline, theme.text, dashes(), false};
     const auto pieces = pieces_within(room_of_centrodes(sketch.mechanism_box()), spots_of(way, sketch.scale()));
-    sketch.construction.emplace_back(GroupBegin{
-        "centrode", "", "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
+    sketch.construction.emplace_back(
+        GroupBegin{"centrode", "", "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::vector<Spot>& spots = pieces[i];
         sketch.construction.emplace_back(polyline(spots, pen));

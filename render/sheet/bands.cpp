@@ -369,7 +369,8 @@ void Bands::deal_out_results() {
                     return b;
             }
             if (row.group.section == Topic::curvature && band.question.starts_with("curvature")) {
-                if (home == list.size() - 1 || draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name)) home = b;
+                if (home == list.size() - 1 || draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name))
+                    home = b;
                 continue;
             }
             if (row.group.section != Topic::forces) continue;
