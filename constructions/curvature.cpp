@@ -196,9 +196,11 @@ private:
     }
     bool rays_meet(const KnownPath& a, const KnownPath& b) {
         const Board::Mark before = board_.mark();
+        // Two circles about one centre are those of a body that turns about it.
+        const bool same_centre = board_.coincide(a.centre, b.centre);
         const auto met = board_.meet(board_.join(a.place, a.centre), board_.join(b.place, b.centre));
-        const bool meets =
-            met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) && !board_.coincide(*met, b.place);
+        const bool meets = !same_centre && met && !board_.is_at_infinity(*met) && !board_.coincide(*met, a.place) &&
+                           !board_.coincide(*met, b.place);
         board_.rewind(before);
         return meets;
     }

@@ -348,7 +348,7 @@ private:
         }
         if (found.kind == Curvature::Kind::turning) body.add("reason", reason({Sentence::pole_at_rest, {}}));
         if (found.kind == Curvature::Kind::rest) body.add("reason", reason({Sentence::body_at_rest, {}}));
-        if (found.pole && !found.pole->at_infinity()) body.add("pole", place(*found.pole));
+        if (found.pole && !found.pole->at_infinity()) body.add("pole", Recorded<Vector>(found.pole->place()));
         if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
         if (found.inflection_centre) {
             const double diameter = found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
@@ -371,16 +371,16 @@ private:
     std::string path_centres(const Curvature& found) const {
         Members points;
         for (const PathCentre& path : found.points) {
-            Members each;
+            Entry each = entry();
             if (path.centre && !path.centre->at_infinity()) {
                 const Vector centre = path.centre->place();
-                each.emplace_back("centre", pair(centre));
-                each.emplace_back("radius", number(length(centre - solution_.pose.at(path.point))));
+                each.add("centre", Recorded<Vector>(centre));
+                each.add("radius", number(length(centre - solution_.pose.at(path.point))));
             } else {
-                each.emplace_back("radius", "null");
-                each.emplace_back("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
+                each.add("radius", std::string("null"));
+                each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
             }
-            points.emplace_back(name_of_point(path.point), object(each));
+            points.emplace_back(name_of_point(path.point), each.json());
         }
         return object(points);
     }
@@ -393,7 +393,6 @@ private:
                                      {"radius", number(length(*envelope.centre - *envelope.touches))}}));
         return object(all);
     }
-    std::string place(const ProjectivePoint& point) const { return pair(point.place()); }
     std::string reason(const Message& why) const { return quoted(tell_(why)); }
 
     std::string relative_motion() const {

@@ -208,6 +208,16 @@ TEST(Curvature, OfWhatTranslatesOrRests) {
     EXPECT_TRUE(still.unsolved.empty());
 }
 
+TEST(Curvature, OfTwoCranksOnOneHingeIsATurnAboutIt) {
+    const Solution solution =
+        solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "A": [3, 4], "B": [4, -3], "C": [6, 2]},
+        "bodies": {"2": ["O", "A"], "3": ["A", "B", "C"], "4": ["O", "B"]}, "joints": [{"revolute": "O", "bodies": [1, 2, 4]},
+        {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]}],
+        "drivers": [{"body": 2, "omega": 2, "alpha": 1}], "find": ["curvature"]})");
+    EXPECT_EQ(of_body(solution, "3").kind, Kind::turning);
+    EXPECT_EQ(path_of(solution, "3", "C").centre->place(), (Vector{0, 0}));
+}
+
 TEST(Curvature, OfAWheelOnARailIsTheCycloids) {
     // ρ = 2·PC for a point of the rim at any place; the inflection circle has the radius's diameter; the rail's contact is the
     // pole.
