@@ -46,8 +46,9 @@ struct SweepRequest {
     int branch = 0;                    ///< out of a change point that is drawn: from 1; 0: none is asked for
     std::string from, to;              ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;
-    std::vector<std::string> plots;   ///< columns by name, parted by commas; empty: what suits
-    std::vector<std::string> traces;  ///< "P" or "P,on BODY"
+    std::vector<std::string> plots;      ///< columns by name, parted by commas; empty: what suits
+    std::vector<std::string> traces;     ///< "P" or "P,on BODY"
+    std::vector<std::string> centrodes;  ///< pairs of bodies, "i,j"
     int poses = 0;
     render::SheetOptions sheet;
     std::string theme = "colour";

@@ -298,6 +298,13 @@ void add_plots(CLI::App& command, SweepRequest& request) {
                     "The path of a point, \"P\", or as a body sees it, \"P,on BODY\"; may be given again")
         ->allow_extra_args(false)
         ->type_name("P[,on BODY]");
+    command
+        .add_option(
+            "--centrodes", request.centrodes,
+            "The centrodes of body j against body i, the fixed and the moving one: on the drawing and in the JSON; may be "
+            "given again")
+        ->allow_extra_args(false)
+        ->type_name("i,j");
     command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
         ->check(CLI::Range(0, 360))
         ->type_name("N");

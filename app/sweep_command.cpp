@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
+#include "app/sweep_centrodes.hpp"
 #include "app/sweep_drawing.hpp"
 #include "constructions/cycle.hpp"
 #include "constructions/solve.hpp"
@@ -80,7 +81,8 @@ public:
         constexpr std::size_t at_a_time = 1 << 16;
         if (text_.size() > at_a_time) flush();
     }
-    void tail(const Cycle& cycle) {
+    /// `centrodes`: as JSON; empty: none are asked for.
+    void tail(const Cycle& cycle, const std::string& centrodes) {
         if (format_ == Format::json) {
             text_ += rows_ == 0 ? "],\n  \"largest difference\": " : "\n  ],\n  \"largest difference\": ";
             const Cycle::Difference off = cycle.difference();
@@ -94,6 +96,7 @@ public:
                 append(text_, off.share);
                 text_ += "}";
             }
+            if (!centrodes.empty()) text_ += ",\n  \"centrodes\": " + centrodes;
             text_ += "\n}\n";
         }
         flush();
@@ -351,6 +354,10 @@ public:
             say(spoken(request_.file), *wrong, language());
             return Status::bad_input;
         }
+        if (const auto wrong = trace_all_centrodes()) {
+            say(spoken(request_.file), *wrong, language());
+            return Status::bad_input;
+        }
         const auto theme = theme_of(request_.theme, request_.file, language());
         if (!theme) return theme.error();
         std::vector<RowFile> files;
@@ -368,7 +375,8 @@ public:
             return std::nullopt;
         };
         if (!write_rows(files, efforts, draws, fails)) return fail_to_write(*fails(), language());
-        for (RowFile& file : files) file.tail(cycle_);
+        const std::string centrodes = centrodes_.empty() ? "" : json_of(centrodes_, mechanism_);
+        for (RowFile& file : files) file.tail(cycle_, centrodes);
         if (const auto failure = fails()) return fail_to_write(*failure, language());
         std::vector<Output> outputs;
         for (RowFile& file : files) outputs.push_back(file.finish());
@@ -408,6 +416,27 @@ private:
         return std::nullopt;
     }
 
+    std::optional<Words> trace_all_centrodes() {
+        const auto pairs = centrode_pairs_of(request_.centrodes, mechanism_);
+        if (!pairs) return pairs.error();
+        if (pairs->empty()) return std::nullopt;
+        const auto pose = draw_pose(mechanism_);
+        for (const auto& [first, second] : *pairs) {
+            auto traced = trace_centrodes(mechanism_, *pose, driver_, travel_, first, second);
+            const std::string names = mechanism_.body(first).name + "," + mechanism_.body(second).name;
+            if (!traced || traced->branches.empty())
+                remarks_.push_back(
+                    in({"--centrodes {0}: the two bodies never turn against each other, or it is not determined how: "
+                        "there are no centrodes",
+                        "--centrodes {0}: i due corpi non ruotano mai l’uno rispetto all’altro, o non è determinato "
+                        "come: non ci sono polari",
+                        names},
+                       language()));
+            if (traced) centrodes_.push_back(*std::move(traced));
+        }
+        return std::nullopt;
+    }
+
     /// False: a file could not be written.
     template <class Fails>
     bool write_rows(std::vector<RowFile>& files, EffortSums& efforts, bool draws, Fails fails) {
@@ -444,7 +473,8 @@ private:
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
-        const std::vector<render::Way> ways = ways_of(mechanism_, cycle_.positions(), travel_, request_.poses, drawing_.traces);
+        std::vector<render::Way> ways = ways_of(mechanism_, cycle_.positions(), travel_, request_.poses, drawing_.traces);
+        for (const Centrodes& each : centrodes_) add_ways(each, mechanism_, ways);
         const auto pages = render::lay_out_cycle(*drawn, drawing_.table, drawing_.plots, ways, options, press->fonts());
         for (const Target& target : targets)
             if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
@@ -475,6 +505,7 @@ private:
     int driver_;
     Travel travel_;
     Drawing drawing_;
+    std::vector<Centrodes> centrodes_;
     std::vector<Unsolved> missing_;
     std::vector<std::string> remarks_;
     long left_out_ = 0;

@@ -766,12 +766,7 @@ private:
             Recorded<Vector>::at(board_.carry(board_.carry(state.base->place, along), aside).element);
     }
 
-    /// A name that no point of the file has: S, S2, …
-    std::string free_name(const std::string& letter) const {
-        std::string candidate = letter;
-        for (int n = 2; mechanism_.point_named(candidate); ++n) candidate = letter + std::to_string(n);
-        return candidate;
-    }
+    std::string free_name(const std::string& letter) const { return kinegraph::free_name(mechanism_, letter); }
 
     Structure& structure_;
     Board& board_;

@@ -30,6 +30,7 @@ public:
         for (const PointMotion& point : solution_.points) compare_point(point);
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
+        for (const Curvature& found : solution_.curvature) compare_curvature(found);
         if (!solution_.forces.empty() || !solution_.efforts.empty() || solution_.virtual_work) compare_forces();
         for (const DrawnVector& vector : solution_.protocol.vectors) comparison_.moduli.push_back(modulus(vector));
         tell_what_moves();
@@ -96,6 +97,30 @@ private:
         const Pair relative = minus(numeric_.velocity(centre.second, place), numeric_.velocity(centre.first, place));
         const Pair found{place.x.to_double() - relative[1] / omega, place.y.to_double() + relative[0] / omega};
         add(quantity_of(centre), place, found);
+    }
+
+    /// P and what the accelerations say of it: J = P + a_P/ω², K by a = 0, ρ = v²/a_n.
+    void compare_curvature(const Curvature& found) {
+        const auto& state = numeric_.bodies[at(found.body)];
+        if (!state.velocity_known || !state.acceleration_known) return;
+        for (const PathCentre& path : found.points) {
+            if (!path.centre || path.centre->at_infinity()) continue;
+            const Vector& place = solution_.pose.at(path.point);
+            const Pair v = numeric_.velocity(found.body, place), a = numeric_.acceleration(found.body, place);
+            const double speed = length(v), across = std::abs(v[0] * a[1] - v[1] * a[0]);
+            if (!(across > 0)) continue;
+            add({.kind = Kind::radius, .body = found.body, .point = path.point}, kinegraph::length(path.centre->place() - place),
+                speed * speed * speed / across);
+        }
+        if (found.kind != Curvature::Kind::general || state.omega == 0) return;
+        const Vector pole = found.pole->place();
+        const double square = state.omega * state.omega, whole = square * square + state.alpha * state.alpha;
+        const Pair a = numeric_.acceleration(found.body, pole);
+        add({.kind = Kind::inflection_diameter, .body = found.body}, kinegraph::length(*found.inflection_pole - pole),
+            length(a) / square);
+        const Pair centre{pole.x.to_double() + (square * a[0] - state.alpha * a[1]) / whole,
+                          pole.y.to_double() + (square * a[1] + state.alpha * a[0]) / whole};
+        add({.kind = Kind::acceleration_pole, .body = found.body}, *found.acceleration_pole, centre);
     }
 
     void compare_forces() {
@@ -264,6 +289,9 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
         case Kind::alpha:
             return "rad/s²";
         case Kind::centre:
+        case Kind::acceleration_pole:
+        case Kind::radius:
+        case Kind::inflection_diameter:
             return "m";
         case Kind::couple:
             return "N m";

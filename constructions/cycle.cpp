@@ -28,8 +28,8 @@ Spot unit_of(const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; }
 Find found_in_rows(const Find& asked) {
     Find find;
     find.stated = true;
-    find.velocity = !asked.stated || asked.velocity || !asked.relative_motion.empty();
-    find.acceleration = !asked.stated || asked.acceleration || !asked.relative_motion.empty();
+    find.velocity = !asked.stated || asked.velocity || !asked.relative_motion.empty() || asked.curvature;
+    find.acceleration = !asked.stated || asked.acceleration || !asked.relative_motion.empty() || asked.curvature;
     find.forces = !asked.stated || asked.forces;
     return find;
 }

@@ -6,6 +6,7 @@
 
 #include "constructions/act_of_motion.hpp"
 #include "constructions/check_rows.hpp"
+#include "constructions/curvature.hpp"
 #include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/free_bodies.hpp"
@@ -31,6 +32,7 @@ std::size_t at(auto index) { return at_index(index); }
 struct Wanted {
     bool centres = false, velocities = false, accelerations = false, forces = false;
     bool stated = false;
+    bool curvature = false;  ///< only where it is asked for
 };
 
 Wanted wanted_of(const Mechanism& mechanism) {
@@ -39,7 +41,8 @@ Wanted wanted_of(const Mechanism& mechanism) {
     const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
     if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
     if (!find.stated) return {true, driven, driven, loaded, false};
-    Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true};
+    Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
+    if (find.curvature) wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
         wanted.velocities = true;
         wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
@@ -118,8 +121,10 @@ private:
             }
             solution_.sliding = draw_slidings(structure_, board_, motion_, wanted_.accelerations);
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
             collect_motion();
             explain_missing_motion();
+            if (wanted_.curvature) explain_missing_curvature();
         }
         if (wanted_.centres) collect_centres(centres);
     }
@@ -181,6 +186,7 @@ private:
         solution_.act_of_motion = std::move(act.figure);
         if (motion_.velocity.polygon >= 0) {
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
+            if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
             collect_motion();
         }
         for (Unsolved& missing : act.unsolved) solution_.unsolved.push_back(std::move(missing));
@@ -374,6 +380,15 @@ private:
             } else if (wanted_.accelerations && !wholly_accelerated(body)) {
                 unsolved({Sentence::acceleration_of_body, {named(body)}}, missing_acceleration());
             }
+        }
+    }
+
+    /// Of bodies that move in a known way; what hides the motion of others is said already.
+    void explain_missing_curvature() {
+        for (const BodyIndex body : mechanism_.moving_bodies()) {
+            const bool found = std::any_of(solution_.curvature.begin(), solution_.curvature.end(),
+                                           [&](const Curvature& each) { return each.body == body; });
+            if (!found && reached(body)) unsolved({Sentence::curvature_of_body, {named(body)}}, missing_acceleration());
         }
     }
 

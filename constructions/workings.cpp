@@ -21,6 +21,7 @@ public:
             if (vector.statement != none && plane_of(vector) != Plane::force) drawn(vector);
         for (const StatementIndex each : indices_of(protocol_.statements)) found(each);
         for (const SecondWay& way : solution_.second_way) carried_over(way);
+        for (const Curvature& curvature : solution_.curvature) of_curvature(curvature);
     }
 
 private:
@@ -285,6 +286,21 @@ private:
             if (dot(*common - *from, *common - *own) < Exact(0)) near = -near;  // between the pivots: the senses differ
             tell(statement, of, {{spin(driver, Symbol::Letter::omega)}, {near}}, far, value, {"rad/s", 1});
             return;
+        }
+    }
+    /// δ is read off; ρ_C = PC²/CW (Euler–Savary).
+    void of_curvature(const Curvature& curvature) {
+        if (!curvature.inflection_pole) return;
+        const Unit& unit = units_.length;
+        const Vector pole = curvature.pole->place();
+        tell(curvature.inflection_statement,
+             {Symbol::Letter::diameter, solution_.mechanism.bodies[at_index(curvature.body)].name, ""}, {}, std::nullopt,
+             in(distance(pole, *curvature.inflection_pole), unit), unit);
+        for (const PathCentre& path : curvature.points) {
+            if (path.is_pin || !path.centre || path.centre->at_infinity()) continue;
+            const Vector& at = solution_.pose.at(path.point);
+            tell(path.statement, {Symbol::Letter::radius, path.label, ""}, {{in(distance(pole, at), unit), true}},
+                 in(distance(at, path.foot->place()), unit), in(distance(at, path.centre->place()), unit), unit);
         }
     }
     std::optional<Vector> centre_of(BodyIndex first, BodyIndex second) const {

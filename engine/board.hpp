@@ -122,7 +122,7 @@ struct DrawnLine {
 };
 
 /// What a sentence is about: the section of the solution that it stands in.
-enum class Topic { unnamed, velocity, acceleration, relative_motion, centres, forces };
+enum class Topic { unnamed, velocity, acceleration, relative_motion, centres, curvature, forces };
 /// As headings are looked up and results written: "relative motion".
 std::string_view name_of(Topic topic);
 
@@ -133,7 +133,7 @@ struct Statement {
     Topic section = Topic::unnamed;
     std::string source;             ///< theorem or book: "Rivals", "Aronhold–Kennedy", "Coriolis"
     std::vector<Quantity> finds;    ///< ω, α and forces that it ends with, in the order it names them
-    std::vector<BodyIndex> bodies;  ///< forces: the bodies it takes together
+    std::vector<BodyIndex> bodies;  ///< forces: the bodies it takes together; curvature: the body it is about
 };
 
 /// What was drawn from trial values on the way, apart from the solution: thin broken lines of the same polygons.

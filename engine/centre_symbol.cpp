@@ -15,6 +15,12 @@ bool looks_like_a_centre(const NamedPoint& point) {
 
 }  // namespace
 
+std::string free_name(const Mechanism& mechanism, const std::string& letter) {
+    std::string candidate = letter;
+    for (int n = 2; mechanism.point_named(candidate); ++n) candidate = letter + std::to_string(n);
+    return candidate;
+}
+
 Symbol centre_symbol(const Mechanism& mechanism, BodyIndex first, BodyIndex second, bool at_infinity) {
     const std::string &i = mechanism.body(first).name, &j = mechanism.body(second).name;
     const bool together =

@@ -51,6 +51,9 @@ void Magnitudes::take(const Quantity& quantity, double value) {
         case Kind::alpha:
             return raise(alpha_, value);
         case Kind::centre:
+        case Kind::acceleration_pole:
+        case Kind::radius:
+        case Kind::inflection_diameter:
             return raise(place_, value);
         case Kind::force:
             return raise(force_, value);
@@ -111,6 +114,9 @@ double Magnitudes::of(const Quantity& quantity) const {
         case Kind::alpha:
             return alpha_;
         case Kind::centre:
+        case Kind::acceleration_pole:
+        case Kind::radius:
+        case Kind::inflection_diameter:
             return place_;
         case Kind::force:
         case Kind::weight:

@@ -219,7 +219,7 @@ struct RelativeMotionQuery {
 };
 struct Find {
     bool stated = false;  ///< false: all that the data allow
-    bool instant_centres = false, velocity = false, acceleration = false, forces = false;
+    bool instant_centres = false, velocity = false, acceleration = false, forces = false, curvature = false;
     std::vector<RelativeMotionQuery> relative_motion;
 };
 

@@ -1025,9 +1025,10 @@ private:
     }
 
     void read_wish(JsonValue value) {
-        constexpr std::array<std::string_view, 4> wishes{"instant centres", "velocity", "acceleration", "forces"};
+        constexpr std::array<std::string_view, 5> wishes{"instant centres", "velocity", "acceleration", "forces", "curvature"};
         Find& find = mechanism_.find;
-        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity, &find.acceleration, &find.forces};
+        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity, &find.acceleration, &find.forces,
+                                                     &find.curvature};
         if (value.is_string()) {
             const auto* const known = std::find(wishes.begin(), wishes.end(), value.text());
             if (known != wishes.end()) {

@@ -61,6 +61,12 @@ private:
                 return "inertia " + body(mechanism_.masses[at(q.given)].body);
             case Kind::effort:
                 return "effort " + std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(q.given)]);
+            case Kind::radius:
+                return "radius " + mechanism_.points[at(q.point)].name + " on " + body(q.body);
+            case Kind::inflection_diameter:
+                return "inflection circle " + body(q.body);
+            case Kind::acceleration_pole:
+                return "acceleration pole " + body(q.body);
             case Kind::virtual_power:
                 return "virtual power";
         }
@@ -123,6 +129,8 @@ std::string_view name_of(Topic topic) {
             return "relative motion";
         case Topic::centres:
             return "centres";
+        case Topic::curvature:
+            return "curvature";
         case Topic::forces:
             return "forces";
     }

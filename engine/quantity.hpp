@@ -27,8 +27,11 @@ struct Quantity {
         load,    ///< `given` counts Mechanism::loads
         weight,  ///< `given` counts Mechanism::masses
         inertia,
-        effort,        ///< `given` counts Mechanism::efforts
-        virtual_power  ///< of all that acts from outside
+        effort,               ///< `given` counts Mechanism::efforts
+        radius,               ///< of curvature, of the path of `point` as `body` carries it
+        inflection_diameter,  ///< of the inflection circle of `body`
+        acceleration_pole,    ///< of `body`
+        virtual_power         ///< of all that acts from outside
     } kind = Kind::unnamed;
     BodyIndex body = none, other = none;
     PointIndex point = none;

@@ -182,6 +182,7 @@ public:
         if (solution_.act_of_motion && solution_.act_of_motion->acceleration_centre)
             file.emplace_back("acceleration centres", acceleration_centres());
         if (!solution_.relative_motion.empty()) file.emplace_back("relative motion", relative_motion());
+        if (!solution_.curvature.empty()) file.emplace_back("curvature", curvature());
         if (forces_asked()) {
             file.emplace_back("forces", forces());
             file.emplace_back("effort", effort());
@@ -334,6 +335,66 @@ private:
         where.add("at", solution_.act_of_motion->acceleration_centre);
         return object_of_lines({{name_of_body(solution_.act_of_motion->body), where.json()}});
     }
+
+    std::string curvature() const {
+        Members all;
+        for (const Curvature& found : solution_.curvature) all.emplace_back(name_of_body(found.body), curvature_of(found));
+        return object_of_lines(all);
+    }
+    std::string curvature_of(const Curvature& found) const {
+        Entry body = entry();
+        if (found.kind == Curvature::Kind::translation) {
+            body.add("translation", std::string("true"));
+            body.add("reason", reason({Sentence::body_translates, {}}));
+        }
+        if (found.kind == Curvature::Kind::turning) body.add("reason", reason({Sentence::pole_at_rest, {}}));
+        if (found.kind == Curvature::Kind::rest) body.add("reason", reason({Sentence::body_at_rest, {}}));
+        if (found.pole && !found.pole->at_infinity()) body.add("pole", Recorded<Vector>(found.pole->place()));
+        if (found.tangent) body.add("pole tangent", unit(without_sense(*found.tangent, solution_.pose.exact)));
+        if (found.inflection_centre) {
+            const double diameter = found.inflection_pole ? length(*found.inflection_pole - found.pole->place()) : 0;
+            Entry circle = entry();
+            circle.add("centre", found.inflection_centre);
+            circle.add("diameter", number(diameter));
+            body.add("inflection circle", circle.json());
+        }
+        if (found.tangential_pole) body.add("tangential circle", tangential_circle(found));
+        body.add("acceleration pole", found.acceleration_pole);
+        body.add("points", path_centres(found));
+        if (!found.envelopes.empty()) body.add("envelopes", envelopes(found));
+        return body.json();
+    }
+    /// Bresse's second: of the points without tangential acceleration.
+    std::string tangential_circle(const Curvature& found) const {
+        const Vector pole = found.pole->place(), half = Exact(1) / Exact(2) * (*found.tangential_pole - pole);
+        return object({{"centre", pair(pole + half)}, {"diameter", number(2 * length(half))}});
+    }
+    std::string path_centres(const Curvature& found) const {
+        Members points;
+        for (const PathCentre& path : found.points) {
+            Entry each = entry();
+            if (path.centre && !path.centre->at_infinity()) {
+                const Vector centre = path.centre->place();
+                each.add("centre", Recorded<Vector>(centre));
+                each.add("radius", number(length(centre - solution_.pose.at(path.point))));
+            } else {
+                each.add("radius", std::string("null"));
+                each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
+            }
+            points.emplace_back(name_of_point(path.point), each.json());
+        }
+        return object(points);
+    }
+    std::string envelopes(const Curvature& found) const {
+        Members all;
+        for (const EnvelopeCentre& envelope : found.envelopes)
+            all.emplace_back(mechanism_.joint(envelope.joint).name,
+                             object({{"touches", pair(*envelope.touches)},
+                                     {"centre", pair(*envelope.centre)},
+                                     {"radius", number(length(*envelope.centre - *envelope.touches))}}));
+        return object(all);
+    }
+    std::string reason(const Message& why) const { return quoted(tell_(why)); }
 
     std::string relative_motion() const {
         std::vector<std::string> all;

@@ -166,6 +166,54 @@ struct ActFigure {
     std::string acceleration_centre_name;  ///< "K", or the first of K2, K3 … that no point of the file has
     StatementIndex centre_statement = none, acceleration_centre_statement = none;
 };
+/// Of a body's point: where the path that it describes has its centre of curvature.
+struct PathCentre {
+    PointIndex point = none;
+    std::string label;                 ///< of the point
+    std::string name;                  ///< of the centre: no point of the file has it
+    Recorded<ProjectivePoint> centre;  ///< at infinity where the path is straight to the second order; none where the point rests
+    Recorded<ProjectivePoint> foot;    ///< of the inflection pole on the ray: there the path is straight; none in a translation
+    bool is_pin = false;               ///< its path is known from a body that shares it: nothing new is found there
+    StatementIndex statement = none;
+};
+/// Of a straight line that a body carries (guide, slot, profile): where its envelope has its centre of curvature.
+struct EnvelopeCentre {
+    JointIndex joint = none;
+    std::string name;          ///< of the centre
+    Recorded<Vector> touches;  ///< the point of the line that touches its envelope: the pole's foot
+    Recorded<Vector> centre;
+    StatementIndex statement = none;
+};
+/// The geometry of one body's motion to the second order at this position: how its pole moves, and how the paths of its points
+/// are curved (docs/notation.md).
+struct Curvature {
+    BodyIndex body = none;
+    enum class Kind {
+        general,      ///< the pole moves: there are a pole tangent and an inflection circle
+        turning,      ///< the pole rests, so all points move on circles about it
+        translation,  ///< the pole lies at infinity
+        rest
+    } kind = Kind::general;
+    /// A point whose path has a known centre of curvature; its ray passes the pole.
+    struct Ray {
+        PointIndex point = none;
+        std::string from, to;  ///< names; `to` is empty where the centre lies at infinity
+        Recorded<Vector> at;
+        Recorded<ProjectivePoint> centre;
+    };
+    std::vector<Ray> rays;                 ///< two, where Bobillier's construction gave the pole tangent
+    Recorded<ProjectivePoint> axis_point;  ///< where the join of the points meets that of the centres
+    Recorded<ProjectivePoint> pole;
+    Recorded<Vector> tangent;          ///< of the pole: a direction
+    Recorded<Vector> inflection_pole;  ///< the other end of the inflection circle's diameter through the pole, m
+    Recorded<Vector> inflection_centre;
+    Recorded<Vector> tangential_pole;  ///< the same of Bresse's second circle; none where α = 0: it is the pole normal
+    Recorded<Vector> acceleration_pole;
+    std::string inflection_name, tangential_name, acceleration_name;  ///< "J", "H", "K", or with a number: no point's of the file
+    StatementIndex pole_statement = none, tangent_statement = none, inflection_statement = none, bresse_statement = none;
+    std::vector<PathCentre> points;
+    std::vector<EnvelopeCentre> envelopes;
+};
 /// One scalar held against the check.
 struct CheckRow {
     Quantity quantity;  ///< of a vector: one component
@@ -199,6 +247,7 @@ struct Solution {
     std::vector<JointForce> forces;
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
+    std::vector<Curvature> curvature;                ///< where it is asked for: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;         ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;          ///< where the file gives one body's act of motion
     std::shared_ptr<const ProblemSolution> problem;  ///< where the file states one; all of motion and forces is empty then
@@ -251,6 +300,25 @@ void for_each_found(Solution& solution, See see) {
             held(entry.elements.power, entry.power);
         }
         held(solution.virtual_work->total_element, solution.virtual_work->total);
+    }
+    for (Curvature& curvature : solution.curvature) {
+        for (Curvature::Ray& ray : curvature.rays) {
+            ray.at.visit(see);
+            ray.centre.visit(see);
+        }
+        curvature.axis_point.visit(see);
+        curvature.pole.visit(see);
+        for (auto* found : {&curvature.tangent, &curvature.inflection_pole, &curvature.inflection_centre,
+                            &curvature.tangential_pole, &curvature.acceleration_pole})
+            found->visit(see);
+        for (PathCentre& path : curvature.points) {
+            path.centre.visit(see);
+            path.foot.visit(see);
+        }
+        for (EnvelopeCentre& envelope : curvature.envelopes) {
+            envelope.touches.visit(see);
+            envelope.centre.visit(see);
+        }
     }
     if (solution.act_of_motion) {
         solution.act_of_motion->acceleration_centre.visit(see);

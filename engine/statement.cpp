@@ -34,6 +34,10 @@ std::string_view stem(Symbol::Letter letter) {
             return "alpha";
         case Symbol::Letter::centre:
             return "P";
+        case Symbol::Letter::radius:
+            return "rho";
+        case Symbol::Letter::diameter:
+            return "delta";
         case Symbol::Letter::F:
             return "F";
         case Symbol::Letter::M:

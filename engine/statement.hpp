@@ -13,7 +13,7 @@ namespace kinegraph {
 
 /// The written form of a quantity: v_B, a_BA^t, ω_3, α_3, P_13, a (image of A). See docs/notation.md.
 struct Symbol {
-    enum class Letter { point, image, pole, v, a, omega, alpha, centre, length, F, M, speed, body };
+    enum class Letter { point, image, pole, v, a, omega, alpha, centre, length, radius, diameter, F, M, speed, body };
     Letter letter = Letter::point;
     std::string about;  ///< subscript: "B", "BA" (of B relative to A), "3"; for point, image and body the name itself
     std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
@@ -125,6 +125,24 @@ enum class Sentence {
     act_rest_by_lines,        ///< {0} body, {1} point: its perpendicular misses the centre that the others want, so nothing moves
     act_velocity,             ///< {0} v_D, {1} D, {2} centre, {3} omega: normal to the ray, ω·CD; the image too
     act_acceleration_centre,  ///< {0} the place K with no acceleration, {1} point
+    curvature_turning,        ///< {0} body, {1} point at rest: it is the centre of all paths
+    curvature_translation,    ///< {0} body: the pole lies at infinity
+    curvature_rest,           ///< {0} body: nothing moves
+    curvature_rays,           ///< {0} pole, {1} {2} rays from a point to the centre of curvature of its path
+    curvature_pole,           ///< {0} pole, {1} point: on the normal to its velocity, at {2} v over {3} ω
+    curvature_bobillier,      ///< {0} pole, {1} join of two points, {2} that of their centres, {3} {4} their rays, {5} the meet
+    curvature_bobillier_at_infinity,  ///< {0} pole, {1} join of two points, {2} {3} rays: the same, centres at infinity
+    curvature_inflection,             ///< {0} pole, {1} point, {2} its centre, {3} the inflection pole: Euler–Savary
+    curvature_inflection_straight,    ///< {0} pole, {1} point whose path is straight, {2} the inflection pole
+    curvature_by_acceleration,        ///< {0} pole, {1} the inflection pole, {2} ω: the acceleration of the pole over ω²
+    curvature_bresse,                 ///< {0} acceleration pole, {1} pole, {2} {3} the ends of both diameters
+    curvature_bresse_uniform,         ///< {0} acceleration pole, {1} body: α = 0, it is the inflection pole
+    curvature_hartmann,               ///< {0} point, {1} its centre of curvature, {2} pole
+    curvature_straight,               ///< {0} point: lies on the inflection circle
+    curvature_at_pole,                ///< {0} point: lies in the pole
+    curvature_by_normal,              ///< {0} point, {1} its centre of curvature: v²/a_n, of a body that translates
+    curvature_by_normal_straight,     ///< {0} point: its acceleration has no normal part
+    curvature_envelope,               ///< {0} joint of the straight line, {1} centre of its envelope, {2} pole
     // Remarks.
     off_its_circle,          ///< {0} point, {1} distance, {2} body: a contact beside the circle that its body has
     off_its_foot,            ///< {0} point, {1} distance, {2} centre: several joints claim a contact, so it stays beside its line
@@ -161,6 +179,7 @@ enum class Sentence {
     drive_of_joint,        ///< {0} joint
     drive_of_body,         ///< {0} body
     centre_of_bodies,      ///< {0} {1} bodies
+    curvature_of_body,     ///< {0} body
     all_forces,
     // … and why not:
     one_body_only,  ///< {0} body: an act of motion is of one body
@@ -179,6 +198,11 @@ enum class Sentence {
     turning_open,
     omega_unknown,
     acceleration_open,
+    path_straight,    ///< to the second order
+    point_at_rest,    ///< it stands still just now
+    body_translates,  ///< no pole, no inflection circle
+    body_at_rest,
+    pole_at_rest,  ///< it has no tangent, and the inflection circle no size
     locked,
     undrivable,
     driven_otherwise,

@@ -643,6 +643,26 @@ TEST(Examples, WheelsRollAndGearsMesh) {
     }
 }
 
+TEST(Examples, ACouplerCurveHasItsCurvature) {
+    // By complex numbers, derivatives to 40 digits (mm).
+    const Solution solution = example("coupler_curve");
+    const Reading read{solution};
+    for (const Curvature& found : solution.curvature) {
+        if (found.body != read.body("3")) continue;
+        const Complex pole{24.0422967481174e-3, 41.6424794983874e-3}, j{92.77785413084e-3, 124.226682900265e-3},
+            k{106.346741343906e-3, 107.188610493988e-3}, centre{-4.59553518914483e-3, 34.1795996190784e-3};
+        expect_near(complex(found.pole->place()), pole, "P");
+        expect_near(complex(*found.inflection_pole), j, "J");
+        expect_near(complex(*found.acceleration_pole), k, "K");
+        expect_near(length(*found.inflection_pole - found.pole->place()), 107.446393612053e-3, "δ");
+        for (const PathCentre& path : found.points) {
+            if (path.label != "C") continue;
+            expect_near(complex(path.centre->place()), centre, "C₀");
+            expect_near(length(path.centre->place() - read.place("C")), 15.1669118135684e-3, "ρ");
+        }
+    }
+}
+
 TEST(Examples, CamFollowersMoveByTheirClosedForms) {
     // s(θ) = e sin θ + √(l² − (e cos θ − x)²) over the cam's centre at rest; for the flat face the root is r.
     const double e = 0.02, theta = 40 * degree, omega = 10;

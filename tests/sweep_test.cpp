@@ -55,6 +55,33 @@ TEST_F(Sweep, WritesCsvAndJsonTogetherTheSameNumbers) {
     EXPECT_LT(json["largest difference"]["share"], 1e-9);
 }
 
+TEST_F(Sweep, WritesCentrodesAndDrawsThem) {
+    const Outcome swept = run("sweep four_bar.json --steps 10 --centrodes 1,3 --centrodes 2,4 -o a.json -o a.svg");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const Json centrodes = Json::parse(contents(folder_ / "a.json"))["centrodes"];
+    ASSERT_EQ(centrodes.size(), 2U);
+    EXPECT_EQ(centrodes[0]["bodies"], Json({"1", "3"}));
+    EXPECT_FALSE(centrodes[0]["to infinity"].empty());
+    for (const Json& branch : centrodes[0]["branches"]) {
+        EXPECT_EQ(branch["turn"].size(), branch["fixed"].size());
+        EXPECT_EQ(branch["turn"].size(), branch["moving"].size());
+    }
+    EXPECT_NE(contents(folder_ / "a.svg").find(R"(class="centrode" data-name="1,3" data-on="moving")"), std::string::npos);
+    const Outcome without = run("sweep four_bar.json --steps 10 -o b.json");
+    EXPECT_FALSE(Json::parse(contents(folder_ / "b.json")).contains("centrodes"));
+}
+
+TEST_F(Sweep, RefusesCentrodesOfNoBodies) {
+    for (const auto& [pair, said] : {std::pair("1,33", "--centrodes: no body is named \"33\" \\(did you mean \"3\"\\?\\)"),
+                                     {"3", "--centrodes \"3\" is no pair of bodies; give two as \"1,3\""},
+                                     {"1,1", "--centrodes \"1,1\": a body has no motion against itself; give two bodies"}}) {
+        const Outcome swept = run("sweep four_bar.json -o a.json --centrodes " + std::string(pair));
+        EXPECT_EQ(swept.status, 2) << pair;
+        EXPECT_TRUE(lines_are(swept.err, "four_bar\\.json: " + std::string(said))) << swept.err;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "a.json"));
+    }
+}
+
 TEST_F(Sweep, GoesFromLimitToLimitWhereNoTurnIsPossible) {
     write("rocker.json", spoilt("\"distance\": 40", "\"distance\": 120"));
     const Outcome swept = run("sweep rocker.json --steps 20 -o a.json");

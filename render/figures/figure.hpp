@@ -25,6 +25,13 @@ Figure velocities_on_mechanism(const DrawingContext& context, double room_x, dou
 /// centre; where no rigid body moves so, the two projections. Kind and id "mechanism"; velocities are groups of class "velocity"
 /// with a scale of their own, which the caption states. Only where the solution has one.
 Figure act_of_motion_figure(const DrawingContext& context, double room_x, double room_y);
+/// The curvature of one body's motion (index into Solution::curvature): pole, pole tangent, inflection circle, Bresse's circles,
+/// osculating circles to scale. Kind "curvature", id "curvature-<body>".
+Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+/// Whether there is more to see of it than a body that turns about a point at rest.
+bool has_curvature_figure(const Curvature& found);
+/// What the figure spans, m.
+Box extent_of_curvature(const Solution& solution, std::size_t index);
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
 /// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.

@@ -31,10 +31,80 @@ std::vector<Spot> spots_of(const Way& way, double scale) {
     return spots;
 }
 
+/// The pieces of a polyline within a box.
+std::vector<std::vector<Spot>> pieces_within(const Box& box, const std::vector<Spot>& spots) {
+    std::vector<std::vector<Spot>> pieces(1);
+    for (std::size_t i = 0; i + 1 < spots.size(); ++i) {
+        const double whole = length(spots[i + 1] - spots[i]);
+        if (!(whole > 0)) continue;
+        const Spot along = unit(spots[i + 1] - spots[i]);
+        const Interval seen = within(box, spots[i], along);
+        const double from = std::max(seen.from, 0.0), to = std::min(seen.to, whole);
+        if (!(from < to)) continue;
+        if (from > 0 && !pieces.back().empty()) pieces.emplace_back();
+        if (pieces.back().empty()) pieces.back().push_back(spots[i] + from * along);
+        pieces.back().push_back(spots[i] + to * along);
+        if (to < whole) pieces.emplace_back();
+    }
+    if (pieces.back().empty()) pieces.pop_back();
+    return pieces;
+}
+
+/// How far round the mechanism centrodes are followed.
+Box room_of_centrodes(const Box& mechanism) { return grown(mechanism, 0.75 * std::max(mechanism.width(), mechanism.height())); }
+
+/// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with its name.
+void draw_centrode(Sketch& sketch, const Way& way) {
+    const Theme& theme = sketch.theme;
+    if (way.kind == Way::Kind::pole) {
+        const Spot at = spots_of(way, sketch.scale()).front();
+        if (!contains(room_of_centrodes(sketch.mechanism_box()), at)) return;
+        sketch.centres.emplace_back(tinted(disc(at, 1.15, theme.paper)));
+        sketch.centres.emplace_back(disc(at, 0.8, theme.text));
+        sketch.add_label(typeset(Symbol{Symbol::Letter::centre, way.name, ""}, sketch.context.language), theme.text, at, 1.7);
+        return;
+    }
+    const bool is_fixed = way.kind == Way::Kind::fixed_centrode;
+    const Pen pen = is_fixed ? Pen{theme.outline, theme.accent, {}, false} : Pen{theme.outline, theme.text, dashes(), false};
+    const auto pieces = pieces_within(room_of_centrodes(sketch.mechanism_box()), spots_of(way, sketch.scale()));
+    sketch.construction.emplace_back(
+        GroupBegin{"centrode", "", "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const std::vector<Spot>& spots = pieces[i];
+        sketch.construction.emplace_back(polyline(spots, pen));
+        const auto arrow = [&](Spot before, Spot end) {
+            draw_arrow(sketch.construction, end - 5 * unit(end - before), end, theme.outline, pen.colour);
+            sketch.add_label(one_piece("∞"), pen.colour, end, 1.2);
+        };
+        if (i == 0 && way.comes_from_infinity) arrow(spots[1], spots[0]);
+        if (i + 1 == pieces.size() && way.goes_to_infinity) arrow(spots[spots.size() - 2], spots.back());
+    }
+    sketch.construction.emplace_back(GroupEnd{});
+}
+
+/// Centrodes are told apart once, at their longest piece.
+void name_centrodes(Sketch& sketch, const std::vector<Way>& ways) {
+    for (const auto kind : {Way::Kind::fixed_centrode, Way::Kind::moving_centrode}) {
+        std::vector<Spot> longest;
+        for (const Way& way : ways)
+            if (way.kind == kind)
+                for (auto& spots : pieces_within(room_of_centrodes(sketch.mechanism_box()), spots_of(way, sketch.scale())))
+                    if (spots.size() > longest.size()) longest = std::move(spots);
+        if (longest.size() < 2) continue;
+        const bool is_fixed = kind == Way::Kind::fixed_centrode;
+        const std::size_t at = is_fixed ? longest.size() / 4 : (3 * longest.size()) / 4;
+        LabelRequest& label =
+            sketch.add_label(one_piece(word(is_fixed ? "fixed centrode" : "moving centrode", sketch.context.language)),
+                             is_fixed ? sketch.theme.accent : sketch.theme.text, longest[at], 1.4);
+        label.toward = longest[std::min(at + 1, longest.size() - 1)];
+    }
+}
+
 /// Other positions thin behind the mechanism, paths of points a little stronger.
 void draw_ways(Sketch& sketch, const std::vector<Way>& ways) {
     for (const Way& way : ways) {
-        if (way.places.size() < 2) continue;
+        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way);
+        if (way.kind != Way::Kind::plain || way.places.size() < 2) continue;
         const Theme& theme = sketch.theme;
         if (way.outline != none) {
             const std::vector<Spot> spots = spots_of(way, sketch.scale());
@@ -100,6 +170,7 @@ private:
         if (shows.turnings) draw_turnings(sketch, *shows.turnings);
         if (dimensions != Dimensions::off) draw_dimensions(sketch, room, dimensions == Dimensions::on, left_out);
         const bool dimensioned = !sketch.dimensions.empty();
+        if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways);
         name_points(sketch);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(shows.ways != nullptr ? "mechanism and its way"
@@ -218,8 +289,10 @@ Box extent_of_mechanism(const Solution& solution, bool with_centres) {
 
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y) {
     MechanismFigure figure{context, {room_x, room_y}, {.ways = &ways}};
+    const Box seen = room_of_centrodes(figure.subject.box);
     for (const Way& way : ways)
-        for (const Spot spot : spots_of(way, 1)) figure.subject.box.include(spot);
+        for (const Spot spot : spots_of(way, 1))
+            if (way.kind == Way::Kind::plain || contains(seen, spot)) figure.subject.box.include(spot);
     return figure.fitted(any_scale);
 }
 

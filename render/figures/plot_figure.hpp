@@ -21,12 +21,15 @@ Unit unit_of(QuantityKind kind, const Mechanism& mechanism);
 Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
                    double room_x, double room_y);
 
-/// Lines behind a mechanism, m as in the file: its bodies in other positions, or the path of a point.
+/// Lines behind a mechanism, m as in the file: its bodies in other positions, the path of a point, a piece of a centrode, or (one
+/// place) the pole in which the centrodes touch.
 struct Way {
     std::string name;
     bool is_path = false;
     std::vector<VectorOf<double>> places;
     BodyIndex outline = none;  ///< of this body: closed, tinted and drawn as the body is
+    enum class Kind { plain, fixed_centrode, moving_centrode, pole } kind = Kind::plain;
+    bool comes_from_infinity = false, goes_to_infinity = false;  ///< centrodes: it is cut there
 };
 /// The mechanism as drawn, with its ways behind it. Kind and id "mechanism".
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y);

@@ -258,12 +258,34 @@ void Bands::collect_motion() {
         if (drawn.polygon >= 0) polygon_of.emplace(drawn.statement, drawn.polygon);
     for (std::size_t i = 0; i < protocol.statements.size(); ++i) {
         const Topic topic = protocol.statements[i].section;
-        if (topic == Topic::forces) continue;
+        if (topic == Topic::forces || topic == Topic::curvature) continue;
         const auto polygon = polygon_of.find(StatementIndex(i));
         const auto band = polygon == polygon_of.end() ? band_of.end() : band_of.find(polygon->second);
         // What draws nothing stands with what was drawn before it.
         if (band != band_of.end() && topic != Topic::centres) last_of[topic] = band->second;
         add_step(list[last_of[topic]], i);
+    }
+    collect_curvature();
+}
+
+/// A band for each body whose pole moves; what is said of simpler ones stands in the band before, or the next.
+void Bands::collect_curvature() {
+    if (solution_.curvature.empty()) return;
+    std::map<BodyIndex, std::size_t> band_of;
+    std::size_t first = list.size();
+    for (const Curvature& found : solution_.curvature)
+        if (wanted_.named(render::name_of(solution_, found))) {
+            const std::string name = render::name_of(solution_, found);
+            add(name, {name});
+            band_of[found.body] = list.size() - 1;
+        }
+    if (band_of.empty()) add("curvature", {});
+    first = std::min(first, list.size() - 1);
+    const std::vector<Statement>& statements = solution_.protocol.statements;
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+        if (statements[i].section != Topic::curvature) continue;
+        const auto home = band_of.find(statements[i].bodies.front());
+        add_step(list[home == band_of.end() ? first : home->second], i);
     }
 }
 
@@ -345,6 +367,11 @@ void Bands::deal_out_results() {
                                            : polygon.kind == Polygon::Kind::motion &&
                                                  row.group.section == (acceleration ? Topic::acceleration : Topic::velocity))
                     return b;
+            }
+            if (row.group.section == Topic::curvature && band.question.starts_with("curvature")) {
+                if (home == list.size() - 1 || draws(band, "curvature-" + solution_.mechanism.body(row.quantity.body).name))
+                    home = b;
+                continue;
             }
             if (row.group.section != Topic::forces) continue;
             for (const FreeBody& body : solution_.free_bodies)

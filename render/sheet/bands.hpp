@@ -53,6 +53,7 @@ public:
 
 private:
     void collect_motion();
+    void collect_curvature();
     void collect_forces();
     void collect_bodies();
     Band& add(const std::string& question, const std::vector<std::string>& figures);

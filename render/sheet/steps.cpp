@@ -174,6 +174,8 @@ private:
             const auto found = polygon_of.find(i);
             if (statement.section == Topic::forces)
                 figure = completes_a_polygon(i) ? "forces" : "lines-of-action";
+            else if (statement.section == Topic::curvature)
+                figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
             else if (found != polygon_of.end() && is_plane_of_motion(found->second))
                 figure = solution_.protocol.polygons[static_cast<std::size_t>(found->second)].id;
             else if (statement.section == Topic::centres || statement.message.sentence == Sentence::second_way)

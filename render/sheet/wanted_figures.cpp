@@ -22,6 +22,10 @@ std::string name_of(const Solution& solution, const FreeBody& body) {
                              : "pin-" + mechanism.points[at_index(body.pin)].name;
 }
 
+std::string name_of(const Solution& solution, const Curvature& found) {
+    return "curvature-" + solution.mechanism.body(found.body).name;
+}
+
 namespace {
 
 /// The circle counts what Kennedy's theorem leads to: worth looking at where it led to more than can be seen at once, and as long
@@ -200,6 +204,25 @@ void WantedFigures::collect_motion() {
     const std::vector<Polygon>& polygons = context_.solution.protocol.polygons;
     for (std::size_t p = 0; p < polygons.size(); ++p)
         if (polygons[p].plane != Plane::force) add_polygon(static_cast<int>(p));
+    add_curvature();
+}
+
+void WantedFigures::add_curvature() {
+    const Solution& s = context_.solution;
+    for (std::size_t i = 0; i < s.curvature.size(); ++i) {
+        if (!has_curvature_figure(s.curvature[i])) continue;
+        const Box extent = extent_of_curvature(s, i);
+        Wanted wanted;
+        wanted.name = name_of(s, s.curvature[i]);
+        wanted.extent_x = extent.width();
+        wanted.extent_y = extent.height();
+        wanted.rim_x = 26;
+        wanted.rim_y = 34;
+        wanted.least = 60;
+        wanted.weight = 1.5;
+        wanted.draw = [this, i](double x, double y) { return curvature_figure(context_, i, x, y); };
+        add(std::move(wanted));
+    }
 }
 
 void WantedFigures::add_mechanism() {

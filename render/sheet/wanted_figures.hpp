@@ -16,6 +16,8 @@ bool has_forces(const Solution& solution);
 bool has_motion(const Solution& solution);
 /// Motion and forces: each on pages of its own.
 bool is_mixed(const Solution& solution);
+/// "curvature-3".
+std::string name_of(const Solution& solution, const Curvature& found);
 /// A body cut free, or a pin: "body-2", "pin-B".
 std::string name_of(const Solution& solution, const FreeBody& body);
 
@@ -64,6 +66,7 @@ private:
     void add_lines_of_action();
     void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
     void add_free_bodies();
+    void add_curvature();
     void add_small();
     Wanted mechanism(const std::string& name, bool with_centres) const;
     std::optional<double> asked(const std::string& figure, double si) const;

@@ -209,6 +209,7 @@ public:
         add_bodies(Quantity::Kind::alpha);
         add_polygons(Plane::velocity, Polygon::Kind::relative_motion);
         add_polygons(Plane::acceleration, Polygon::Kind::relative_motion);
+        for (const Curvature& found : solution_.curvature) add_curvature(found);
         return std::move(rows_);
     }
 
@@ -230,6 +231,36 @@ private:
             row.group.section = is_omega ? Topic::velocity : Topic::acceleration;
             rows_.push_back(std::move(row));
         }
+    }
+
+    /// Radii of the paths that are not known beforehand.
+    void add_curvature(const Curvature& found) {
+        const Unit& unit = units_.length;
+        const double si = unit.si.to_double();
+        const std::string id = legal_id("curvature-" + solution_.mechanism.body(found.body).name);
+        const auto figure = std::find_if(figures_.begin(), figures_.end(), [&](const Figure& each) { return each.id == id; });
+        const auto add = [&](const Quantity& quantity, Symbol symbol, double metres) {
+            ResultRow row;
+            row.quantity = quantity;
+            row.symbol = std::move(symbol);
+            row.name = name_of(row.symbol);
+            row.drawing = metres / si;
+            if (figure != figures_.end())
+                if (const auto seen = measured_on(*figure, row.name)) row.millimetres = seen->millimetres;
+            if (const auto numeric = checks_.of(quantity)) row.numeric = *numeric / si;
+            row.unit = unit.symbol;
+            row.group.section = Topic::curvature;
+            rows_.push_back(std::move(row));
+        };
+        if (found.inflection_pole)
+            add({.kind = Quantity::Kind::inflection_diameter, .body = found.body},
+                {Symbol::Letter::diameter, solution_.mechanism.body(found.body).name, ""},
+                kinegraph::length(*found.inflection_pole - found.pole->place()));
+        for (const PathCentre& path : found.points)
+            if (!path.is_pin && path.centre && !path.centre->at_infinity())
+                add({.kind = Quantity::Kind::radius, .body = found.body, .point = path.point},
+                    {Symbol::Letter::radius, path.label, ""},
+                    kinegraph::length(path.centre->place() - solution_.pose.at(path.point)));
     }
 
     void add_polygons(Plane plane, Polygon::Kind kind) {

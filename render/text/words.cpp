@@ -258,6 +258,72 @@ constexpr std::array
         Row{Sentence::act_acceleration_centre,
             "{0} has no acceleration; that of every other point makes the angle arctan(α/ω²) with its join to {0}.",
             "{0} ha accelerazione nulla; quella di ogni altro punto forma con la congiungente a {0} l’angolo arctan(α/ω²)."},
+        // curvature
+        Row{Sentence::curvature_turning,
+            "Body {0} turns about {1}, which rests: {1} is the centre of curvature of all its paths.",
+            "Il corpo {0} ruota attorno a {1}, che è fermo: {1} è il centro di curvatura di tutte le sue traiettorie."},
+        Row{Sentence::curvature_translation,
+            "Body {0} translates at this instant: its pole is at infinity and there is no inflection circle.",
+            "Il corpo {0} in questo istante trasla: il polo è all’infinito e non c’è cerchio dei flessi."},
+        Row{Sentence::curvature_rest, "Body {0} stands still at this instant.", "Il corpo {0} in questo istante è fermo."},
+        Row{Sentence::curvature_rays,
+            "The rays {1} and {2}, each from a point to the centre of curvature of its path, meet in the pole {0}.",
+            "I raggi {1} e {2}, ciascuno da un punto al centro di curvatura della sua traiettoria, si incontrano nel polo "
+            "{0}."},
+        Row{Sentence::curvature_pole, "The pole {0} lies on the normal to the velocity of {1}, at the distance {2}/{3}.",
+            "Il polo {0} sta sulla normale alla velocità di {1}, alla distanza {2}/{3}."},
+        Row{Sentence::curvature_bobillier,
+            "The join of {0} with the meet {5} of {1} and {2} makes with the ray {4} the angle that the ray {3} makes with "
+            "the pole tangent.",
+            "La congiungente di {0} con l’intersezione {5} di {1} e {2} forma con il raggio {4} l’angolo che il raggio {3} "
+            "forma con la tangente polare."},
+        Row{Sentence::curvature_bobillier_at_infinity,
+            "Both centres are at infinity: the parallel to {1} through {0} makes with the ray {3} the angle that the ray "
+            "{2} makes with the pole tangent.",
+            "I due centri sono all’infinito: la parallela a {1} per {0} forma con il raggio {3} l’angolo che il raggio {2} "
+            "forma con la tangente polare."},
+        Row{Sentence::curvature_inflection,
+            "On the ray of {1} set off {1}{0}²/{1}{2} from {1} towards {2}; the normal to the ray at its end meets the pole "
+            "normal in {3}: {0}{3} is the diameter of the inflection circle.",
+            "Sul raggio di {1} si riporta {1}{0}²/{1}{2} da {1} verso {2}; la normale al raggio nell’estremo incontra la "
+            "normale polare in {3}: {0}{3} è il diametro del cerchio dei flessi."},
+        Row{Sentence::curvature_inflection_straight,
+            "The path of {1} is straight, so {1} lies on the inflection circle; the normal to its ray there meets the pole "
+            "normal in {2}: {0}{2} is the diameter.",
+            "La traiettoria di {1} è rettilinea, quindi {1} sta sul cerchio dei flessi; la normale al raggio in {1} "
+            "incontra la normale polare in {2}: {0}{2} è il diametro."},
+        Row{Sentence::curvature_by_acceleration,
+            "The acceleration of the body’s point in {0}, divided by {2}², leads from {0} to {1}: this is the diameter of "
+            "the inflection circle, and the pole tangent is normal to it.",
+            "L’accelerazione del punto del corpo in {0}, divisa per {2}², porta da {0} a {1}: è il diametro del cerchio dei "
+            "flessi, e la tangente polare gli è normale."},
+        Row{Sentence::curvature_bresse,
+            "Bresse’s second circle (no tangential acceleration) has the diameter {1}{3} on the pole tangent; the foot of "
+            "{1} on {2}{3} is on both circles: {0}, the acceleration pole.",
+            "Il secondo cerchio di Bresse (accelerazione tangenziale nulla) ha il diametro {1}{3} sulla tangente polare; il "
+            "piede di {1} su {2}{3} sta sui due cerchi: {0}, il polo delle accelerazioni."},
+        Row{Sentence::curvature_bresse_uniform,
+            "Body {1} turns uniformly: Bresse’s second circle is the pole normal, and {0} is the acceleration pole.",
+            "Il corpo {1} ruota uniformemente: il secondo cerchio di Bresse è la normale polare e {0} è il polo delle "
+            "accelerazioni."},
+        Row{Sentence::curvature_hartmann,
+            "Hartmann: the join of the tip of the velocity of {0} with that of the part, parallel to it, of the velocity "
+            "with which the pole {2} moves on meets the ray in {1}.",
+            "Hartmann: la congiungente l’estremo della velocità di {0} con quello della parte, ad essa parallela, della "
+            "velocità con cui si sposta il polo {2} incontra il raggio in {1}."},
+        Row{Sentence::curvature_straight, "{0} lies on the inflection circle: its path is straight to the second order.",
+            "{0} sta sul cerchio dei flessi: la sua traiettoria è rettilinea fino al secondo ordine."},
+        Row{Sentence::curvature_at_pole, "{0} lies in the pole: it stands still at this instant.",
+            "{0} sta nel polo: in questo istante è fermo."},
+        Row{Sentence::curvature_by_normal, "Of {0} the normal acceleration gives {1}, at v²/a on the normal to its velocity.",
+            "Di {0} l’accelerazione normale dà {1}, a v²/a sulla normale alla velocità."},
+        Row{Sentence::curvature_by_normal_straight, "{0} has no normal acceleration: its path is straight to the second order.",
+            "{0} non ha accelerazione normale: la sua traiettoria è rettilinea fino al secondo ordine."},
+        Row{Sentence::curvature_envelope,
+            "The line of {0} touches its envelope in the foot of {2}; on this normal the centre of curvature {1} lies "
+            "opposite the point of the inflection circle.",
+            "La retta di {0} tocca il suo inviluppo nel piede di {2}; su questa normale il centro di curvatura {1} sta "
+            "dalla parte opposta del punto del cerchio dei flessi."},
         // remarks
         Row{Sentence::off_its_circle, "{0} is {1} off the circle of body {2} and is taken as drawn.",
             "{0} dista {1} dalla circonferenza del corpo {2} e resta dov’è disegnato."},
@@ -337,6 +403,7 @@ constexpr std::array
         Row{Sentence::drive_of_joint, "driver of joint {0}", "movente della coppia {0}"},
         Row{Sentence::drive_of_body, "driver of body {0}", "movente del corpo {0}"},
         Row{Sentence::centre_of_bodies, "instant centre {0},{1}", "centro di istantanea rotazione {0},{1}"},
+        Row{Sentence::curvature_of_body, "curvature of body {0}", "curvatura del corpo {0}"},
         Row{Sentence::all_forces, "forces", "forze"},
         // and why not
         Row{Sentence::one_body_only, "an act of motion is of one body, here {0}", "un atto di moto è di un solo corpo, qui {0}"},
@@ -374,6 +441,12 @@ constexpr std::array
             "la velocità angolare, richiesta dalle parti normali ω²·r, non è nota"},
         Row{Sentence::acceleration_open, "what is given leaves it free; give the acceleration of another point, or its direction",
             "quanto assegnato la lascia libera; assegnare l’accelerazione di un altro punto, o la sua direzione"},
+        Row{Sentence::path_straight, "its path is straight to the second order",
+            "la sua traiettoria è rettilinea fino al secondo ordine"},
+        Row{Sentence::point_at_rest, "it stands still at this instant", "in questo istante è fermo"},
+        Row{Sentence::body_translates, "it translates: its pole is at infinity", "trasla: il suo polo è all’infinito"},
+        Row{Sentence::body_at_rest, "it stands still at this instant", "in questo istante è fermo"},
+        Row{Sentence::pole_at_rest, "its pole rests and has no tangent", "il suo polo è fermo e non ha tangente"},
         Row{Sentence::locked, "the mechanism is locked in this position: it has no freedom left to drive",
             "il meccanismo è bloccato in questa configurazione: non resta alcun grado di libertà da comandare"},
         Row{Sentence::undrivable,
@@ -443,6 +516,8 @@ constexpr std::array fixed_words{
     FixedWords{"mechanism and instant centres", "Mechanism and instant centres", "Meccanismo e centri di istantanea rotazione"},
     FixedWords{"mechanism and its way", "Mechanism as drawn, and its way", "Meccanismo come disegnato e suo moto"},
     FixedWords{"cam and follower", "Cam and follower", "Camma e punteria"},
+    FixedWords{"fixed centrode", "fixed centrode", "polare fissa"},
+    FixedWords{"moving centrode", "moving centrode", "polare mobile"},
     FixedWords{"extremes", "Extremes of the motion", "Valori estremi del moto"},
     FixedWords{"quantity", "quantity", "grandezza"},
     FixedWords{"least", "least", "minimo"},
@@ -460,6 +535,9 @@ constexpr std::array fixed_words{
     FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
     FixedWords{"acceleration polygon", "Acceleration polygon", "Poligono delle accelerazioni"},
     FixedWords{"velocities on the mechanism", "Velocities on the mechanism", "Velocità sul meccanismo"},
+    FixedWords{"curvature of body", "Curvature, body", "Curvatura, corpo"},
+    FixedWords{"steps curvature", "Steps: curvature", "Procedimento: curvatura"},
+    FixedWords{"curvature", "Curvature", "Curvatura"},
     FixedWords{"act of motion", "Act of motion", "Atto di moto"},
     FixedWords{"circle diagram", "Circle diagram of the centres", "Diagramma circolare dei centri"},
     FixedWords{"detail", "Detail", "Particolare"},
@@ -1046,6 +1124,12 @@ RichText typeset(const Symbol& symbol, Language language) {
             break;
         case Letter::centre:
             result.text = language == Language::it ? "C" : "P";
+            break;
+        case Letter::radius:
+            result.text = "ρ";
+            break;
+        case Letter::diameter:
+            result.text = "δ";
             break;
         case Letter::F:
             result.text = "F";

@@ -1,0 +1,338 @@
+// The curvature of one body's motion: pole and pole tangent with the lines that found them, the inflection circle, Bresse's
+// second circle and the acceleration pole, and the osculating circles of the paths of its points, to scale. Takes every place
+// from the Solution and computes no mechanics.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/centre_symbol.hpp"
+#include "render/figures/fit.hpp"
+#include "render/mechanism/sketch.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using namespace drawing;
+
+constexpr double beyond = 6;         // of a line past what it joins, mm
+constexpr double shortest_arc = 16;  // of an osculating circle to either side of its point, mm
+constexpr double tick = 14;          // half of a straight path, mm
+
+/// A place on paper before the scale, m; none where it lies at infinity or past the range of doubles.
+std::optional<Spot> spot_of(const Recorded<ProjectivePoint>& place) {
+    if (!place || place->at_infinity()) return std::nullopt;
+    return paper_spot(place->place());
+}
+std::optional<Spot> spot_of(const Recorded<Vector>& place) {
+    if (!place) return std::nullopt;
+    return paper_spot(*place);
+}
+
+bool is_near(const Box& mechanism, Spot place) {
+    const double size = std::max(mechanism.width(), mechanism.height());
+    return contains(grown(mechanism, 0.9 * size), place);
+}
+
+/// A circle by two ends of a diameter, m.
+struct Round {
+    Spot centre;
+    double radius = 0;
+};
+Round between(Spot a, Spot b) { return {0.5 * (a + b), 0.5 * length(b - a)}; }
+void include(Box& box, const Round& round) {
+    box.include(round.centre - Spot{round.radius, round.radius});
+    box.include(round.centre + Spot{round.radius, round.radius});
+}
+
+/// The mechanism, the inflection circle and every centre that is not far.
+Box extent_of(const Subject& subject, const Curvature& found) {
+    Box extent = subject.box;
+    const auto take = [&](std::optional<Spot> place) {
+        if (place && is_near(subject.box, *place)) extent.include(*place);
+    };
+    // Everything hangs on the pole: it is fetched from farther away.
+    if (const auto pole = spot_of(found.pole); pole && contains(grown(subject.box, 1.6 * subject.size()), *pole))
+        extent.include(*pole);
+    take(spot_of(found.inflection_pole));
+    take(spot_of(found.acceleration_pole));
+    for (const PathCentre& path : found.points)
+        if (!path.is_pin) take(spot_of(path.centre));
+    for (const EnvelopeCentre& envelope : found.envelopes) take(spot_of(envelope.centre));
+    const auto pole = spot_of(found.pole), end = spot_of(found.inflection_pole);
+    if (pole && end && length(*end - *pole) < 1.5 * subject.size()) include(extent, between(*pole, *end));
+    return extent;
+}
+
+class CurvatureSketch {
+public:
+    CurvatureSketch(Sketch& sketch, const Curvature& found, const Box& extent)
+        : sketch_(sketch), found_(found), theme_(sketch.theme), colour_(sketch.theme.colour_of(found.body)) {
+        view_ = {(1 / sketch.scale()) * extent.min, (1 / sketch.scale()) * extent.max};
+        view_ = grown(view_, 5);
+    }
+
+    void draw() {
+        draw_in_grey(sketch_);
+        draw_body();
+        draw_rays();
+        draw_tangent();
+        draw_circles();
+        for (const PathCentre& path : found_.points) draw_path(path);
+        for (const EnvelopeCentre& envelope : found_.envelopes) draw_envelope(envelope);
+        std::swap(sketch_.construction, sketch_.over_bodies);
+        draw_pole();
+        name_points(sketch_);
+    }
+
+    std::vector<DrawnAxis> axes;  ///< of the radii that the figure holds
+
+private:
+    std::optional<Spot> on_paper(std::optional<Spot> place) const {
+        if (!place || !std::isfinite(place->x) || !std::isfinite(place->y)) return std::nullopt;
+        return (1 / sketch_.scale()) * *place;
+    }
+    bool shows(std::optional<Spot> spot) const { return spot && contains(view_, *spot); }
+    void stroke(Path path, StatementIndex statement) {
+        sketch_.construction.emplace_back(std::move(path));
+        belong(sketch_.construction, sketch_.construction.size() - 1, statement);
+    }
+    /// As much of the line through two spots as the figure shows.
+    void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement) {
+        if (length(b - a) < same_place) return;
+        const Interval seen = within(view_, a, unit(b - a));
+        if (seen.from < seen.to) stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement);
+    }
+    /// From a to b and a little further, within the figure.
+    void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement) {
+        if (length(b - a) < same_place) return;
+        const Spot along = unit(b - a);
+        const Interval seen = within(view_, a, along);
+        const double from = std::max(-beyond, seen.from), to = std::min(length(b - a) + beyond, seen.to);
+        if (from < to) stroke(line(a + from * along, a + to * along, pen), statement);
+    }
+    void name(RichText text, Spot at, StatementIndex statement, double clearance = 1.6) {
+        sketch_.add_label(std::move(text), theme_.text, at, clearance, statement);
+    }
+    RichText point(const std::string& name) const {
+        return typeset(Symbol{Symbol::Letter::point, name, ""}, sketch_.context.language);
+    }
+    void draw_dot(Spot at, StatementIndex statement) {
+        const std::size_t first = sketch_.centres.size();
+        sketch_.centres.emplace_back(tinted(disc(at, 1.0, theme_.paper)));
+        sketch_.centres.emplace_back(disc(at, 0.65, theme_.text));
+        belong(sketch_.centres, first, statement);
+    }
+
+    /// The body whose motion it is stands out of the grey.
+    void draw_body() {
+        const Shape& shape = sketch_.shape(found_.body);
+        for (const Bar& bar : shape.strokes)
+            sketch_.bodies.emplace_back(line(bar.from, bar.to, sketch_.pen_of(found_.body, 2.5 * theme_.outline)));
+    }
+
+    /// Bobillier: the two rays, the join of their points and that of their centres, the axis.
+    void draw_rays() {
+        const auto pole = on_paper(spot_of(found_.pole));
+        if (!pole || found_.rays.size() != 2) return;
+        std::array<Spot, 2> points;
+        std::array<std::optional<Spot>, 2> centres;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Curvature::Ray& ray = found_.rays[i];
+            points[i] = *on_paper(spot_of(ray.at));
+            centres[i] = on_paper(spot_of(ray.centre));
+            draw_segment(*pole, points[i], sketch_.thin(), found_.pole_statement);
+            if (centres[i]) draw_segment(*pole, *centres[i], sketch_.thin(), found_.pole_statement);
+        }
+        const Pen pen{theme_.thin, theme_.secondary, dashes(), false};
+        const auto meet = on_paper(spot_of(found_.axis_point));
+        draw_line(points[0], points[1], pen, found_.tangent_statement);
+        if (centres[0] && centres[1]) draw_line(*centres[0], *centres[1], pen, found_.tangent_statement);
+        if (meet) draw_line(*pole, *meet, pen, found_.tangent_statement);
+        if (!meet) draw_line(*pole, *pole + unit(points[1] - points[0]), pen, found_.tangent_statement);
+        if (shows(meet)) draw_dot(*meet, found_.tangent_statement);
+        if (shows(meet)) name(point(free_name(sketch_.mechanism, "Q")), *meet, found_.tangent_statement);
+    }
+
+    void draw_tangent() {
+        const auto pole = on_paper(spot_of(found_.pole)), end = on_paper(spot_of(found_.inflection_pole));
+        if (!pole || !end) return;
+        const Spot normal = unit(*end - *pole), along{-normal.y, normal.x};
+        draw_line(*pole, *pole + along, {theme_.outline, theme_.text, dash_dot(), false}, found_.tangent_statement);
+        draw_segment(*pole, *end, sketch_.axis(), found_.inflection_statement);
+        const Interval seen = within(view_, *pole, along);
+        if (!(seen.from < seen.to)) return;
+        const bool ahead = seen.to > -seen.from;
+        LabelRequest& label =
+            sketch_.add_label(one_piece("t", Face::italic), theme_.text,
+                              *pole + (ahead ? 0.85 * seen.to : 0.85 * seen.from) * along, 1.2, found_.tangent_statement);
+        label.toward = label.anchor + along;
+    }
+
+    void draw_circles() {
+        const auto pole = on_paper(spot_of(found_.pole)), end = on_paper(spot_of(found_.inflection_pole)),
+                   second = on_paper(spot_of(found_.tangential_pole)), still = on_paper(spot_of(found_.acceleration_pole));
+        if (!pole || !end) return;
+        const Round inflection = between(*pole, *end);
+        draw_circle(inflection, {theme_.outline, theme_.accent, {}, false}, "inflection", found_.inflection_statement);
+        if (shows(end)) draw_dot(*end, found_.inflection_statement);
+        if (shows(end) && shows(pole)) axes.push_back({kinegraph::name_of(symbol_of_diameter()), *pole, *end, ""});
+        if (shows(end)) name(point(found_.inflection_name), *end, found_.inflection_statement);
+        if (second) {
+            const Pen pen{theme_.outline, theme_.secondary, dashes(), false};
+            draw_circle(between(*pole, *second), pen, "tangential", found_.bresse_statement);
+            draw_segment(*end, *second, sketch_.thin(), found_.bresse_statement);
+            if (shows(second)) name(point(found_.tangential_name), *second, found_.bresse_statement);
+        }
+        if (!shows(still) || found_.acceleration_name == found_.inflection_name) return;
+        sketch_.centres.emplace_back(ring(*still, 1.0, theme_.paper, {theme_.outline, theme_.text, {}, false}));
+        belong(sketch_.centres, sketch_.centres.size() - 1, found_.bresse_statement);
+        name(point(found_.acceleration_name), *still, found_.bresse_statement);
+    }
+    /// Whole where the figure holds it, else an arc within it.
+    void draw_circle(const Round& round, const Pen& pen, const char* what, StatementIndex statement) {
+        const std::size_t first = sketch_.construction.size();
+        sketch_.construction.emplace_back(GroupBegin{what, "", "", {}, statement});
+        draw_arcs(round, pen);
+        sketch_.construction.emplace_back(GroupEnd{});
+        belong(sketch_.construction, first, statement);
+    }
+    /// The arcs of a circle within the figure, cut where they leave it.
+    void draw_arcs(const Round& round, const Pen& pen) {
+        constexpr int pieces = 720;
+        const auto spot = [&](int i) {
+            const double angle = 2 * std::numbers::pi * i / pieces;
+            return round.centre + round.radius * Spot{std::cos(angle), std::sin(angle)};
+        };
+        int outside = -1;
+        for (int i = 0; i < pieces && outside < 0; ++i)
+            if (!contains(view_, spot(i))) outside = i;
+        if (outside < 0) {
+            sketch_.construction.emplace_back(circle(round.centre, round.radius, pen));
+            return;
+        }
+        int start = -1;
+        for (int i = outside; i <= outside + pieces; ++i) {
+            const bool inside = contains(view_, spot(i));
+            if (inside && start < 0) start = i;
+            if (inside || start < 0) continue;
+            if (i - 1 > start)
+                sketch_.construction.emplace_back(arc(round.centre, round.radius, 2 * std::numbers::pi * start / pieces,
+                                                      2 * std::numbers::pi * (i - 1) / pieces, pen));
+            start = -1;
+        }
+    }
+
+    void draw_path(const PathCentre& path) {
+        const auto pole = on_paper(spot_of(found_.pole));
+        if (path.is_pin || !path.centre) return;
+        const Spot at = sketch_.spot(path.point);
+        if (path.centre->at_infinity()) {
+            const Spot ray = paper_direction(path.centre->place()), along{-ray.y, ray.x};
+            if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement);
+            stroke(line(at - tick * along, at + tick * along, {theme_.outline, colour_.line, {}, false}), path.statement);
+            return;
+        }
+        const auto centre = on_paper(spot_of(path.centre));
+        if (!centre) return;
+        if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement);
+        draw_segment(at, *centre, sketch_.thin(), path.statement);
+        draw_osculating(path, at, *centre);
+        if (shows(centre)) {
+            draw_dot(*centre, path.statement);
+            name(point(path.name), *centre, path.statement);
+            axes.push_back({kinegraph::name_of(symbol_of(path)), at, *centre, ""});
+        }
+    }
+    Symbol symbol_of_diameter() const { return {Symbol::Letter::diameter, sketch_.mechanism.body(found_.body).name, ""}; }
+    static Symbol symbol_of(const PathCentre& path) { return {Symbol::Letter::radius, path.label, ""}; }
+
+    /// An arc about the point, as long as a quarter of the circle and no shorter than can be seen.
+    void draw_osculating(const PathCentre& path, Spot at, Spot centre) {
+        const double radius = length(at - centre), value = radius * sketch_.scale();
+        const Unit& unit_of = sketch_.mechanism.units.length;
+        const Pen pen{1.4 * theme_.outline, colour_.line, {}, false};
+        const std::size_t first = sketch_.construction.size();
+        sketch_.construction.emplace_back(GroupBegin{
+            "osculating",
+            sketch_.id("osculating", path.label),
+            "",
+            {{"data-name", path.label}, {"data-value", shortest(value / unit_of.si.to_double())}, {"data-unit", unit_of.symbol}},
+            path.statement});
+        const bool whole = contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
+        const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)),
+                     towards = std::atan2(at.y - centre.y, at.x - centre.x);
+        if (whole)
+            sketch_.construction.emplace_back(circle(centre, radius, pen));
+        else
+            sketch_.construction.emplace_back(arc(centre, radius, towards - half, towards + half, pen));
+        sketch_.construction.emplace_back(GroupEnd{});
+        belong(sketch_.construction, first, path.statement);
+        RichText text = typeset(symbol_of(path), sketch_.context.language);
+        append(text,
+               with_powers(" = " + number(value / unit_of.si.to_double(), 4, sketch_.context.language) + " " + unit_of.symbol));
+        LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, at, 1.4, path.statement);
+        const double aside = towards + (whole ? 0.6 : 0.7 * half);
+        label.anchor = centre + radius * Spot{std::cos(aside), std::sin(aside)};
+    }
+
+    /// The foot on the line and the centre beyond the pole.
+    void draw_envelope(const EnvelopeCentre& envelope) {
+        const auto touches = on_paper(spot_of(envelope.touches)), centre = on_paper(spot_of(envelope.centre));
+        if (!touches || !centre) return;
+        draw_segment(*touches, *centre, sketch_.thin(), envelope.statement);
+        if (!shows(centre)) return;
+        draw_dot(*centre, envelope.statement);
+        name(point(envelope.name), *centre, envelope.statement);
+    }
+
+    void draw_pole() {
+        const auto pole = on_paper(spot_of(found_.pole));
+        if (!shows(pole)) return;
+        draw_dot(*pole, found_.pole_statement);
+        name(typeset(centre_symbol(sketch_.mechanism, frame, found_.body, false), sketch_.context.language), *pole,
+             found_.pole_statement);
+    }
+
+    Sketch& sketch_;
+    const Curvature& found_;
+    const Theme& theme_;
+    BodyColour colour_;
+    Box view_;  ///< mm
+};
+
+}  // namespace
+
+bool has_curvature_figure(const Curvature& found) {
+    const auto is_free = [](const PathCentre& path) { return !path.is_pin && path.centre && !path.centre->at_infinity(); };
+    return found.kind == Curvature::Kind::general ||
+           (found.kind == Curvature::Kind::translation && std::any_of(found.points.begin(), found.points.end(), is_free));
+}
+
+Box extent_of_curvature(const Solution& solution, std::size_t index) {
+    return extent_of(Subject(solution), solution.curvature[index]);
+}
+
+Figure curvature_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+    const Curvature& found = context.solution.curvature[index];
+    const Subject subject(context.solution);
+    const Mechanism& mechanism = subject.mechanism;
+    const std::string& body = mechanism.body(found.body).name;
+    const Box extent = extent_of(subject, found);
+    const double first =
+        choose_scale(extent.width(), extent.height(), std::max(room_x - 24, 10.0), std::max(room_y - 30, 10.0), std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, "curvature-" + body + "-");
+        CurvatureSketch drawn(sketch, found, extent);
+        drawn.draw();
+        Figure figure = sketch.finish("curvature", "curvature-" + body, "m");
+        figure.caption = one_piece(word("curvature of body", context.language) + " " + body);
+        figure.axes = std::move(drawn.axes);
+        sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, mechanism.units.length, trial.strict);
+        return figure;
+    });
+}
+
+}  // namespace kinegraph::render
