@@ -32,7 +32,8 @@ public:
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
           wanted_(context_, options.joukowsky),
-          bands_(context_, wanted_) {}
+          bands_(context_, wanted_),
+          texts_(bands_, format_) {}
 
     std::vector<Page> pages() {
         constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
@@ -57,6 +58,7 @@ private:
         Figure figure;
         std::vector<Mark> beside{};  // equations in its corner
         double height() const { return caption + figure.box.height(); }
+        bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
     };
 
     // --- the plan
@@ -66,7 +68,7 @@ private:
     void plan() {
         layouts_.clear();
         for (const Band& band : bands_.list)
-            layouts_.emplace_back(bands_, band, wanted_, format_, crowded_.contains(band.question),
+            layouts_.emplace_back(texts_, band, wanted_, format_, crowded_.contains(band.question),
                                   !cornerless_.contains(band.question));
         std::size_t lost = 0;
         plan_ = plan_pages(layouts_, bands_.list, format_, lost);
@@ -127,11 +129,12 @@ private:
             if (f == 0) corner = {0, 0};
             const Spot size = layout.rooms[f];
             const double wider = layout.cornered ? layouts_[placed.band].wider_in(size) : 0;
-            Drawn& drawn = drawn_[placed.band].emplace_back(
-                draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y}, ++number));
+            Drawn& drawn =
+                drawn_[placed.band].emplace_back(draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y},
+                                                           ++number, coarsest_scale(placed.band, f, {size.x - wider, size.y})));
             drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
-            if (layout.cornered) set_in_corner(drawn, placed.band);
+            if (layout.cornered && !drawn.is_refused()) set_in_corner(drawn, placed.band);
             letter_details_on(drawn.figure, context_, details);
             details += drawn.figure.details.size();
         });
@@ -146,33 +149,67 @@ private:
             corner_missing_ = true;
         }
     }
-    /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits.
-    const Figure& figure_in(std::size_t index, Spot room) {
+    /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A room
+    /// that holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure is empty
+    /// then and at any_scale.
+    const Figure& figure_in(std::size_t index, Spot room, double coarsest) {
         constexpr double rounding = 1e-6;
         const Wanted& wanted = wanted_.list[index];
+        const std::optional<double> force_scale = wanted.to_force_scale ? wanted_.force_scale : std::nullopt;
         std::vector<Known>& known = known_[index];
         for (const Known& each : known) {
-            const Spot least = wanted.fills ? each.room : Spot{each.figure.box.width(), each.figure.box.height()};
-            if (each.force_scale == wanted_.force_scale && least.x <= room.x + rounding && room.x <= each.room.x + rounding &&
-                least.y <= room.y + rounding && room.y <= each.room.y + rounding)
+            if (each.force_scale != force_scale || room.x > each.room.x + rounding || room.y > each.room.y + rounding) continue;
+            if (each.refused_at) {
+                if (coarsest <= *each.refused_at) return each.figure;
+                continue;
+            }
+            const bool same = room.x > each.room.x - rounding && room.y > each.room.y - rounding;
+            const Box& box = each.figure.box;
+            if (same || (!wanted.fills && box.width() <= room.x + rounding && box.height() <= room.y + rounding))
                 return each.figure;
         }
-        return known.emplace_back(Known{room, wanted_.force_scale, wanted.draw(room.x, room.y)}).figure;
+        Known drawn{room, force_scale, {}, {}};
+        if (coarsest < any_scale) {
+            drawn.figure = wanted.draw_or_refuse(room, coarsest);
+            if (drawn.figure.scale == any_scale) drawn.refused_at = coarsest;
+        } else {
+            drawn.figure = wanted.draw(room.x, room.y);
+        }
+        return known.emplace_back(std::move(drawn)).figure;
     }
-    Drawn draw_into(std::size_t wanted, Spot room, int number) {
+    /// The coarsest scale at which a figure takes its room: two steps beyond what this promises, a few times; any_scale: it is
+    /// drawn as it comes.
+    double coarsest_scale(std::size_t band, std::size_t f, Spot room) {
+        constexpr int most_refusals = 3;
+        const std::size_t index = bands_.list[band].figures[f];
+        const Wanted& wanted = wanted_.list[index];
+        if (!wanted.draw_or_refuse || refusals_[wanted.name] == most_refusals) return any_scale;
+        constexpr double rounding = 1e-9;
+        return next_scale(next_scale(layouts_[band].scale_in(f, room))) * (1 + rounding);
+    }
+    Drawn draw_into(std::size_t wanted, Spot room, int number, double coarsest) {
         constexpr double one_line = 7;
         Drawn drawn;
         drawn.wanted = wanted;
         drawn.number = number;
-        drawn.figure = figure_in(wanted, {room.x, room.y - one_line});
+        drawn.figure = figure_in(wanted, {room.x, room.y - one_line}, coarsest);
+        if (drawn.is_refused()) return drawn;
         std::vector<Mark> words;
         drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
-        if (drawn.height() > room.y) drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption});
+        if (drawn.caption > one_line && drawn.height() > room.y)
+            drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption}, coarsest);
         return drawn;
     }
 
-    /// Whether a figure takes more than its room. It is known now what its letters take.
+    /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
+        if (drawn.is_refused()) {
+            constexpr double more = 10;
+            Wanted& wanted = wanted_.list[drawn.wanted];
+            ++refusals_[wanted.name];
+            (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+            return true;
+        }
         const Box& box = drawn.figure.box;
         const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
         constexpr double ink = 0.25;  // of rules at the rim
@@ -192,7 +229,9 @@ private:
             append(text, followed_by[i]);
         }
         if (followed_by.size() > most_listed) append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
-        return bands_.remark(wanted_.list[drawn.wanted].name + words, text);
+        if (!bands_.remark(wanted_.list[drawn.wanted].name + words, text)) return false;
+        texts_.forget("remarks");
+        return true;
     }
     /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the others, a
     /// figure that has no room at the scale which the file asks for, or none in its room.
@@ -201,6 +240,10 @@ private:
         double least = 1e300, most = 0;
         for (const auto& [band, figures] : drawn_)
             for (const Drawn& drawn : figures) {
+                if (drawn.is_refused()) {
+                    otherwise = has_outgrown(drawn);
+                    continue;
+                }
                 Wanted& wanted = wanted_.list[drawn.wanted];
                 if (wanted.to_force_scale) {
                     least = std::min(least, drawn.figure.scale);
@@ -324,13 +367,16 @@ private:
     Signature signature_;
     WantedFigures wanted_;
     Bands bands_;
+    BandTexts texts_;
     /// A drawing that was tried, and for which room.
     struct Known {
         Spot room;
         std::optional<double> force_scale;
         Figure figure;
+        std::optional<double> refused_at;  // the scale that it had no room for
     };
     std::map<std::size_t, std::vector<Known>> known_;  // by figure
+    std::map<std::string, int> refusals_;              // … by its name
     std::set<std::string> crowded_;                    // bands whose figures may be smaller than is well readable
     std::set<std::string> cornerless_;                 // … whose figure leaves their equations no corner
     std::set<std::string> roomier_;                    // figures that got more room for the scale asked for

@@ -266,6 +266,10 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.asked = asked(scene.id, si);
     if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
     wanted.draw = [this, &scene](double x, double y) { return polygon_figure(context_, scene, x, y); };
+    if (!wanted.empty && !wanted.asked)
+        wanted.draw_or_refuse = [this, &scene](Spot room, double coarsest) {
+            return polygon_figure(context_, scene, room.x, room.y, coarsest);
+        };
     wanted.wider_for = [&scene](double scale, Spot block) { return wider_for(scene, scale, block); };
     add(std::move(wanted));
 }

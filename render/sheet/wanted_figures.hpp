@@ -30,6 +30,8 @@ struct Wanted {
     double weight = 1;                  ///< against the other figures
     std::optional<double> asked;
     std::function<Figure(double room_x, double room_y)> draw;
+    /// The same, but empty and at any_scale where it has no room at `coarsest`; none: it is drawn as it comes.
+    std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
     /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no such corner.
     std::function<double(double scale, Spot block)> wider_for{};
     bool empty = false;           ///< all its vectors are zero: a pole and names
