@@ -28,7 +28,7 @@ public:
           plots_(plots),
           ways_(ways),
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date},
+          signature_{options.author, options.date, word("subtitle cycle", options.language)},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {

@@ -16,6 +16,8 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/beside.hpp"
+#include "render/sheet/drawn_sheet.hpp"
+#include "render/sheet/handout.hpp"
 #include "render/sheet/page_plan.hpp"
 #include "render/sheet/title_block.hpp"
 
@@ -31,10 +33,20 @@ public:
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
-          wanted_(context_, options.joukowsky),
-          bands_(context_, wanted_),
+          wanted_(context_, options.joukowsky, options.detail),
+          bands_(context_, wanted_, options.detail),
           texts_(bands_, format_) {}
 
+    DrawnSheet drawn() && {
+        DrawnSheet sheet{pages(), {}, first_caption_, first_caption_width_};
+        std::map<int, const Figure*> by_number;
+        for (const auto& [band, figures] : drawn_)
+            for (const Drawn& each : figures) by_number[each.number] = &each.figure;
+        for (const auto& [number, figure] : by_number) sheet.figures.push_back(*figure);
+        return sheet;
+    }
+
+private:
     std::vector<Page> pages() {
         constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
         for (int round = 1;; ++round) {
@@ -48,7 +60,6 @@ public:
         return pages;
     }
 
-private:
     /// A figure as drawn, and the room it was drawn for (from the band's upper left corner).
     struct Drawn {
         std::size_t wanted = 0;
@@ -335,6 +346,7 @@ private:
         for (Drawn& drawn : figures) {
             const Spot corner{at.x + drawn.room.min.x, at.y + (layout.stacked ? down : 0)};
             set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
+            if (drawn.number == 1) first_caption_ = corner, first_caption_width_ = drawn.room.width();
             const Box& box = drawn.figure.box;
             const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()), corner.y + drawn.caption - box.min.y};
             drawn.figure.move(by.x, by.y);
@@ -384,13 +396,20 @@ private:
     std::vector<PlannedPage> plan_;
     std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band
     std::vector<Figure> all_;                          // of them
-    bool corner_missing_ = false;                      // one was promised to equations
+    Spot first_caption_;                               // of figure 1: its corner, and the room it has
+    double first_caption_width_ = 0;
+    bool corner_missing_ = false;  // one was promised to equations
 };
 
 }  // namespace
 
+DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    return Layout(solution, options, fonts).drawn();
+}
+
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return Layout(solution, options, fonts).pages();
+    if (options.kind != SheetKind::solution) return lay_out_handout(solution, options, fonts);
+    return draw_solution(solution, options, fonts).pages;
 }
 
 }  // namespace kinegraph::render

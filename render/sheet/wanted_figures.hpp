@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/figures/figure.hpp"
+#include "render/sheet/sheet_parts.hpp"
 
 namespace kinegraph::render {
 
@@ -43,8 +44,8 @@ struct Wanted {
 /// Their list. Not to be moved: those who draw refer to it.
 class WantedFigures {
 public:
-    /// `joukowsky`: with the lever, where there is one.
-    WantedFigures(const DrawingContext& context, bool joukowsky);
+    /// `joukowsky`: with the lever, where there is one. Brief: centres only where the file asks for them.
+    WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail = SolutionDetail::full);
     WantedFigures(const WantedFigures&) = delete;
     WantedFigures& operator=(const WantedFigures&) = delete;
 
@@ -54,6 +55,8 @@ public:
 
     /// Index into list; nothing where no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
+    /// Whether the instant centres are shown.
+    bool shows_centres() const;
 
 private:
     using DrawForces = std::function<Figure(double room_x, double room_y, std::optional<double> scale, bool fixed)>;
@@ -72,6 +75,7 @@ private:
     const DrawingContext& unscaled();
 
     const DrawingContext& context_;
+    SolutionDetail detail_;
     std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::optional<DrawingContext> unscaled_context_;
