@@ -153,7 +153,17 @@ private:
         const Mechanism& mechanism = solution_.mechanism;
         if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
             rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
-        return rows;
+        return {in_one(rows)};
+    }
+    /// Paragraphs that no column parts.
+    Block in_one(const std::vector<Block>& rows) const {
+        Block all;
+        all.width = measure_;
+        for (const Block& row : rows) {
+            set(all.marks, row, {0, all.height});
+            all.height += row.height;
+        }
+        return all;
     }
     RichText mobility_words() const {
         const Mobility& m = solution_.mobility;
@@ -425,7 +435,11 @@ void Bands::deal_out_results() {
                     for (const AppliedForce& applied : body.forces) {
                         Quantity own = quantity_of(body, applied), turned = row.quantity;
                         std::swap(turned.body, turned.other);
-                        own.kind = row.quantity.kind;
+                        // The couple that a pair transmits goes with its force.
+                        const auto of_a_joint = [](Quantity::Kind kind) {
+                            return kind == Quantity::Kind::force || kind == Quantity::Kind::couple;
+                        };
+                        if (of_a_joint(own.kind) && of_a_joint(row.quantity.kind)) own.kind = row.quantity.kind;
                         if (own == row.quantity || own == turned) home = b;
                     }
         }

@@ -50,7 +50,10 @@ private:
     std::vector<Page> pages() {
         constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
         for (int round = 1;; ++round) {
+            const std::size_t pages_before = plan_.size();
             plan();
+            if (!refused_.empty() && plan_.size() > pages_before) take_back_refusals();
+            refused_.clear();
             draw();
             const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
             if (!drawn_otherwise() || (round >= most_rounds && !lacks_equations)) break;
@@ -89,6 +92,16 @@ private:
         }
         if (crowded_.insert(bands_.list[lost].question).second) return plan();
         divide(lost);
+        plan();
+    }
+    /// A figure that would want a page more for its letters takes the room that it had, as it comes.
+    void take_back_refusals() {
+        for (const Refusal& refusal : refused_) {
+            Wanted& wanted = wanted_.list[refusal.wanted];
+            wanted.rim_x = refusal.rim_x;
+            wanted.rim_y = refusal.rim_y;
+            refusals_[wanted.name] = most_refusals;
+        }
         plan();
     }
     /// As many rows as a page of text alone holds stay with the figures of a band, at most half of them: the rest goes on.
@@ -191,7 +204,6 @@ private:
     /// The coarsest scale at which a figure takes its room: two steps beyond what this promises, a few times; any_scale: it is
     /// drawn as it comes.
     double coarsest_scale(std::size_t band, std::size_t f, Spot room) {
-        constexpr int most_refusals = 3;
         const std::size_t index = bands_.list[band].figures[f];
         const Wanted& wanted = wanted_.list[index];
         if (!wanted.draw_or_refuse || refusals_[wanted.name] == most_refusals) return any_scale;
@@ -217,6 +229,7 @@ private:
         if (drawn.is_refused()) {
             constexpr double more = 10;
             Wanted& wanted = wanted_.list[drawn.wanted];
+            refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
             ++refusals_[wanted.name];
             (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
             return true;
@@ -380,6 +393,13 @@ private:
     WantedFigures wanted_;
     Bands bands_;
     BandTexts texts_;
+    static constexpr int most_refusals = 3;
+    /// Of a room in the last round, by a figure, and its rim there.
+    struct Refusal {
+        std::size_t wanted = 0;
+        double rim_x = 0, rim_y = 0;
+    };
+    std::vector<Refusal> refused_;
     /// A drawing that was tried, and for which room.
     struct Known {
         Spot room;
