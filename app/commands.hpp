@@ -26,6 +26,9 @@ struct SolveRequest {
     std::string figure;            ///< this one alone; empty: the sheet
     std::string theme = "colour";  ///< a built-in theme, or the path of a theme file
     bool steps = false;            ///< the solution as a sequence of pages
+    render::SolutionDetail detail = render::SolutionDetail::full;
+    render::SheetKind sheet = render::SheetKind::solution;
+    bool grid = false;  ///< blank rooms with pole and grid on a question
     double dpi = 150;
     bool exact = false;
     std::vector<std::string> at;    ///< positions: "30°", "every 30°"; empty: the drawn one

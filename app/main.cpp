@@ -130,7 +130,8 @@ void add_settings(CLI::App& command, std::vector<Setting>& set) {
 /// What is typed to solve a mechanism: the request, and what it says in words.
 struct SolveWords {
     SolveRequest request;
-    std::string language = "en", paper = "A4", orientation = "landscape", dimensions = "auto";
+    std::string language = "en", paper = "A4", orientation = "landscape", dimensions = "auto", detail = "full",
+                sheet = "solution";
 
     SolveRequest meant() const {
         SolveRequest full = request;
@@ -140,6 +141,9 @@ struct SolveWords {
         if (dimensions == "on") full.dimensions = render::Dimensions::on;
         if (dimensions == "off") full.dimensions = render::Dimensions::off;
         if (orientation == "portrait") full.orientation = render::Orientation::portrait;
+        if (detail == "brief") full.detail = render::SolutionDetail::brief;
+        if (sheet == "question") full.sheet = render::SheetKind::question;
+        if (sheet == "answers") full.sheet = render::SheetKind::answers;
         return full;
     }
 };
@@ -174,6 +178,14 @@ void add_sheet(CLI::App& command, SolveWords& words) {
     add_choice(command, "--dimensions", words.dimensions,
                "Given lengths, radii and angles on the mechanism figure: auto (each that finds a free place), on (all) or off",
                {"auto", "on", "off"}, "WHICH");
+    add_choice(command, "--detail", words.detail,
+               "How much of the solution is told: full, or brief (mechanism, polygons, the decisive sentences, answers)",
+               {"full", "brief"}, "HOW");
+    add_choice(command, "--sheet", words.sheet,
+               "What is handed out: the solution, the question (the mechanism with its data, what is sought, scales) or the "
+               "answers (the key, with tolerances)",
+               {"solution", "question", "answers"}, "WHICH");
+    command.add_flag("--grid", words.request.grid, "With --sheet question: blank rooms for the polygons, with pole and grid");
     command
         .add_flag("--steps", words.request.steps,
                   "The solution as a sequence, each page adding one step: pages of a PDF, or OUT.svg, OUT-2.svg …")

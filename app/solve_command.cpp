@@ -193,6 +193,9 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
     options.author = request.author;
     options.date = request.date;
     options.theme = theme;
+    options.detail = request.detail;
+    options.kind = request.sheet;
+    options.grid = request.grid;
     if (request.steps) return render::lay_out_steps(solution, options, fonts);
     if (request.figure.empty()) return render::lay_out(solution, options, fonts);
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
@@ -203,6 +206,26 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
          request.figure, names},
         request.language);
     return tl::unexpected(Status::bad_input);
+}
+
+/// What of a request has no meaning beside the rest of it; empty where all has.
+Words meaningless(const SolveRequest& request) {
+    const bool solution = request.sheet == render::SheetKind::solution, brief = request.detail == render::SolutionDetail::brief;
+    const char* const sheet = request.sheet == render::SheetKind::question ? "question" : "answers";
+    const auto both = [](const std::string& one, const std::string& other) {
+        return Words("{0} and {1} exclude each other: leave one of them out", "{0} e {1} si escludono: togliere una delle due",
+                     one, other);
+    };
+    const std::string kind = std::string("--sheet ") + sheet;
+    if (request.grid && request.sheet != render::SheetKind::question)
+        return {"--grid is for the question: add --sheet question", "--grid è per la domanda: aggiungere --sheet question"};
+    if (!solution && brief) return both(kind, "--detail brief");
+    if (!request.figure.empty() && (!solution || brief)) return both("--figure", solution ? "--detail brief" : kind);
+    if (request.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
+    if (!solution && wants_lever(request)) return both("--with joukowsky", kind);
+    if (request.sheet == render::SheetKind::question && request.dimensions == render::Dimensions::on)
+        return both("--dimensions on", kind);
+    return {};
 }
 
 /// What was asked for and has no effect.
@@ -224,6 +247,12 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     if (request.steps && !draws)
         remark({"--steps adds pages to what is drawn, and no drawing is asked for",
                 "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"});
+    if (request.sheet != render::SheetKind::solution && !draws)
+        remark({"--sheet chooses what is drawn, and no drawing is asked for",
+                "--sheet sceglie che cosa si disegna, e nessun disegno è richiesto"});
+    if (request.detail == render::SolutionDetail::brief && !draws)
+        remark({"--detail says how much is drawn, and no drawing is asked for",
+                "--detail dice quanto si disegna, e nessun disegno è richiesto"});
     if (request.exact && std::none_of(targets.begin(), targets.end(), is_json))
         remark({"--exact adds to the JSON results only, and none are asked for",
                 "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"});
@@ -276,6 +305,7 @@ Status solve_command(const SolveRequest& request) {
     constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
+    if (const Words fault = meaningless(request); !fault.empty()) return refuse(fault, language);
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
     const auto solutions = solutions_of(request);

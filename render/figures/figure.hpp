@@ -19,6 +19,9 @@ Figure mechanism_figure(const DrawingContext& context, double room_x, double roo
 Box extent_of_mechanism(const Solution& solution, bool with_centres);
 /// The mechanism with what turns: ω of the bodies (or α), each marked with the statement that finds it.
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y);
+/// The mechanism as an exercise hands it out, at a scale (m for each mm): what its file gives as dimensions where they are free
+/// within the room, drivers, loads and masses with their values; nothing that is found.
+Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y);
 /// Velocities drawn on the mechanism, ⟂ to the rays from the absolute centres.
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y);
 /// One body's act of motion: its points, velocities given (dark) and found (in the body's colour), the lines that meet in the

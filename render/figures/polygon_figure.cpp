@@ -18,9 +18,9 @@ constexpr double short_of_pole = 3;  // … and before its support
 constexpr double seen_apart = 1.5;   // where it ends, from the other line of the meet, …
 constexpr double most_overshoot = 25;
 constexpr double trial_overshoot = 4;
-constexpr double least_image = 12;   // mm²: of a link's image, or it is no figure to be seen
-constexpr double label_reach = 7;    // what labels may add beyond the strokes on each side
-constexpr double coincident = 0.02;  // mm: drawn as one
+constexpr double least_image = 12;      // mm²: of a link's image, or it is no figure to be seen
+constexpr double letters_beyond = 2.8;  // what letters take at least beyond the strokes, on each side
+constexpr double coincident = 0.02;     // mm: drawn as one
 
 class Drawing {
 public:
@@ -299,10 +299,12 @@ private:
     const PolygonScene& scene_;
 };
 
-// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out.
+// Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no smaller than
+// this, and no more than so many steps below the scale at which its strokes have room, for letters do not shrink.
 constexpr double least_shown = 12;
+constexpr int most_steps = 2;
 // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
-constexpr double crowded = 0.17;
+constexpr double crowded = 0.25;
 // A polygon smaller than this is worth more than details beside it.
 constexpr double least_with_details = 60;
 
@@ -322,8 +324,8 @@ public:
                                .first = choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt),
                                .asked = drawing_.asked(),
                                .coarsest = coarsest_,
-                               .extent = std::max(drawing_.width(), drawing_.height()),
-                               .least_shown = least_shown};
+                               .extent = extent(),
+                               .least_shown = std::max(least_shown, smallest_worth_lettering())};
         return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
             if (trial.asked) return as_asked(trial.scale);
             if (trial.number == 0 && coarsest_ < any_scale && is_crowded(trial.scale)) return Figure::empty_at(any_scale);
@@ -344,6 +346,15 @@ private:
         made.parts = drawing_.parts_of(made.empty);
         made.details = details_of(made.parts, scale, 1, made.letters);
         return made;
+    }
+    double extent() const { return std::max(drawing_.width(), drawing_.height()); }
+    /// So many steps below the scale at which the strokes have room, mm.
+    double smallest_worth_lettering() const {
+        double scale = choose_scale(drawing_.width(), drawing_.height(), room_.x, room_.y, std::nullopt);
+        while (extent() / scale > least_shown && !fits(drawing_.at(scale), letters_beyond)) scale = next_scale(scale);
+        for (int step = 0; step < most_steps; ++step) scale = next_scale(scale);
+        constexpr double a_little_less = 0.999;
+        return a_little_less * extent() / scale;
     }
     /// `reach`: what is added on each side.
     bool fits(const Figure& figure, double reach = 0) const {
@@ -379,13 +390,13 @@ private:
     std::optional<Figure> tried(const Trial& trial) const {
         const Attempt made = attempt(trial.scale);
         Figure figure = drawing_.with_parts(made.empty, made.parts, {});
-        if (!trial.last && !fits(figure, 0.4 * label_reach)) return std::nullopt;
+        if (!trial.last && !fits(figure, letters_beyond)) return std::nullopt;
         if (auto with_details = detailed(made)) return with_details;
         if (!finish(figure, trial.last) || (!trial.last && !fits(figure))) return std::nullopt;
         if (made.details.empty()) return figure;
         // One step smaller with its details is better than without.
-        const double smaller = next_scale(trial.scale), extent = std::max(drawing_.width(), drawing_.height());
-        if (extent / smaller > least_with_details && smaller <= coarsest_)
+        const double smaller = next_scale(trial.scale);
+        if (extent() / smaller > least_with_details && smaller <= coarsest_)
             if (auto with_details = detailed(attempt(smaller))) return with_details;
         figure.lacks_details = true;
         return figure;

@@ -13,11 +13,15 @@ namespace {
 
 class DimensionsDrawing {
 public:
-    DimensionsDrawing(Sketch& sketch, Spot room, const std::set<std::string>& left_out)
+    DimensionsDrawing(Sketch& sketch, Spot room, const std::set<std::string>& left_out, bool through_ground)
         : sketch_(sketch), room_(room), left_out_(left_out), box_(sketch.mechanism_box()) {
         // A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
-        for (const std::vector<Mark>* layer : {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.centres})
+        for (const std::vector<Mark>* layer : {&sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.centres})
             add(*layer, heavy_);
+        // What leads from a point of the frame to its dimension may pass through the ground there where all data are wanted.
+        crossed_ = heavy_;
+        add(sketch.ground, heavy_);
+        if (!through_ground) crossed_ = heavy_;
         add(sketch.construction, light_);
         for (const std::vector<Mark>* layer :
              {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.construction})
@@ -26,8 +30,7 @@ public:
     }
 
     /// `all`: each datum is drawn at its best place, else only where that is free.
-    void draw(bool all) {
-        constexpr std::size_t most = 8;  // data that a figure can carry and still be read
+    void draw(bool all, std::size_t most) {
         if (!all && lengths_.size() + angles_.size() + radii_.size() > 2 * most) return;
         std::size_t count = 0;
         for (const Length& length : lengths_) count += all || count < most ? draw(length, all) : 0;
@@ -239,14 +242,19 @@ private:
         double price, distance;
     };
     double toll(const Bar& bar, Rate heavy, Rate light, Rate taken, const std::array<Spot, 2>& ends) const {
-        return heavy.price * count_near(bar, heavy_, heavy.distance, ends) +
+        return toll(bar, heavy_, heavy, light, taken, ends);
+    }
+    double toll(const Bar& bar, const std::vector<Bar>& heavy_bars, Rate heavy, Rate light, Rate taken,
+                const std::array<Spot, 2>& ends) const {
+        return heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
                light.price * count_near(bar, light_, light.distance, ends) +
                taken.price * count_near(bar, taken_, taken.distance, nowhere);
     }
     double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends) const {
         double price = trial.price;
         for (const Bar& stroke : trial.strokes) price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends);
-        for (const Bar& extension : trial.extensions) price += toll(extension, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
+        for (const Bar& extension : trial.extensions)
+            price += toll(extension, crossed_, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
             price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
         const Box box = with(box_, trial, text.width());
@@ -383,6 +391,7 @@ private:
     const std::set<std::string>& left_out_;  // ids of groups
     Box box_;                                // of all that is drawn
     std::vector<Bar> heavy_, light_, taken_;
+    std::vector<Bar> crossed_;  // what extension lines had better not cross
     std::vector<Length> lengths_;
     std::vector<Radius> radii_;
     std::vector<AngleOf> angles_;
@@ -399,8 +408,9 @@ struct DimensionPath {
 
 }  // namespace
 
-void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out) {
-    DimensionsDrawing(sketch, room, left_out).draw(all);
+void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out, std::size_t most) {
+    constexpr std::size_t most_beside_a_solution = 8;
+    DimensionsDrawing(sketch, room, left_out, most > most_beside_a_solution).draw(all, most);
 }
 
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {

@@ -87,8 +87,8 @@ void draw_pole(Sketch& sketch, const InstantCentre& centre);
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre);
 void draw_equivalent_linkages(Sketch& sketch);
 /// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn. `all`: even where it is
-/// not. `left_out`: ids of groups that are not to be drawn.
-void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out);
+/// not. `left_out`: ids of groups that are not to be drawn. `most`: how many are drawn where not all are.
+void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out, std::size_t most = 8);
 /// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
 /// later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);

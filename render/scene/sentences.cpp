@@ -16,4 +16,31 @@ bool told_by_list(Sentence sentence) {
            sentence == Sentence::kennedy_two_normals;
 }
 
+bool is_incidental(Sentence sentence) {
+    switch (sentence) {
+        case Sentence::image_velocity:
+        case Sentence::image_acceleration:
+        case Sentence::image_acceleration_without_omega:
+        case Sentence::translating_velocity:
+        case Sentence::translating_acceleration:
+        case Sentence::omega_by_sleeve:
+        case Sentence::alpha_by_sleeve:
+        case Sentence::omega_by_joint:
+        case Sentence::alpha_by_joint:
+        case Sentence::omega_by_fixed_guide:
+        case Sentence::alpha_by_fixed_guide:
+        case Sentence::omega_by_driver:
+        case Sentence::alpha_by_driver:
+        case Sentence::slide_velocity_on_rest:
+        case Sentence::slide_acceleration_on_rest:
+        case Sentence::kennedy_same:
+        case Sentence::centre_by_rigidity:
+        case Sentence::centre_from_velocities:
+        case Sentence::second_way:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace kinegraph::render

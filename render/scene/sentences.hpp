@@ -10,4 +10,7 @@ bool names_a_pair(Sentence sentence);
 /// The list of centres says it as well.
 bool told_by_list(Sentence sentence);
 
+/// Whether it only carries on what another has decided (images, equal turnings), so that a brief solution does without it.
+bool is_incidental(Sentence sentence);
+
 }  // namespace kinegraph::render

@@ -52,26 +52,44 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
 
 }  // namespace
 
-BandLayouts::BandLayouts(const Bands& bands, const Band& band, const WantedFigures& wanted, const SheetFormat& format,
-                         bool crowded, bool cornered)
-    : bands_(bands), band_(band), format_(format) {
+const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
+    const Key key{band.question, band.first_row, band.end_row, divided, cornered};
+    const auto found = texts_.find(key);
+    if (found != texts_.end()) return found->second;
+    const double measure = format_.span(1, divided);
+    ColumnText words(bands_.text(band, measure / format_.text_size, cornered, {}), measure, format_.text_size);
+    return texts_.emplace(key, std::move(words)).first->second;
+}
+
+const Block& BandTexts::equations(const Band& band) {
+    const auto [found, fresh] = equations_.try_emplace(band.question);
+    constexpr double of_measure = 1.25;
+    if (fresh)
+        found->second = scaled(bands_.equations(band, of_measure * format_.measure / format_.text_size), format_.text_size);
+    return found->second;
+}
+
+void BandTexts::forget(const std::string& question) {
+    std::erase_if(texts_, [&](const auto& each) { return std::get<0>(each.first) == question; });
+}
+
+BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
+                         bool cornered)
+    : all_texts_(texts), band_(band), format_(format) {
     for (const std::size_t figure : band.figures)
         sizes_.push_back(sizes_of(wanted.list[figure], format, wanted.force_scale, crowded));
     if (!cornered || sizes_.size() != 1) return;
     const Wanted& polygon = wanted.list[band.figures.front()];
     if (!polygon.wider_for || polygon.empty) return;
-    constexpr double of_measure = 1.25;
-    equations_ = scaled(bands.equations(band, of_measure * format.measure / format.text_size), format.text_size);
+    equations_ = texts.equations(band);
     if (equations_.width > 0)
         for (FigureSize& size : sizes_.front()) size.wider = polygon.wider_for(size.scale, {equations_.width, equations_.height});
 }
 
 const ColumnText& BandLayouts::text(int divided, bool cornered) const {
-    const auto found = texts_.find({divided, cornered});
-    if (found != texts_.end()) return found->second;
-    const double measure = format_.span(1, divided);
-    ColumnText words(bands_.text(band_, measure / format_.text_size, cornered, {}), measure, format_.text_size);
-    return texts_.emplace(std::pair(divided, cornered), std::move(words)).first->second;
+    const ColumnText*& found = texts_[{divided, cornered}];
+    if (found == nullptr) found = &all_texts_.of(band_, divided, cornered);
+    return *found;
 }
 
 double BandLayouts::wider_in(Spot room) const {

@@ -5,6 +5,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "render/sheet/bands.hpp"
@@ -42,11 +45,31 @@ struct FigureSize {
     double wider = 0;  ///< for its equations in a corner
 };
 
+/// The text of bands as they were set, kept from one plan to the next.
+class BandTexts {
+public:
+    BandTexts(const Bands& bands, const SheetFormat& format) : bands_(bands), format_(format) {}
+
+    /// In the columns of a page divided by so many; `cornered`: without its equations.
+    const ColumnText& of(const Band& band, int divided, bool cornered);
+    /// As a block to stand in a corner of a figure.
+    const Block& equations(const Band& band);
+    /// What was set of a band that now says more.
+    void forget(const std::string& question);
+
+private:
+    const Bands& bands_;
+    const SheetFormat& format_;
+    using Key = std::tuple<std::string, std::size_t, std::size_t, int, bool>;  // question, rows, division, cornered
+    std::map<Key, ColumnText> texts_;
+    std::map<std::string, Block> equations_;
+};
+
 class BandLayouts {
 public:
     /// `force_scale`: no force polygon is drawn larger. `crowded`: figures may be so small that they are hard to read;
     /// `cornered`: equations may stand in a corner of their polygon.
-    BandLayouts(const Bands& bands, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
+    BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
                 bool cornered);
 
     /// The best in a room so high.
@@ -64,12 +87,12 @@ private:
     void try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const;
     void try_figures(BandLayout& best, BandLayout layout, Spot room) const;
 
-    const Bands& bands_;
+    BandTexts& all_texts_;
     const Band& band_;
     const SheetFormat& format_;
     std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
     Block equations_;
-    mutable std::map<std::pair<int, bool>, ColumnText> texts_;
+    mutable std::map<std::pair<int, bool>, const ColumnText*> texts_;
 };
 
 }  // namespace kinegraph::render

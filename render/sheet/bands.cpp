@@ -9,6 +9,7 @@
 #include "engine/assert.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
+#include "render/tables/answers.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
 
@@ -20,8 +21,16 @@ using Kind = Band::Part::Kind;
 /// The text of one band, set to a width.
 class BandText {
 public:
-    BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps)
-        : context_(context), solution_(context.solution), measure_(measure), equations_apart_(equations_apart), steps_(steps) {}
+    using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
+    BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
+             const Likewise& likewise, bool with_centres)
+        : context_(context),
+          solution_(context.solution),
+          measure_(measure),
+          equations_apart_(equations_apart),
+          steps_(steps),
+          likewise_(likewise),
+          with_centres_(with_centres) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
                        const std::map<std::string, RichText>& on_figures) const {
@@ -43,6 +52,8 @@ public:
                 return under("forces", reaction_lines(context_, measure_));
             case Kind::lever:
                 return under("lever", {joukowsky_block(context_, measure_)});
+            case Kind::answers:
+                return answers();
             case Kind::unsolved:
                 return under("unsolved", unsolved());
             case Kind::remarks:
@@ -68,7 +79,7 @@ private:
         std::vector<Block> rows;
         for (const std::size_t i : statements) {
             const Statement& statement = solution_.protocol.statements[i];
-            Block row = paragraph(say(statement.message, context_.language), indent, std::to_string(steps_.at(i)));
+            Block row = paragraph(said(i), indent, std::to_string(steps_.at(i)));
             std::vector<Block> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
@@ -84,6 +95,28 @@ private:
             rows.push_back(std::move(row));
         }
         return rows;
+    }
+
+    /// A sentence, and of whom it holds likewise.
+    RichText said(std::size_t statement) const {
+        const auto& statements = solution_.protocol.statements;
+        RichText text = say(statements[statement].message, context_.language);
+        const auto others = likewise_.find(statement);
+        if (others == likewise_.end()) return text;
+        std::vector<const Message*> messages;
+        for (const std::size_t i : others->second) messages.push_back(&statements[i].message);
+        append(text, one_piece(" "));
+        append(text, say_likewise(messages, context_.language));
+        return text;
+    }
+
+    Passage answers() const {
+        std::vector<Block> lines = answer_lines(context_, answers_of(context_, {}, with_centres_), measure_);
+        Passage passage = under("answers", {});
+        if (lines.empty()) return passage;
+        passage.head = std::move(lines.front());
+        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+        return passage;
     }
 
     Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results) const {
@@ -120,7 +153,17 @@ private:
         const Mechanism& mechanism = solution_.mechanism;
         if (solution_.protocol.polygons.empty() && mechanism.drivers.empty() && !mechanism.motion)
             rows.push_back(paragraph(one_piece(word("nothing driven", context_.language))));
-        return rows;
+        return {in_one(rows)};
+    }
+    /// Paragraphs that no column parts.
+    Block in_one(const std::vector<Block>& rows) const {
+        Block all;
+        all.width = measure_;
+        for (const Block& row : rows) {
+            set(all.marks, row, {0, all.height});
+            all.height += row.height;
+        }
+        return all;
     }
     RichText mobility_words() const {
         const Mobility& m = solution_.mobility;
@@ -179,7 +222,26 @@ private:
     double measure_;
     bool equations_apart_;
     const std::map<std::size_t, int>& steps_;
+    const Likewise& likewise_;
+    bool with_centres_;
 };
+
+/// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
+bool may_be_merged(const Message& message) {
+    switch (message.sentence) {
+        case Sentence::omega_from_pair:
+        case Sentence::alpha_from_pair:
+        case Sentence::inertia_force:
+        case Sentence::inertia_couple:
+            return !message.workings.empty();
+        case Sentence::two_force_body:
+        case Sentence::two_force_guide:
+        case Sentence::zero_forces:
+            return true;
+        default:
+            return false;
+    }
+}
 
 /// What is between two polygons of relative motion of one point as one observer sees it.
 bool of_one_motion(const Polygon& a, const Polygon& b) {
@@ -188,15 +250,18 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
 
 }  // namespace
 
-Bands::Bands(const DrawingContext& context, const WantedFigures& wanted)
-    : context_(context), solution_(context.solution), wanted_(wanted) {
+Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
+    : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
     if (has_forces(solution_)) collect_forces();
     Band& given = list.front();
-    given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
+    if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
     number_steps();
-    deal_out_results();
+    if (detail_ == SolutionDetail::full)
+        deal_out_results();
+    else
+        add("answers", {}).parts.push_back({Kind::answers});
     if (!solution_.unsolved.empty() || !solution_.remarks.empty()) add_remarks();
 }
 
@@ -221,7 +286,19 @@ Band& Bands::add(const std::string& question, const std::vector<std::string>& fi
 }
 
 void Bands::add_step(Band& band, std::size_t statement) {
-    if (told_by_list(solution_.protocol.statements[statement].message.sentence)) return;
+    const Statement& added = solution_.protocol.statements[statement];
+    if (told_by_list(added.message.sentence)) return;
+    if (detail_ == SolutionDetail::brief && !added.equation) {
+        if (is_incidental(added.message.sentence)) return;
+        // A sentence that repeats another of its band is told with it.
+        for (const Band::Part& part : band.parts)
+            for (const std::size_t other : part.kind == Kind::steps ? part.which : std::vector<std::size_t>{})
+                if (solution_.protocol.statements[other].message.sentence == added.message.sentence &&
+                    may_be_merged(added.message)) {
+                    likewise_[other].push_back(statement);
+                    return;
+                }
+    }
     if (band.parts.empty() || band.parts.back().kind != Kind::steps) band.parts.push_back({Kind::steps});
     band.parts.back().which.push_back(statement);
 }
@@ -230,7 +307,7 @@ void Bands::collect_motion() {
     const Protocol& protocol = solution_.protocol;
     Band& given = add("given", {wanted_.list.front().name, "circle-diagram"});
     given.draws_mechanism = true;
-    if (!solution_.centres.empty()) given.parts.push_back({Kind::centres});
+    if (wanted_.shows_centres()) given.parts.push_back({Kind::centres});
     // A polygon has a band of its own; of a relative motion both polygons share one.
     std::map<int, std::size_t> band_of;  // by polygon
     std::map<Topic, std::size_t> last_of{{Topic::centres, 0}};
@@ -290,8 +367,11 @@ void Bands::collect_curvature() {
 }
 
 void Bands::collect_forces() {
-    Band& lines = add("lines-of-action", {"lines-of-action"});
-    lines.draws_mechanism = true;
+    // In brief the mechanism is drawn once, and the bodies cut free have their lines of action.
+    const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty();
+    Band& lines =
+        add("lines-of-action", drawn_already ? std::vector<std::string>{} : std::vector<std::string>{"lines-of-action"});
+    lines.draws_mechanism = !drawn_already;
     const std::size_t at_lines = list.size() - 1;
     collect_bodies();
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
@@ -305,8 +385,8 @@ void Bands::collect_forces() {
                     if (wanted_.list[figure].name == render::name_of(solution_, *closed.front())) home = b;
         add_step(list[home], i);
     }
-    list[at_lines].parts.push_back({Kind::reactions});
-    for (const int p : closed_polygons(solution_)) {
+    if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
+    for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{}) {
         const std::string& id = solution_.protocol.polygons[static_cast<std::size_t>(p)].id;
         add(id, {id});
     }
@@ -324,6 +404,9 @@ void Bands::collect_bodies() {
         };
         return rank(*a) < rank(*b);
     });
+    if (detail_ == SolutionDetail::brief)
+        std::stable_partition(order.begin(), order.end(),
+                              [&](const FreeBody* body) { return !has_force_polygon(solution_, *body); });
     bool of_two_forces = false;
     for (const FreeBody* body : order) {
         const std::string name = render::name_of(solution_, *body);
@@ -379,7 +462,11 @@ void Bands::deal_out_results() {
                     for (const AppliedForce& applied : body.forces) {
                         Quantity own = quantity_of(body, applied), turned = row.quantity;
                         std::swap(turned.body, turned.other);
-                        own.kind = row.quantity.kind;
+                        // The couple that a pair transmits goes with its force.
+                        const auto of_a_joint = [](Quantity::Kind kind) {
+                            return kind == Quantity::Kind::force || kind == Quantity::Kind::couple;
+                        };
+                        if (of_a_joint(own.kind) && of_a_joint(row.quantity.kind)) own.kind = row.quantity.kind;
                         if (own == row.quantity || own == turned) home = b;
                     }
         }
@@ -412,7 +499,7 @@ Block Bands::equations(const Band& band, double most) const {
 
 std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart, const std::vector<Figure>& drawn) const {
     std::vector<ResultRow> results;
-    const BandText writer(context_, measure, equations_apart, step_);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres());
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         if (part.kind == Kind::results) results = result_rows_on(drawn);

@@ -24,7 +24,7 @@ struct Passage {
 struct Band {
     /// What its text is made of, in order.
     struct Part {
-        enum class Kind { bodies, mobility, centres, steps, results, reactions, lever, unsolved, remarks } kind;
+        enum class Kind { bodies, mobility, centres, steps, results, reactions, lever, answers, unsolved, remarks } kind;
         std::vector<std::size_t> which{};  ///< steps: statements; results: rows of the table
     };
     std::string question;
@@ -38,7 +38,8 @@ struct Band {
 /// The bands of a solution, and their text once a width is chosen.
 class Bands {
 public:
-    Bands(const DrawingContext& context, const WantedFigures& wanted);
+    /// Brief: the decisive sentences, those that repeat each other in one, and the answers in the place of all results.
+    Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail = SolutionDetail::full);
 
     std::vector<Band> list;
 
@@ -66,8 +67,10 @@ private:
     const DrawingContext& context_;
     const Solution& solution_;
     const WantedFigures& wanted_;
-    std::map<std::size_t, int> step_;          // number of a statement
-    std::map<std::string, RichText> remarks_;  // on figures as drawn
+    SolutionDetail detail_;
+    std::map<std::size_t, int> step_;                           // number of a statement
+    std::map<std::size_t, std::vector<std::size_t>> likewise_;  // statements that say the same of others, by the first
+    std::map<std::string, RichText> remarks_;                   // on figures as drawn
 };
 
 }  // namespace kinegraph::render

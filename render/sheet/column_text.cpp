@@ -71,9 +71,9 @@ double ColumnText::height(int columns) const {
     return known = most;
 }
 
-void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double gap) const {
+void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between) const {
     flow(columns, height(columns), [&](const Block& block, int column, double y) {
-        render::set(marks, block, {at.x + column * (measure_ + gap), at.y + y});
+        render::set(marks, block, {at.x + column * (measure_ + between), at.y + y});
     });
 }
 

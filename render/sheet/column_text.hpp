@@ -19,7 +19,7 @@ public:
     bool is_too_wide() const;
     /// The least height at which it stands in so many columns.
     double height(int columns) const;
-    void set(std::vector<Mark>& marks, Spot at, int columns, double gap) const;
+    void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
 
 private:
     bool flow(int columns, double height, const std::function<void(const Block&, int column, double y)>& place) const;

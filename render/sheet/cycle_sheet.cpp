@@ -29,7 +29,7 @@ public:
           plots_(plots),
           ways_(ways),
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date, table.is_of_cam ? "subtitle cam" : "subtitle cycle"},
+          signature_{options.author, options.date, word(table.is_of_cam ? "subtitle cam" : "subtitle cycle", options.language)},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {

@@ -16,6 +16,8 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/beside.hpp"
+#include "render/sheet/drawn_sheet.hpp"
+#include "render/sheet/handout.hpp"
 #include "render/sheet/page_plan.hpp"
 #include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/title_block.hpp"
@@ -32,13 +34,27 @@ public:
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
-          wanted_(context_, options.joukowsky),
-          bands_(context_, wanted_) {}
+          wanted_(context_, options.joukowsky, options.detail),
+          bands_(context_, wanted_, options.detail),
+          texts_(bands_, format_) {}
 
+    DrawnSheet drawn() && {
+        DrawnSheet sheet{pages(), {}, first_caption_, first_caption_width_};
+        std::map<int, const Figure*> by_number;
+        for (const auto& [band, figures] : drawn_)
+            for (const Drawn& each : figures) by_number[each.number] = &each.figure;
+        for (const auto& [number, figure] : by_number) sheet.figures.push_back(*figure);
+        return sheet;
+    }
+
+private:
     std::vector<Page> pages() {
         constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
         for (int round = 1;; ++round) {
+            const std::size_t pages_before = plan_.size();
             plan();
+            if (!refused_.empty() && plan_.size() > pages_before) take_back_refusals();
+            refused_.clear();
             draw();
             const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
             if (!drawn_otherwise() || (round >= most_rounds && !lacks_equations)) break;
@@ -48,7 +64,6 @@ public:
         return pages;
     }
 
-private:
     /// A figure as drawn, and the room it was drawn for (from the band's upper left corner).
     struct Drawn {
         std::size_t wanted = 0;
@@ -58,6 +73,7 @@ private:
         Figure figure;
         std::vector<Mark> beside{};  // equations in its corner
         double height() const { return caption + figure.box.height(); }
+        bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
     };
 
     // --- the plan
@@ -67,7 +83,7 @@ private:
     void plan() {
         layouts_.clear();
         for (const Band& band : bands_.list)
-            layouts_.emplace_back(bands_, band, wanted_, format_, crowded_.contains(band.question),
+            layouts_.emplace_back(texts_, band, wanted_, format_, crowded_.contains(band.question),
                                   !cornerless_.contains(band.question));
         std::size_t lost = 0;
         plan_ = plan_pages(layouts_, bands_.list, format_, lost);
@@ -77,6 +93,16 @@ private:
         }
         if (crowded_.insert(bands_.list[lost].question).second) return plan();
         divide(lost);
+        plan();
+    }
+    /// A figure that would want a page more for its letters takes the room that it had, as it comes.
+    void take_back_refusals() {
+        for (const Refusal& refusal : refused_) {
+            Wanted& wanted = wanted_.list[refusal.wanted];
+            wanted.rim_x = refusal.rim_x;
+            wanted.rim_y = refusal.rim_y;
+            refusals_[wanted.name] = most_refusals;
+        }
         plan();
     }
     /// As many rows as a page of text alone holds stay with the figures of a band, at most half of them: the rest goes on.
@@ -128,11 +154,12 @@ private:
             if (f == 0) corner = {0, 0};
             const Spot size = layout.rooms[f];
             const double wider = layout.cornered ? layouts_[placed.band].wider_in(size) : 0;
-            Drawn& drawn = drawn_[placed.band].emplace_back(
-                draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y}, ++number));
+            Drawn& drawn =
+                drawn_[placed.band].emplace_back(draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y},
+                                                           ++number, coarsest_scale(placed.band, f, {size.x - wider, size.y})));
             drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
-            if (layout.cornered) set_in_corner(drawn, placed.band);
+            if (layout.cornered && !drawn.is_refused()) set_in_corner(drawn, placed.band);
             letter_details_on(drawn.figure, context_, details);
             details += drawn.figure.details.size();
         });
@@ -147,33 +174,67 @@ private:
             corner_missing_ = true;
         }
     }
-    /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits.
-    const Figure& figure_in(std::size_t index, Spot room) {
+    /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A room
+    /// that holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure is empty
+    /// then and at any_scale.
+    const Figure& figure_in(std::size_t index, Spot room, double coarsest) {
         constexpr double rounding = 1e-6;
         const Wanted& wanted = wanted_.list[index];
+        const std::optional<double> force_scale = wanted.to_force_scale ? wanted_.force_scale : std::nullopt;
         std::vector<Known>& known = known_[index];
         for (const Known& each : known) {
-            const Spot least = wanted.fills ? each.room : Spot{each.figure.box.width(), each.figure.box.height()};
-            if (each.force_scale == wanted_.force_scale && least.x <= room.x + rounding && room.x <= each.room.x + rounding &&
-                least.y <= room.y + rounding && room.y <= each.room.y + rounding)
+            if (each.force_scale != force_scale || room.x > each.room.x + rounding || room.y > each.room.y + rounding) continue;
+            if (each.refused_at) {
+                if (coarsest <= *each.refused_at) return each.figure;
+                continue;
+            }
+            const bool same = room.x > each.room.x - rounding && room.y > each.room.y - rounding;
+            const Box& box = each.figure.box;
+            if (same || (!wanted.fills && box.width() <= room.x + rounding && box.height() <= room.y + rounding))
                 return each.figure;
         }
-        return known.emplace_back(Known{room, wanted_.force_scale, wanted.draw(room.x, room.y)}).figure;
+        Known drawn{room, force_scale, {}, {}};
+        if (coarsest < any_scale) {
+            drawn.figure = wanted.draw_or_refuse(room, coarsest);
+            if (drawn.figure.scale == any_scale) drawn.refused_at = coarsest;
+        } else {
+            drawn.figure = wanted.draw(room.x, room.y);
+        }
+        return known.emplace_back(std::move(drawn)).figure;
     }
-    Drawn draw_into(std::size_t wanted, Spot room, int number) {
+    /// The coarsest scale at which a figure takes its room: two steps beyond what this promises, a few times; any_scale: it is
+    /// drawn as it comes.
+    double coarsest_scale(std::size_t band, std::size_t f, Spot room) {
+        const std::size_t index = bands_.list[band].figures[f];
+        const Wanted& wanted = wanted_.list[index];
+        if (!wanted.draw_or_refuse || refusals_[wanted.name] == most_refusals) return any_scale;
+        constexpr double rounding = 1e-9;
+        return next_scale(next_scale(layouts_[band].scale_in(f, room))) * (1 + rounding);
+    }
+    Drawn draw_into(std::size_t wanted, Spot room, int number, double coarsest) {
         constexpr double one_line = 7;
         Drawn drawn;
         drawn.wanted = wanted;
         drawn.number = number;
-        drawn.figure = figure_in(wanted, {room.x, room.y - one_line});
+        drawn.figure = figure_in(wanted, {room.x, room.y - one_line}, coarsest);
+        if (drawn.is_refused()) return drawn;
         std::vector<Mark> words;
         drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
-        if (drawn.height() > room.y) drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption});
+        if (drawn.caption > one_line && drawn.height() > room.y)
+            drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption}, coarsest);
         return drawn;
     }
 
-    /// Whether a figure takes more than its room. It is known now what its letters take.
+    /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
+        if (drawn.is_refused()) {
+            constexpr double more = 10;
+            Wanted& wanted = wanted_.list[drawn.wanted];
+            refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
+            ++refusals_[wanted.name];
+            (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+            return true;
+        }
         const Box& box = drawn.figure.box;
         const double over_x = box.width() - drawn.room.width(), over_y = drawn.height() - drawn.room.height();
         constexpr double ink = 0.25;  // of rules at the rim
@@ -193,7 +254,9 @@ private:
             append(text, followed_by[i]);
         }
         if (followed_by.size() > most_listed) append(text, one_piece(" … (" + std::to_string(followed_by.size()) + ")"));
-        return bands_.remark(wanted_.list[drawn.wanted].name + words, text);
+        if (!bands_.remark(wanted_.list[drawn.wanted].name + words, text)) return false;
+        texts_.forget("remarks");
+        return true;
     }
     /// Whether something came otherwise than planned, so that it is planned anew: a force polygon smaller than the others, a
     /// figure that has no room at the scale which the file asks for, or none in its room.
@@ -202,6 +265,10 @@ private:
         double least = 1e300, most = 0;
         for (const auto& [band, figures] : drawn_)
             for (const Drawn& drawn : figures) {
+                if (drawn.is_refused()) {
+                    otherwise = has_outgrown(drawn);
+                    continue;
+                }
                 Wanted& wanted = wanted_.list[drawn.wanted];
                 if (wanted.to_force_scale) {
                     least = std::min(least, drawn.figure.scale);
@@ -293,6 +360,7 @@ private:
         for (Drawn& drawn : figures) {
             const Spot corner{at.x + drawn.room.min.x, at.y + (layout.stacked ? down : 0)};
             set_caption(marks, context_, drawn.figure, drawn.number, corner, drawn.room.width());
+            if (drawn.number == 1) first_caption_ = corner, first_caption_width_ = drawn.room.width();
             const Box& box = drawn.figure.box;
             const Spot by{corner.x - box.min.x + 0.5 * (drawn.room.width() - box.width()), corner.y + drawn.caption - box.min.y};
             drawn.figure.move(by.x, by.y);
@@ -325,13 +393,23 @@ private:
     Signature signature_;
     WantedFigures wanted_;
     Bands bands_;
+    BandTexts texts_;
+    static constexpr int most_refusals = 3;
+    /// Of a room in the last round, by a figure, and its rim there.
+    struct Refusal {
+        std::size_t wanted = 0;
+        double rim_x = 0, rim_y = 0;
+    };
+    std::vector<Refusal> refused_;
     /// A drawing that was tried, and for which room.
     struct Known {
         Spot room;
         std::optional<double> force_scale;
         Figure figure;
+        std::optional<double> refused_at;  // the scale that it had no room for
     };
     std::map<std::size_t, std::vector<Known>> known_;  // by figure
+    std::map<std::string, int> refusals_;              // … by its name
     std::set<std::string> crowded_;                    // bands whose figures may be smaller than is well readable
     std::set<std::string> cornerless_;                 // … whose figure leaves their equations no corner
     std::set<std::string> roomier_;                    // figures that got more room for the scale asked for
@@ -339,14 +417,21 @@ private:
     std::vector<PlannedPage> plan_;
     std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band
     std::vector<Figure> all_;                          // of them
-    bool corner_missing_ = false;                      // one was promised to equations
+    Spot first_caption_;                               // of figure 1: its corner, and the room it has
+    double first_caption_width_ = 0;
+    bool corner_missing_ = false;  // one was promised to equations
 };
 
 }  // namespace
 
+DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    return Layout(solution, options, fonts).drawn();
+}
+
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     if (solution.problem) return lay_out_problem(solution, options, fonts);
-    return Layout(solution, options, fonts).pages();
+    if (options.kind != SheetKind::solution) return lay_out_handout(solution, options, fonts);
+    return draw_solution(solution, options, fonts).pages;
 }
 
 }  // namespace kinegraph::render

@@ -22,9 +22,12 @@ struct SheetOptions {
     Orientation orientation = Orientation::landscape;
     Dimensions dimensions = Dimensions::automatic;  ///< of the given data, on the mechanism figure
     std::string author = "", date = "";             ///< in the title block as given, where given
+    SolutionDetail detail = SolutionDetail::full;   ///< of a solution
+    SheetKind kind = SheetKind::solution;
+    bool grid = false;  ///< a question has blank rooms for its polygons, with pole and grid
 };
 
-/// The worked solution on one or more pages. All figures come first (page 1 as long as they can be read), then text and tables.
+/// The worked solution, the question or the key, as asked for, on one or more pages.
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 
 /// The results table as plain text for a terminal.

@@ -8,6 +8,10 @@ namespace kinegraph::render {
 
 enum class Paper { a4, a3, letter };
 enum class Orientation { landscape, portrait };
+/// How much of a solution is told: all of it, or what a lecturer chalks up.
+enum class SolutionDetail { full, brief };
+/// Of one file: the worked solution, the exercise as it is handed out, the key.
+enum class SheetKind { solution, question, answers };
 
 constexpr double gap = 7;  ///< between cells and between columns
 

@@ -56,8 +56,7 @@ void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Bo
     }
 }
 
-std::string subtitle_of(const Solution& solution, const Signature& signature, Language language) {
-    if (!signature.subtitle.empty()) return word(signature.subtitle, language);
+std::string subtitle_of(const Solution& solution, Language language) {
     if (solution.problem) return in(solution.problem->subject, language);
     const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
                                           [](const Polygon& p) { return p.plane == Plane::acceleration; });
@@ -155,7 +154,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
     set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
               origin.empty() ? 0 : line);
-    if (one_line) small_print(subtitle_of(solution, signature, context.language), format.block.max.y - (origin.empty() ? 3.2 : 5.4));
+    const std::string subtitle = signature.subtitle.empty() ? subtitle_of(solution, context.language) : signature.subtitle;
+    if (one_line) small_print(subtitle, format.block.max.y - (origin.empty() ? 3.2 : 5.4));
     if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
 }
 

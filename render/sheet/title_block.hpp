@@ -16,7 +16,7 @@ std::string title_of(const Solution& solution, Language language);
 /// Who drew it and when, as given; empty: not said.
 struct Signature {
     std::string author, date;
-    std::string subtitle = {};  ///< a word of the sheet; empty: what the solution holds
+    std::string subtitle{};  ///< what the sheet is; empty: by what the solution holds
 };
 
 /// Drawn into the format's corner, on page `index` of `count`; the scale (m per mm) is that of the page's first drawing of the

@@ -44,10 +44,18 @@ bool has_velocities(const Solution& solution) {
 
 }  // namespace
 
-WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky) : context_(context) {
+WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail)
+    : context_(context), detail_(detail) {
     if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
     if (has_forces(context.solution)) collect_forces(joukowsky);
     add_small();
+}
+
+bool WantedFigures::shows_centres() const {
+    const Find& find = context_.solution.mechanism.find;
+    const bool asked =
+        detail_ == SolutionDetail::full || (find.stated && find.instant_centres) || context_.solution.act_of_motion;
+    return asked && !context_.solution.centres.empty();
 }
 
 std::optional<std::size_t> WantedFigures::named(const std::string& name) const {
@@ -176,7 +184,7 @@ void WantedFigures::add_small() {
         velocities.draw = [this](double x, double y) { return velocities_on_mechanism(context_, x, y); };
         add(std::move(velocities));
     }
-    if (!has_circle(context_.solution)) return;
+    if (!has_circle(context_.solution) || detail_ == SolutionDetail::brief) return;
     Wanted circle;
     circle.name = "circle-diagram";
     circle.extent_x = circle.extent_y =
@@ -227,12 +235,13 @@ void WantedFigures::add_curvature() {
 
 void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
-    Wanted wanted = mechanism(s.centres.empty() || s.act_of_motion ? "mechanism" : "centres", !s.centres.empty());
+    const bool centres = shows_centres();
+    Wanted wanted = mechanism(!centres || s.act_of_motion ? "mechanism" : "centres", centres);
     wanted.rim_x = 26;
     wanted.rim_y = 34;
-    const auto draw = [](const DrawingContext& context, double x, double y) {
+    const auto draw = [centres](const DrawingContext& context, double x, double y) {
         if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
-        return mechanism_figure(context, x, y, !context.solution.centres.empty());
+        return mechanism_figure(context, x, y, centres);
     };
     wanted.draw = [this, draw](double x, double y) {
         Figure figure = draw(context_, x, y);
@@ -289,6 +298,10 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.asked = asked(scene.id, si);
     if (!wanted.asked) wanted.asked = asked(scene.kind == PolygonScene::Kind::acceleration ? "acceleration" : "velocity", si);
     wanted.draw = [this, &scene](double x, double y) { return polygon_figure(context_, scene, x, y); };
+    if (!wanted.empty && !wanted.asked)
+        wanted.draw_or_refuse = [this, &scene](Spot room, double coarsest) {
+            return polygon_figure(context_, scene, room.x, room.y, coarsest);
+        };
     wanted.wider_for = [&scene](double scale, Spot block) { return wider_for(scene, scale, block); };
     add(std::move(wanted));
 }

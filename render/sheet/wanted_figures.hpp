@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/figures/figure.hpp"
+#include "render/sheet/sheet_parts.hpp"
 
 namespace kinegraph::render {
 
@@ -32,6 +33,8 @@ struct Wanted {
     double weight = 1;                  ///< against the other figures
     std::optional<double> asked;
     std::function<Figure(double room_x, double room_y)> draw;
+    /// The same, but empty and at any_scale where it has no room at `coarsest`; none: it is drawn as it comes.
+    std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
     /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no such corner.
     std::function<double(double scale, Spot block)> wider_for{};
     bool empty = false;           ///< all its vectors are zero: a pole and names
@@ -43,8 +46,8 @@ struct Wanted {
 /// Their list. Not to be moved: those who draw refer to it.
 class WantedFigures {
 public:
-    /// `joukowsky`: with the lever, where there is one.
-    WantedFigures(const DrawingContext& context, bool joukowsky);
+    /// `joukowsky`: with the lever, where there is one. Brief: centres only where the file asks for them.
+    WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail = SolutionDetail::full);
     WantedFigures(const WantedFigures&) = delete;
     WantedFigures& operator=(const WantedFigures&) = delete;
 
@@ -54,6 +57,8 @@ public:
 
     /// Index into list; nothing where no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
+    /// Whether the instant centres are shown.
+    bool shows_centres() const;
 
 private:
     using DrawForces = std::function<Figure(double room_x, double room_y, std::optional<double> scale, bool fixed)>;
@@ -73,6 +78,7 @@ private:
     const DrawingContext& unscaled();
 
     const DrawingContext& context_;
+    SolutionDetail detail_;
     std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::optional<DrawingContext> unscaled_context_;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "engine/assert.hpp"
 
@@ -775,6 +776,69 @@ constexpr std::array fixed_words{
     FixedWords{"effort", "effort", "azione"},
     FixedWords{"steps forces", "Steps: forces", "Procedimento: forze"},
     FixedWords{"vertical", "vertical", "verticale"},
+    // questions and keys
+    FixedWords{"likewise", "Likewise", "Allo stesso modo"},
+    FixedWords{"answers", "Answers", "Risposte"},
+    FixedWords{"value", "value", "valore"},
+    FixedWords{"subtitle question", "Exercise", "Esercizio"},
+    FixedWords{"subtitle answers", "Key: answers only", "Soluzioni: solo i risultati"},
+    FixedWords{"subtitle cycle", "The motion through a cycle", "Il moto lungo un ciclo"},
+    FixedWords{
+        "tolerances",
+        "Vectors are read to 0.5 mm at the scale of the drawing, angular velocities and accelerations found from a vector and a length, couples from a force and its arm.",
+        "I vettori si leggono a 0,5 mm nella scala del disegno; velocità e accelerazioni angolari si ricavano da un vettore e una lunghezza, i momenti da una forza e dal suo braccio."},
+    FixedWords{"mechanism and its data", "The mechanism with its data", "Il meccanismo con i suoi dati"},
+    FixedWords{"data", "Data", "Dati"},
+    FixedWords{"sought", "Sought", "Si chiede"},
+    FixedWords{"scales", "Scales", "Scale"},
+    FixedWords{"data coordinates", "Coordinates in {0}: {1}.", "Coordinate in {0}: {1}."},
+    FixedWords{"data polar", "{0}{1} = {2}, at {3} to the axis x.", "{0}{1} = {2}, a {3} dall’asse x."},
+    FixedWords{"data polar relative", "{0}{1} = {2}, at {3} to {4}{5}.", "{0}{1} = {2}, a {3} da {4}{5}."},
+    FixedWords{"data along", "{1} on the line {0}{2}: {0}{1} = {3}.", "{1} sulla retta {0}{2}: {0}{1} = {3}."},
+    FixedWords{"data ratio", "{1} on the line {0}{2}: {0}{1} = {3} {0}{2}.", "{1} sulla retta {0}{2}: {0}{1} = {3} {0}{2}."},
+    FixedWords{"data meet", "{0}: {1} and {2}.", "{0}: {1} e {2}."},
+    FixedWords{"data radius", "{0}{1} = {2}", "{0}{1} = {2}"},
+    FixedWords{"data radius of place", "at {2} from {0}", "a {2} da {0}"},
+    FixedWords{"data line angle", "on the line through {0} at {1}", "sulla retta per {0} a {1}"},
+    FixedWords{"data line to", "on the line {0}{1}", "sulla retta {0}{1}"},
+    FixedWords{"data line parallel", "on the line through {0} parallel to {1}", "sulla retta per {0} parallela a {1}"},
+    FixedWords{"data line perpendicular", "on the line through {0} normal to {1}", "sulla retta per {0} normale a {1}"},
+    FixedWords{"data the direction", "the direction of {0}", "la direzione di {0}"},
+    FixedWords{"data wheel", "Body {0}: R = {1} about {2}.", "Corpo {0}: R = {1} con centro {2}."},
+    FixedWords{"data guide", "The guide at {0} runs along {1}.", "La guida in {0} ha direzione {1}."},
+    FixedWords{"data slot", "The slot at {0} is curved about {1}.", "Il glifo in {0} è curvo con centro {1}."},
+    FixedWords{"data pressure angle", "Pressure angle at {0}: {1}.", "Angolo di pressione in {0}: {1}."},
+    FixedWords{"data spin", "Body {0} is driven: {1}, {2}.", "Corpo {0} comandato: {1}, {2}."},
+    FixedWords{"data spin relative", "Body {0} is driven relative to body {3}: {1}, {2}.",
+               "Corpo {0} comandato rispetto al corpo {3}: {1}, {2}."},
+    FixedWords{"data slide", "The slide at {0} is driven: {1}, {2}.", "Lo scorrimento in {0} è comandato: {1}, {2}."},
+    FixedWords{"data driven point", "{0} is driven along {3}: {1}, {2}.", "{0} è comandato lungo {3}: {1}, {2}."},
+    FixedWords{"data mass", "Body {0}: mass {1}, centre {2}, J = {3}.", "Corpo {0}: massa {1}, baricentro {2}, J = {3}."},
+    FixedWords{"data gravity", "Gravity: {0}.", "Gravità: {0}."},
+    FixedWords{"data inertia", "Inertia forces are to be taken into account.", "Si tenga conto delle forze d’inerzia."},
+    FixedWords{"data no inertia", "Inertia forces are neglected.", "Le forze d’inerzia sono trascurate."},
+    FixedWords{"data force", "{0} on body {1} at {2}: {3}.", "{0} sul corpo {1} in {2}: {3}."},
+    FixedWords{"data force along", "{0} on body {1} at {2}: {3} along {4}.", "{0} sul corpo {1} in {2}: {3} lungo {4}."},
+    FixedWords{"data couple", "{0} on body {1}: {2}, counter-clockwise positive.",
+               "{0} sul corpo {1}: {2}, positivo se antiorario."},
+    FixedWords{"data spring", "{0} pulls {1} and {2} together: {3}.", "{0} tira l’uno verso l’altro {1} e {2}: {3}."},
+    FixedWords{"data given vector", "{0} = {1}.", "{0} = {1}."},
+    FixedWords{"data given line", "{0} runs along {1}.", "{0} ha direzione {1}."},
+    FixedWords{"sought centres", "the instant centres", "i centri di istantanea rotazione"},
+    FixedWords{"sought velocity", "the velocities of the points and the angular velocities of the bodies",
+               "le velocità dei punti e le velocità angolari dei corpi"},
+    FixedWords{"sought acceleration", "the accelerations of the points and the angular accelerations of the bodies",
+               "le accelerazioni dei punti e le accelerazioni angolari dei corpi"},
+    FixedWords{"sought relative", "the motion of {0} as seen from body {1}", "il moto di {0} rispetto al corpo {1}"},
+    FixedWords{"sought translating", "the motion of {0} as seen from axes that translate with {1}",
+               "il moto di {0} rispetto ad assi traslanti con {1}"},
+    FixedWords{"sought forces", "the reactions at the joints", "le reazioni nelle coppie"},
+    FixedWords{"sought couple", "the couple {0} on body {1} that balances", "il momento equilibrante {0} sul corpo {1}"},
+    FixedWords{"sought force", "the force {0} on body {1} at {2}, along {3}, that balances",
+               "la forza equilibrante {0} sul corpo {1} in {2}, lungo {3}"},
+    FixedWords{"sought actuator", "the force {0} of the actuator at {1} that balances",
+               "la forza equilibrante {0} dell’attuatore in {1}"},
+    FixedWords{"sought forces scale", "Forces", "Forze"},
     FixedWords{"given", "given", "data"},
     FixedWords{"normal", "normal", "normale"},
     FixedWords{"any line", "–", "–"},
@@ -805,7 +869,6 @@ constexpr std::array fixed_words{
     FixedWords{"subtitle mixed", "Motion and forces by polygons", "Moto e forze con i poligoni"},
     FixedWords{"subtitle pose", "Position and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
-    FixedWords{"subtitle cycle", "Position after position of one motion", "Un moto, posizione dopo posizione"},
     FixedWords{"subtitle cam", "A disc cam by the law of its follower", "Camma a disco dalla legge della punteria"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
 };
@@ -1086,6 +1149,29 @@ RichText say(const Message& message, Language language) {
         append(text, worked_out(message.workings[i], language));
     }
     if (!message.workings.empty()) text.push_back(piece("."));
+    return text;
+}
+
+RichText say_likewise(const std::vector<const Message*>& messages, Language language) {
+    RichText text = {piece(word("likewise", language) + " ")};
+    bool first = true;
+    for (const Message* message : messages) {
+        const auto part = [&](const RichText& said) {
+            if (!std::exchange(first, false)) text.push_back(piece("; "));
+            append(text, said);
+        };
+        for (const Working& working : message->workings) part(worked_out(working, language));
+        if (!message->workings.empty()) continue;
+        // The body, and what it hangs on.
+        RichText said = {piece(word("body", language) + unbroken_blank)};
+        for (std::size_t i = 0; i < message->arguments.size(); ++i) {
+            if (i > 0) said.push_back(piece(i == 1 ? " (" : ", "));
+            append(said, argument(message->arguments[i], language, Setting::typeset));
+        }
+        if (message->arguments.size() > 1) said.push_back(piece(")"));
+        part(said);
+    }
+    text.push_back(piece("."));
     return text;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/mechanism.hpp"
 #include "engine/mobility.hpp"
@@ -16,6 +17,8 @@ enum class Language { en, it };
 
 /// A sentence of the solution, symbols set as in the figures.
 RichText say(const Message& message, Language language);
+/// What such sentences find, of others that say the same: "Likewise ω_4 = 2.5 rad/s, ω_5 = 0."
+RichText say_likewise(const std::vector<const Message*>& messages, Language language);
 /// The same for the terminal and for files of results: names as the mechanism file has them, symbols by their plain names.
 std::string tell(const Message& message, Language language);
 /// A quantity as it is typeset: v_B bold italic with its subscript, ω_3 italic, n and t upright, dots for Italian ω̇_3.

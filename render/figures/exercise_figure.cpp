@@ -1,0 +1,166 @@
+// The mechanism as an exercise hands it out: with its data as dimensions, its drivers, loads and masses with their values.
+// Nothing that a solution finds.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "render/figures/figure.hpp"
+#include "render/mechanism/clutter.hpp"
+#include "render/mechanism/sketch.hpp"
+
+namespace kinegraph::render {
+
+using namespace drawing;
+
+namespace {
+
+constexpr std::size_t most_dimensions = 24;
+
+class ExerciseDrawing {
+public:
+    explicit ExerciseDrawing(Sketch& sketch) : sketch_(sketch), mechanism_(sketch.mechanism) {}
+
+    void draw() {
+        draw_drivers(sketch_);
+        draw_in_colour(sketch_);
+        clutter_.add(sketch_.bodies);
+        clutter_.add(sketch_.ground);
+        clutter_.add(sketch_.arrows);
+        for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { draw_load(each); }, load);
+        if (mechanism_.motion) draw_motion(*mechanism_.motion);
+    }
+    /// Beside the names of the centres, which stand by then.
+    void say_masses() {
+        for (const Mass& mass : mechanism_.masses) {
+            RichText text = one_piece("m", Face::italic);
+            text.back().sub = mechanism_.body(mass.body).name;
+            text.back().sub_face = Face::regular;
+            append(text, value(mass.mass, mechanism_.units.mass));
+            LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.colour_of(mass.body).letter,
+                                                    sketch_.spot(mass.centre), sketch_.measures.pin_radius + 2.2);
+            label.size = sketch_.theme.small;
+        }
+    }
+
+private:
+    RichText value(const Exact& si, const Unit& unit) const {
+        return with_powers(" = " + given_number((si / unit.si).to_double(), sketch_.context.language) + " " + unit.symbol);
+    }
+    /// An arrow of one length at a place, pulling or pushing, where the least is in the way; its name with the value.
+    void draw_arrow_at(Spot at, Spot along, RichText text, const BodyColour& colour) {
+        constexpr double whole = 18;
+        Cheapest<Bar> best;
+        for (const double stand_off : {2.4, 6.0})
+            for (const bool pulls : {true, false}) {
+                const Spot tail = pulls ? at + stand_off * along : at - (stand_off + whole) * along;
+                const Bar arrow{tail, tail + whole * along};
+                best.offer(clutter_.along(arrow.from, arrow.to) + 0.03 * stand_off, arrow);
+            }
+        const Bar& arrow = best.choice;
+        draw_arrow(sketch_.arrows, arrow.from, arrow.to, sketch_.theme.vector, colour.line, colour.dashes);
+        clutter_.add(arrow.from, arrow.to);
+        sketch_.add_label(std::move(text), colour.letter, middle(arrow), 1.5).toward = arrow.to;
+    }
+    RichText named(const std::string& name, Symbol::Letter letter) const {
+        return typeset(Symbol{letter, name, ""}, sketch_.context.language);
+    }
+
+    void draw_load(const ForceLoad& force) {
+        const Vector direction =
+            force.value ? *force.value : direction_of(force.magnitude->second, sketch_.subject.solution.pose);
+        if (direction.is_zero()) return;
+        RichText text = named(force.name, Symbol::Letter::F);
+        const Unit& unit = mechanism_.units.force;
+        double newtons = force.value ? kinegraph::length(*force.value) : force.magnitude->first.to_double();
+        Spot along = paper_direction(direction);
+        if (newtons < 0) along = -1.0 * along, newtons = -newtons;
+        append(text,
+               with_powers(" = " + given_number(newtons / unit.si.to_double(), sketch_.context.language) + " " + unit.symbol));
+        draw_arrow_at(sketch_.spot(force.at), along, std::move(text), sketch_.theme.colour_of(force.body));
+    }
+    void draw_load(const CoupleLoad& couple) {
+        if (couple.value.is_zero()) return;
+        const BodyColour colour = sketch_.theme.colour_of(couple.body);
+        const Spot at = sketch_.shape(couple.body).middle;
+        constexpr double sweep = 2.4;
+        const double by = couple.value.sign() > 0 ? -sweep : sweep;  // on paper y runs down
+        Cheapest<Arc> best;
+        for (const double radius : {7.0, 9.0})
+            for (int step = 0; step < 12; ++step) {
+                const double from = step * pi_number / 6;
+                best.offer(clutter_.along_arc(at, radius, from, by), {at, radius, from, from + by});
+            }
+        const Arc& arc = best.choice;
+        draw_arc_arrow(sketch_.arrows, at, arc.radius, arc.from, arc.to, sketch_.theme.outline, colour.line);
+        clutter_.add_arc(at, arc.radius, arc.from, by);
+        RichText text = named(couple.name, Symbol::Letter::M);
+        append(text, value(couple.value.sign() < 0 ? -couple.value : couple.value, mechanism_.units.moment));
+        sketch_.add_label(std::move(text), colour.letter, arc.at(arc.from + by / 2), 1.5);
+    }
+    void draw_load(const SpringLoad& spring) {
+        RichText text = named(spring.name, Symbol::Letter::F);
+        append(text, value(spring.magnitude, mechanism_.units.force));
+        const Spot from = sketch_.spot(spring.between[0]), to = sketch_.spot(spring.between[1]);
+        sketch_.add_label(std::move(text), sketch_.theme.text, 0.5 * (from + to), 3.0).toward = to;
+    }
+    void draw_motion(const ActOfMotion& motion) {
+        for (const GivenMotion& given : motion.velocities) {
+            const Spot at = sketch_.spot(given.point);
+            RichText text = named(mechanism_.point(given.point).name, Symbol::Letter::v);
+            const BodyColour colour = sketch_.theme.colour_of(motion.body);
+            if (const auto* velocity = std::get_if<Vector>(&given.value)) {
+                if (velocity->is_zero()) continue;
+                const Unit& unit = mechanism_.units.velocity;
+                append(text,
+                       with_powers(" = " +
+                                   given_number(kinegraph::length(*velocity) / unit.si.to_double(), sketch_.context.language) +
+                                   " " + unit.symbol));
+                draw_arrow_at(at, paper_direction(*velocity), std::move(text), colour);
+            } else {
+                constexpr double reach = 15;
+                const Vector direction = direction_of(std::get<Bearing>(given.value), sketch_.subject.solution.pose);
+                const Spot along = paper_direction(direction);
+                sketch_.construction.emplace_back(line(at - reach * along, at + reach * along, sketch_.axis()));
+                sketch_.add_label(std::move(text), colour.letter, at + 0.7 * reach * along, 1.5).toward = at + reach * along;
+            }
+        }
+    }
+
+    Sketch& sketch_;
+    const Mechanism& mechanism_;
+    Clutter clutter_;
+};
+
+Figure drawn(const DrawingContext& context, const Subject& subject, double scale, Spot room, std::size_t dimensions,
+             const std::set<std::string>& left_out) {
+    Sketch sketch(subject, context, scale, "");
+    ExerciseDrawing drawing(sketch);
+    drawing.draw();
+    if (dimensions > 0) draw_dimensions(sketch, room, false, left_out, dimensions);
+    name_points(sketch);
+    drawing.say_masses();
+    Figure figure = sketch.finish("mechanism", "mechanism", "m");
+    figure.caption = one_piece(word("mechanism and its data", context.language));
+    sketch.close(figure, room, true, scale, subject.mechanism.units.length);
+    return figure;
+}
+
+}  // namespace
+
+Figure exercise_figure(const DrawingContext& context, double scale, double room_x, double room_y) {
+    constexpr int most_rounds = 5;
+    const Subject subject(context.solution);
+    const Spot room{room_x, room_y};
+    if (context.dimensions == Dimensions::off) return drawn(context, subject, scale, room, 0, {});
+    std::set<std::string> left_out;
+    for (int round = 0; round < most_rounds; ++round) {
+        Figure figure = drawn(context, subject, scale, room, most_dimensions, left_out);
+        std::set<std::string> covered = covered_dimensions(figure, context.fonts);
+        if (covered.empty() && figure.box.width() <= room_x && figure.box.height() <= room_y) return figure;
+        if (covered.empty()) break;
+        left_out.merge(covered);
+    }
+    return drawn(context, subject, scale, room, 0, {});
+}
+
+}  // namespace kinegraph::render

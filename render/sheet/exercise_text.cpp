@@ -1,0 +1,293 @@
+// Exercise text: see exercise_text.hpp. One function for each kind of data.
+#include "render/sheet/exercise_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/figures/caption.hpp"
+#include "render/mechanism/sketch.hpp"
+#include "render/sheet/wanted_figures.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+const Unit per_second_squared{"rad/s²", 1};
+
+class ExerciseText {
+public:
+    explicit ExerciseText(const DrawingContext& context)
+        : context_(context), solution_(context.solution), mechanism_(context.solution.mechanism), units_(mechanism_.units) {}
+
+    std::vector<RichText> data() && {
+        add_coordinates();
+        for (const NamedPoint& point : mechanism_.points) add_point(point);
+        for (const Body& body : mechanism_.bodies)
+            if (body.circle)
+                say("data wheel",
+                    {plain_words(body.name), amount(body.circle->radius, units_.length), name(body.circle->centre)});
+        for (const Joint& joint : mechanism_.joints) add_joint(joint);
+        for (const Driver& driver : mechanism_.drivers) std::visit([&](const auto& each) { add_driver(each); }, driver);
+        if (mechanism_.motion) add_motion(*mechanism_.motion);
+        for (const Mass& mass : mechanism_.masses)
+            say("data mass", {plain_words(mechanism_.body(mass.body).name), amount(mass.mass, units_.mass), name(mass.centre),
+                              amount(mass.inertia, units_.inertia)});
+        if (mechanism_.gravity) say("data gravity", {vector(*mechanism_.gravity, units_.acceleration)});
+        if (!mechanism_.masses.empty()) say(mechanism_.inertia_forces ? "data inertia" : "data no inertia", {});
+        for (const Load& load : mechanism_.loads) std::visit([&](const auto& each) { add_load(each); }, load);
+        return std::move(rows_);
+    }
+
+    std::vector<RichText> sought() && {
+        const Find& find = mechanism_.find;
+        const bool all = !find.stated, motion = has_motion(solution_) || !has_forces(solution_);
+        if (find.instant_centres || (all && motion && !solution_.centres.empty())) say("sought centres", {});
+        if (find.velocity || (all && has_plane(Plane::velocity))) say("sought velocity", {});
+        if (find.acceleration || (all && has_plane(Plane::acceleration))) say("sought acceleration", {});
+        for (const RelativeMotionQuery& query : find.relative_motion) {
+            if (query.translating_with != none)
+                say("sought translating", {name(query.point), name(query.translating_with)});
+            else
+                say("sought relative", {name(query.point), plain_words(mechanism_.body(query.observer).name)});
+        }
+        if (find.forces || (all && has_forces(solution_))) {
+            say("sought forces", {});
+            for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);
+        }
+        return std::move(rows_);
+    }
+
+private:
+    Language language() const { return context_.language; }
+    bool has_plane(Plane plane) const {
+        return std::any_of(solution_.protocol.polygons.begin(), solution_.protocol.polygons.end(),
+                           [&](const Polygon& polygon) { return polygon.plane == plane; });
+    }
+
+    // --- pieces ---------------------------------------------------------------------------------------------------------------
+
+    static RichText plain_words(const std::string& words) { return one_piece(words); }
+    RichText name(PointIndex point) const {
+        return typeset(Symbol{Symbol::Letter::point, mechanism_.point(point).name, ""}, language());
+    }
+    RichText number_of(double value) const { return with_powers(drawing::given_number(value, language())); }
+    RichText amount(const Exact& si, const Unit& unit) const { return given_amount(si, unit, language()); }
+    RichText angle(const Angle& angle) const {
+        RichText text = number_of(angle.value.to_double());
+        append(text, angle.in_degrees ? "°" : " rad");
+        return text;
+    }
+    RichText pair(double x, double y) const {
+        RichText text = one_piece("(");
+        append(text, number_of(x));
+        append(text, language() == Language::it ? "; " : ", ");
+        append(text, number_of(y));
+        append(text, ")");
+        return text;
+    }
+    RichText vector(const Vector& si, const Unit& unit) const {
+        RichText text = pair((si.x / unit.si).to_double(), (si.y / unit.si).to_double());
+        append(text, with_powers(" " + unit.symbol));
+        return text;
+    }
+    RichText join(PointIndex from, PointIndex to) const {
+        RichText text = name(from);
+        append(text, name(to));
+        return text;
+    }
+    RichText bearing(const Bearing& bearing) const {
+        if (const auto* as_angle = std::get_if<Angle>(&bearing.form)) return angle(*as_angle);
+        if (const auto* between = std::get_if<Bearing::Between>(&bearing.form)) return join(between->from, between->to);
+        const auto& along = std::get<Vector>(bearing.form);
+        return pair(along.x.to_double(), along.y.to_double());
+    }
+    RichText place(const kinegraph::Place& place) const {
+        if (const auto* point = std::get_if<PointIndex>(&place)) return name(*point);
+        return vector(std::get<Vector>(place), units_.length);
+    }
+    /// The words of a key, its places {0}, {1} … filled.
+    RichText filled(const char* key, const std::vector<RichText>& parts) const {
+        const std::string pattern = word(key, language());
+        RichText text;
+        for (std::size_t i = 0; i < pattern.size();) {
+            const std::size_t open = std::min(pattern.find('{', i), pattern.size());
+            if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
+            if (open == pattern.size()) break;
+            append(text, parts[static_cast<std::size_t>(pattern[open + 1] - '0')]);
+            i = open + 3;
+        }
+        return text;
+    }
+    void say(const char* key, const std::vector<RichText>& parts) { rows_.push_back(filled(key, parts)); }
+    static RichText equation(RichText left, const RichText& right) {
+        append(left, one_piece(" = "));
+        append(left, right);
+        return left;
+    }
+
+    // --- data -----------------------------------------------------------------------------------------------------------------
+
+    void add_coordinates() {
+        RichText list;
+        for (const PointIndex index : indices_of(mechanism_.points)) {
+            const auto* at = std::get_if<Coordinates>(&mechanism_.point(index).placement);
+            if (at == nullptr) continue;
+            if (!list.empty()) append(list, one_piece(", "));
+            append(list, name(index));
+            append(list, one_piece(" "));
+            append(list, pair((at->at.x / units_.length.si).to_double(), (at->at.y / units_.length.si).to_double()));
+        }
+        if (!list.empty()) say("data coordinates", {one_piece(units_.length.symbol), list});
+    }
+    void add_point(const NamedPoint& point) {
+        const PointIndex index(&point - mechanism_.points.data());
+        if (const auto* polar = std::get_if<Polar>(&point.placement)) {
+            const RichText distance = amount(polar->distance, units_.length), turn = angle(polar->angle);
+            if (polar->relative_to)
+                say("data polar relative", {name(polar->from), name(index), distance, turn, name(polar->relative_to->from),
+                                            name(polar->relative_to->to)});
+            else
+                say("data polar", {name(polar->from), name(index), distance, turn});
+        } else if (const auto* on = std::get_if<Along>(&point.placement)) {
+            const RichText share = on->is_ratio ? number_of(on->amount.to_double()) : amount(on->amount, units_.length);
+            say(on->is_ratio ? "data ratio" : "data along", {name(on->from), name(index), name(on->to), share});
+        } else if (const auto* meet = std::get_if<Meet>(&point.placement)) {
+            say("data meet", {name(index), curve(meet->first, index), curve(meet->second, index)});
+        }
+    }
+    RichText curve(const Curve& curve, PointIndex point) const {
+        if (const auto* circle = std::get_if<CircleCurve>(&curve)) {
+            const bool named = std::holds_alternative<PointIndex>(circle->centre);
+            return filled(named ? "data radius" : "data radius of place",
+                          {place(circle->centre), name(point), amount(circle->radius, units_.length)});
+        }
+        const auto& line = std::get<LineCurve>(curve);
+        switch (line.by) {
+            case LineCurve::By::angle:
+                return filled("data line angle", {place(line.through), angle(line.angle)});
+            case LineCurve::By::to:
+                return filled("data line to", {place(line.through), name(line.to)});
+            case LineCurve::By::parallel:
+                return filled("data line parallel", {place(line.through), direction(line.bearing)});
+            case LineCurve::By::perpendicular:
+                break;
+        }
+        return filled("data line perpendicular", {place(line.through), direction(line.bearing)});
+    }
+    /// A bearing where its bare numbers would be taken for a place.
+    RichText direction(const Bearing& of) const {
+        return std::holds_alternative<Bearing::Between>(of.form) ? bearing(of) : filled("data the direction", {bearing(of)});
+    }
+    void add_joint(const Joint& joint) {
+        if (joint.along) say("data guide", {name(joint.point), bearing(*joint.along)});
+        if (joint.arc != none) say("data slot", {name(joint.point), name(joint.arc)});
+        if (joint.pressure_angle) say("data pressure angle", {name(joint.point), angle(*joint.pressure_angle)});
+    }
+
+    RichText letter(Symbol::Letter letter, const std::string& about, const std::string& term = "") const {
+        RichText text = typeset(Symbol{letter, about, term}, language());
+        for (Piece& piece : text)
+            if (piece.face == Face::bold_italic) piece.face = Face::italic;
+        return text;
+    }
+    void add_driver(const SpinDriver& spin) {
+        const std::string& body = mechanism_.body(spin.body).name;
+        const std::string about = spin.relative_to == frame ? body : body + mechanism_.body(spin.relative_to).name;
+        say(spin.relative_to == frame ? "data spin" : "data spin relative",
+            {plain_words(body), equation(letter(Symbol::Letter::omega, about), amount(spin.omega, units_.angular_velocity)),
+             equation(letter(Symbol::Letter::alpha, about), amount(spin.alpha, per_second_squared)),
+             plain_words(mechanism_.body(spin.relative_to).name)});
+    }
+    void add_driver(const SlideDriver& slide) {
+        const Joint& joint = mechanism_.joint(slide.joint);
+        const std::string about = mechanism_.point(joint.point).name;
+        say("data slide", {name(joint.point), equation(letter(Symbol::Letter::v, about), amount(slide.speed, units_.velocity)),
+                           equation(letter(Symbol::Letter::a, about), amount(slide.acceleration, units_.acceleration))});
+    }
+    void add_driver(const PointDriver& point) {
+        const std::string& about = mechanism_.point(point.at).name;
+        say("data driven point",
+            {name(point.at), equation(letter(Symbol::Letter::v, about), amount(point.speed, units_.velocity)),
+             equation(letter(Symbol::Letter::a, about), amount(point.acceleration, units_.acceleration)), bearing(point.along)});
+    }
+    void add_motion(const ActOfMotion& motion) {
+        for (const bool second : {false, true})
+            for (const GivenMotion& given : second ? motion.accelerations : motion.velocities) {
+                const RichText symbol = typeset(
+                    Symbol{second ? Symbol::Letter::a : Symbol::Letter::v, mechanism_.point(given.point).name, ""}, language());
+                if (const auto* value = std::get_if<Vector>(&given.value))
+                    say("data given vector", {symbol, vector(*value, second ? units_.acceleration : units_.velocity)});
+                else
+                    say("data given line", {symbol, bearing(std::get<Bearing>(given.value))});
+            }
+    }
+    RichText symbol_of_force(const std::string& given, Symbol::Letter letter) const {
+        return typeset(Symbol{letter, given, ""}, language());
+    }
+    void add_load(const ForceLoad& force) {
+        const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
+        const RichText body = plain_words(mechanism_.body(force.body).name);
+        if (force.value)
+            say("data force", {symbol, body, name(force.at), vector(*force.value, units_.force)});
+        else
+            say("data force along",
+                {symbol, body, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
+    }
+    void add_load(const CoupleLoad& couple) {
+        say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M), plain_words(mechanism_.body(couple.body).name),
+                            amount(couple.value, units_.moment)});
+    }
+    void add_load(const SpringLoad& spring) {
+        say("data spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
+                            amount(spring.magnitude, units_.force)});
+    }
+
+    void add_effort(const CoupleEffort& effort) {
+        say("sought couple", {symbol_of_force(effort.name, Symbol::Letter::M), plain_words(mechanism_.body(effort.body).name)});
+    }
+    void add_effort(const ForceEffort& effort) {
+        say("sought force", {symbol_of_force(effort.name, Symbol::Letter::F), plain_words(mechanism_.body(effort.body).name),
+                             name(effort.at), bearing(effort.along)});
+    }
+    void add_effort(const ActuatorEffort& effort) {
+        say("sought actuator", {symbol_of_force(effort.name, Symbol::Letter::F), name(mechanism_.joint(effort.joint).point)});
+    }
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    const Units& units_;
+    std::vector<RichText> rows_;
+};
+
+}  // namespace
+
+RichText given_amount(const Exact& si, const Unit& unit, Language language) {
+    return with_powers(drawing::given_number((si / unit.si).to_double(), language) + " " + unit.symbol);
+}
+
+std::vector<RichText> data_of(const DrawingContext& context) { return ExerciseText(context).data(); }
+std::vector<RichText> sought_of(const DrawingContext& context) { return ExerciseText(context).sought(); }
+
+std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures) {
+    std::vector<RichText> rows;
+    std::vector<std::string> said;
+    bool mechanism = false;
+    for (const Figure& figure : figures) {
+        if (!figure.has_scale || figure.kind == "body" || figure.kind == "detail") continue;
+        // Of the mechanism the first: the question shows no other.
+        if (figure.kind == "mechanism" && std::exchange(mechanism, true)) continue;
+        RichText row = figure.kind == "mechanism" ? one_piece(word("mechanism", context.language))
+                       : figure.kind == "forces" || figure.kind == "closure"
+                           ? one_piece(word("sought forces scale", context.language))
+                           : figure.caption;
+        append(row, one_piece(": "));
+        append(row, scale_words(context, figure));
+        if (std::find(said.begin(), said.end(), plain(row)) != said.end()) continue;
+        said.push_back(plain(row));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,301 @@
+// Handouts: see handout.hpp. Figure 1 is drawn at the scale that it has in the solution and put where the mechanism stands there;
+// text runs through the columns that it leaves, blank rooms with pole and grid follow.
+#include "render/sheet/handout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/figures/caption.hpp"
+#include "render/page/shapes.hpp"
+#include "render/sheet/bands.hpp"
+#include "render/sheet/drawn_sheet.hpp"
+#include "render/sheet/exercise_text.hpp"
+#include "render/sheet/page_plan.hpp"
+#include "render/sheet/title_block.hpp"
+#include "render/tables/answers.hpp"
+#include "render/tables/prose.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr double round_figure = 6;  // kept clear, mm
+constexpr double passage_gap = 4.5;
+constexpr double square = 5;  // of the grid, mm
+
+/// A stretch of a column that text may run through.
+struct Stretch {
+    std::size_t page = 0;
+    double left = 0, top = 0, bottom = 0;
+};
+
+class Handout {
+public:
+    Handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+        : options_(options),
+          context_{solution, options.theme, fonts, options.language, options.dimensions},
+          format_(format_of(options.paper, options.orientation)),
+          drawn_(draw_solution(solution, as_solution(options), fonts)),
+          is_question_(options.kind == SheetKind::question) {
+        sheets_.resize(1);
+    }
+
+    std::vector<Page> pages() {
+        place_figure();
+        set_text(is_question_ ? question() : key());
+        if (options_.grid) add_rooms();
+        const Signature signature{options_.author, options_.date,
+                                  word(is_question_ ? "subtitle question" : "subtitle answers", context_.language)};
+        std::vector<Page> pages;
+        for (std::size_t i = 0; i < sheets_.size(); ++i)
+            pages.push_back(framed_page(context_, format_, signature, sheets_[i], i == 0 ? scale_ : std::nullopt, i + 1,
+                                        sheets_.size(), i == 0));
+        return pages;
+    }
+
+private:
+    static SheetOptions as_solution(const SheetOptions& options) {
+        SheetOptions solution = options;
+        solution.kind = SheetKind::solution;
+        return solution;
+    }
+
+    // --- figure 1 -------------------------------------------------------------------------------------------------------------
+
+    void place_figure() {
+        Figure figure = drawn_.figures.front();
+        const Spot origin = figure.origin;
+        const Box content = content_of(format_, true);
+        if (is_question_) {
+            const double scale = figure.scale;
+            const double below = format_.content.max.y - format_.block.min.y + round_figure;
+            figure = exercise_figure(context_, scale, content.width(), content.height() - caption_height(figure) - below);
+            figure.move(origin.x - figure.origin.x, origin.y - figure.origin.y);
+        }
+        marks().emplace_back(GroupBegin{"band", "", "", {{"data-question", "given"}}});
+        const double caption = set_caption(marks(), context_, figure, 1, drawn_.caption, drawn_.caption_width);
+        // More letters than the solution's may ask for more room: no further than that the mechanism leaves its place.
+        const double top = drawn_.caption.y + caption;
+        const auto into = [](double least, double most, double from, double to) {
+            return least < from ? from - least : most > to ? std::max(to - most, from - least) : 0;
+        };
+        figure.move(into(figure.box.min.x, figure.box.max.x, content.min.x, content.max.x),
+                    into(figure.box.min.y, figure.box.max.y, top, content.max.y));
+        marks().insert(marks().end(), figure.marks.begin(), figure.marks.end());
+        marks().emplace_back(GroupEnd{});
+        taken_ = figure.box;
+        taken_.include(drawn_.caption);
+        taken_.include(drawn_.caption + Spot{drawn_.caption_width, caption});
+        if (figure.kind == "mechanism") scale_ = figure.scale;
+    }
+    double caption_height(const Figure& figure) const {
+        std::vector<Mark> unused;
+        return set_caption(unused, context_, figure, 1, {}, drawn_.caption_width);
+    }
+
+    // --- text -----------------------------------------------------------------------------------------------------------------
+
+    double measure() const { return format_.measure / format_.text_size; }
+    Passage passage(const std::string& title, const std::vector<RichText>& paragraphs, const std::string& bullet) const {
+        const std::string words = word(title, context_.language);
+        Passage passage{heading_block(context_, measure(), words),
+                        heading_block(context_, measure(), words + ", " + word("continued", context_.language)),
+                        {},
+                        {}};
+        for (const RichText& each : paragraphs)
+            passage.rows.push_back(paragraph_block(context_, measure(), each, bullet.empty() ? 0 : 4, bullet));
+        return passage;
+    }
+    std::vector<Passage> question() const {
+        return {passage("data", data_of(context_), ""), passage("sought", sought_of(context_), "–"),
+                passage("scales", scales_of(context_, drawn_.figures), "–")};
+    }
+    std::vector<Passage> key() const {
+        std::vector<Passage> passages;
+        Topic section = Topic::unnamed;
+        std::vector<Answer> group;
+        const std::vector<Answer> answers = answers_of(context_, drawn_.figures);
+        const auto close = [&] {
+            if (group.empty()) return;
+            Passage passage = this->passage(heading_of(section), {}, "");
+            std::vector<Block> lines = answer_lines(context_, group, measure());
+            passage.head = std::move(lines.front());
+            passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+            passages.push_back(std::move(passage));
+            group.clear();
+        };
+        for (const Answer& each : answers) {
+            if (each.section != section) close();
+            section = each.section;
+            group.push_back(each);
+        }
+        close();
+        std::vector<RichText> remarks{one_piece(word("tolerances", context_.language))};
+        for (const Message& each : context_.solution.remarks) remarks.push_back(say(each, context_.language));
+        passages.push_back(passage("remarks", remarks, ""));
+        return passages;
+    }
+    static std::string heading_of(Topic section) {
+        switch (section) {
+            case Topic::centres:
+                return "instant centres";
+            case Topic::velocity:
+                return "velocities";
+            case Topic::acceleration:
+                return "accelerations";
+            case Topic::relative_motion:
+                return "relative motion";
+            case Topic::forces:
+            case Topic::unnamed:
+                break;
+        }
+        return "forces";
+    }
+
+    /// Of the first page beside the figure, then under it; of a further one the whole columns.
+    std::vector<Stretch> stretches(std::size_t page) const {
+        std::vector<Stretch> beside, under;
+        const Box content = content_of(format_, page == 0);
+        for (int c = 0; c < format_.columns; ++c) {
+            const double left = content.min.x + c * (format_.measure + gap), right = left + format_.measure;
+            Stretch stretch{page, left, content.min.y, content.max.y};
+            if (page > 0) {
+                beside.push_back(stretch);
+                continue;
+            }
+            if (right > format_.block.min.x - round_figure) stretch.bottom = format_.block.min.y - round_figure;
+            const bool meets = right > taken_.min.x - round_figure && left < taken_.max.x + round_figure;
+            if (meets) stretch.top = taken_.max.y + round_figure;
+            constexpr double least = 25;
+            if (stretch.bottom - stretch.top > least) (meets ? under : beside).push_back(stretch);
+        }
+        beside.insert(beside.end(), under.begin(), under.end());
+        return beside;
+    }
+    void set_text(std::vector<Passage> passages) {
+        std::vector<Stretch> free = stretches(0);
+        std::size_t now = 0;
+        double y = 0;
+        const auto next = [&] {
+            if (++now < free.size()) return y = free[now].top, void();
+            sheets_.emplace_back();
+            free = stretches(sheets_.size() - 1);
+            now = 0;
+            y = free.front().top;
+        };
+        if (free.empty())
+            next();
+        else
+            y = free.front().top;
+        const auto put = [&](const Block& block) {
+            if (!block.marks.empty()) render::set(sheets_[free[now].page], block, {free[now].left, y});
+            y += block.height;
+        };
+        for (Passage& passage : passages) {
+            for (Block* block : {&passage.heading, &passage.heading_again, &passage.head}) *block = reduced(std::move(*block));
+            for (std::size_t i = 0; i < passage.rows.size(); ++i) {
+                const Block row = reduced(passage.rows[i]);
+                const double above = i == 0 ? passage.heading.height + passage.head.height : 0;
+                const bool at_top = y <= free[now].top;
+                if (i == 0 && !at_top) y += passage_gap;
+                const bool turns = !at_top && y + above + row.height > free[now].bottom;
+                if (turns) next();
+                if (i == 0)
+                    put(passage.heading), put(passage.head);
+                else if (turns)
+                    put(free[now].page > 0 && now == 0 ? passage.heading_again : Block{}), put(passage.head);
+                put(row);
+            }
+        }
+    }
+    Block reduced(Block block) const { return format_.text_size == 1 ? block : scaled(std::move(block), format_.text_size); }
+
+    // --- blank rooms ----------------------------------------------------------------------------------------------------------
+
+    struct Room {
+        RichText name;
+        Spot size, pole;
+        bool has_pole = false;
+    };
+    /// As large as the polygon at its scale with what is drawn round it, in whole squares.
+    static Room room_of(const DrawingContext& context, const Figure& figure) {
+        constexpr double air = 8;
+        const auto squares = [](double length) { return square * std::ceil(length / square); };
+        Room room;
+        room.name = figure.kind == "forces" || figure.kind == "closure" ? one_piece(word("sought forces scale", context.language))
+                                                                        : figure.caption;
+        append(room.name, one_piece("   "));
+        append(room.name, scale_words(context, figure));
+        room.has_pole = figure.kind == "velocity" || figure.kind == "acceleration";
+        const Spot pole = figure.origin - figure.box.min;
+        room.pole = {squares(pole.x + air), squares(pole.y + air)};
+        room.size = {std::max(squares(figure.box.width() + 2 * air), room.pole.x + square),
+                     std::max(squares(figure.box.height() + 2 * air), room.pole.y + square)};
+        return room;
+    }
+    void add_rooms() {
+        constexpr double caption = 7;
+        const Box content = content_of(format_, false);
+        double x = 0, y = 0, row = 0;
+        bool open = false;
+        for (const Figure& figure : drawn_.figures) {
+            if (&figure == &drawn_.figures.front() || !figure.has_scale) continue;
+            if (figure.kind != "velocity" && figure.kind != "acceleration" && figure.kind != "forces" && figure.kind != "closure")
+                continue;
+            Room room = room_of(context_, figure);
+            const auto down_to = [](double length, double most) { return square * std::floor(std::min(length, most) / square); };
+            room.size = {down_to(room.size.x, content.width()), down_to(room.size.y, content.height() - caption)};
+            if (!open || x + room.size.x > content.max.x) x = content.min.x, y += row, row = 0;
+            if (!open || y + caption + room.size.y > content.max.y) {
+                sheets_.emplace_back();
+                x = content.min.x, y = content.min.y, row = 0;
+                open = true;
+            }
+            draw_room(room, {x, y}, caption);
+            x += room.size.x + gap;
+            row = std::max(row, caption + room.size.y + gap);
+        }
+    }
+    void draw_room(const Room& room, Spot at, double caption) {
+        std::vector<Mark>& marks = sheets_.back();
+        const Theme& theme = context_.theme;
+        marks.emplace_back(GroupBegin{"room", "", plain(room.name), {}});
+        render::set_text(marks, shaped_within(room.name, theme.body_text, context_.fonts, room.size.x), {at.x, at.y + 3.8},
+                         theme.text, "text");
+        const Spot corner = at + Spot{0, caption};
+        const Pen thin{0.1, theme.secondary, {}, false};
+        for (double x = 0; x <= room.size.x + 0.1; x += square)
+            marks.emplace_back(line(corner + Spot{x, 0}, corner + Spot{x, room.size.y}, thin));
+        for (double y = 0; y <= room.size.y + 0.1; y += square)
+            marks.emplace_back(line(corner + Spot{0, y}, corner + Spot{room.size.x, y}, thin));
+        const Spot pole = corner + room.pole;
+        if (room.has_pole && room.pole.x < room.size.x && room.pole.y < room.size.y) {
+            marks.emplace_back(ring(pole, 1.0, theme.paper, {theme.outline, theme.text, {}, false}));
+            const ShapedLine name =
+                context_.fonts.shape(typeset(Symbol{Symbol::Letter::pole, "", ""}, context_.language), theme.body_text);
+            // In the middle of a square.
+            const Spot middle = pole + Spot{square / 2, square / 2};
+            render::set_text(marks, name, {middle.x - name.width / 2, middle.y + (name.ascent - name.descent) / 2}, theme.text,
+                             "text");
+        }
+        marks.emplace_back(GroupEnd{});
+    }
+
+    std::vector<Mark>& marks() { return sheets_.front(); }
+
+    const SheetOptions& options_;
+    DrawingContext context_;
+    SheetFormat format_;
+    DrawnSheet drawn_;
+    bool is_question_;
+    Box taken_;  // by figure 1 with its caption
+    std::optional<double> scale_;
+    std::vector<std::vector<Mark>> sheets_;
+};
+
+}  // namespace
+
+std::vector<Page> lay_out_handout(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    return Handout(solution, options, fonts).pages();
+}
+
+}  // namespace kinegraph::render

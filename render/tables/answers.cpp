@@ -1,0 +1,300 @@
+// Answers: see answers.hpp. Tolerances are those of products and quotients of two readings, each half a millimetre off.
+#include "render/tables/answers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/centre_symbol.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/force_tables.hpp"
+#include "render/tables/tables.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+using Kind = Quantity::Kind;
+
+double degrees_of(const Vector& vector) {
+    const double angle = std::atan2(vector.y.to_double(), vector.x.to_double()) * 180 / std::numbers::pi;
+    return angle < 0 ? angle + 360 : angle;
+}
+
+/// What the file's drivers give.
+bool is_driven(const Mechanism& mechanism, const Quantity& quantity) {
+    return std::any_of(mechanism.drivers.begin(), mechanism.drivers.end(), [&](const Driver& driver) {
+        const auto* spin = std::get_if<SpinDriver>(&driver);
+        return spin != nullptr && spin->relative_to == frame && spin->body == quantity.body;
+    });
+}
+
+class Answers {
+public:
+    Answers(const DrawingContext& context, const std::vector<Figure>& drawn)
+        : solution_(context.solution),
+          mechanism_(context.solution.mechanism),
+          motion_(result_rows(context, drawn)),
+          forces_(force_rows(context, drawn)) {
+        for (const Figure& figure : drawn) {
+            if (!length_scale_ && figure.kind == "mechanism" && figure.unit == "m") length_scale_ = figure.scale;
+            if (!force_scale_ && (figure.kind == "forces" || figure.kind == "closure"))
+                force_scale_ = figure.scale * mechanism_.units.force.si.to_double();
+        }
+    }
+
+    std::vector<Answer> all(bool with_centres) && {
+        if (with_centres) add_centres();
+        for (const ResultRow& row : motion_) add_motion(row);
+        for (const ResultRow& row : forces_) add_force(row);
+        return std::move(answers_);
+    }
+
+private:
+    void add_centres() {
+        const Find& find = mechanism_.find;
+        if (find.stated && !find.instant_centres && !solution_.act_of_motion) return;
+        const Unit& unit = mechanism_.units.length;
+        const double si = unit.si.to_double();
+        for (const InstantCentre& centre : solution_.centres) {
+            if (!centre.at || centre.everywhere || centre.how == InstantCentre::How::primary) continue;
+            Answer answer{centre_symbol(mechanism_, centre.first, centre.second, centre.at->at_infinity()), Topic::centres, 0,
+                          unit.symbol};
+            if (centre.at->at_infinity()) {
+                answer.direction = std::fmod(degrees_of(centre.at->place()), 180.0);
+            } else {
+                const Vector place = centre.at->place();
+                answer.at = {place.x.to_double() / si, place.y.to_double() / si};
+                if (length_scale_) answer.tolerance = reading_by_hand * *length_scale_ / si;
+            }
+            answers_.push_back(std::move(answer));
+        }
+    }
+
+    void add_motion(const ResultRow& row) {
+        const Quantity& quantity = row.quantity;
+        const bool turning = quantity.kind == Kind::omega || quantity.kind == Kind::alpha;
+        if (turning && is_driven(mechanism_, quantity)) return;
+        const bool relative_motion = row.group.section == Topic::relative_motion;
+        const bool sought = turning || quantity.part == Quantity::Part::whole || quantity.part == Quantity::Part::sliding ||
+                            (relative_motion && quantity.part != Quantity::Part::transport);
+        if (!sought || quantity.kind == Kind::unnamed) return;
+        Answer answer{row.symbol, row.group.section, row.drawing, row.unit};
+        if (turning) {
+            answer.tolerance = tolerance_of_turning(row);
+        } else {
+            answer.tolerance = tolerance_of_vector(row);
+            answer.direction = direction_of_motion(row);
+        }
+        answers_.push_back(std::move(answer));
+    }
+    static std::optional<double> tolerance_of_vector(const ResultRow& row) {
+        if (!row.millimetres || !(*row.millimetres > 0)) return std::nullopt;
+        return reading_by_hand * row.drawing / *row.millimetres;
+    }
+    std::optional<double> direction_of_motion(const ResultRow& row) const {
+        for (const DrawnVector& vector : solution_.protocol.vectors)
+            if (vector.quantity == row.quantity && name_of(vector.symbol) == row.name)
+                if (const Vector value = solution_.protocol.value_of(vector); !value.is_zero()) return degrees_of(value);
+        return std::nullopt;
+    }
+
+    /// From the vector and the length of which ω or α is the quotient: the pair that is read best.
+    std::optional<double> tolerance_of_turning(const ResultRow& row) const {
+        if (!length_scale_ || row.drawing == 0) return std::nullopt;
+        const bool is_omega = row.quantity.kind == Kind::omega;
+        const double turning = std::abs(found_turning(row.quantity));
+        std::optional<double> least;
+        for (const ResultRow& other : motion_) {
+            const Quantity& q = other.quantity;
+            if (!other.millimetres || !(*other.millimetres > 0) || q.kind != (is_omega ? Kind::velocity : Kind::acceleration))
+                continue;
+            double radius = 0;
+            if (q.part == (is_omega ? Quantity::Part::relative : Quantity::Part::tangential)) {
+                const Unit& unit = is_omega ? mechanism_.units.velocity : mechanism_.units.acceleration;
+                const bool own = q.body == row.quantity.body ||
+                                 (carries(row.quantity.body, q.point) && carries(row.quantity.body, q.seen_from));
+                if (own) radius = other.drawing * unit.si.to_double() / turning;
+            } else if (is_omega && q.part == Quantity::Part::whole) {
+                radius = distance_from_pivot(row.quantity.body, q.point);
+            }
+            if (!(radius > 0)) continue;
+            const double share = reading_by_hand / *other.millimetres + reading_by_hand * *length_scale_ / radius;
+            if (!least || share < *least) least = share;
+        }
+        if (!least) return std::nullopt;
+        return *least * std::abs(row.drawing);
+    }
+    double found_turning(const Quantity& quantity) const {
+        const BodyMotion& motion = solution_.bodies[at_index(quantity.body)];
+        const auto& value = quantity.kind == Kind::omega ? motion.omega : motion.alpha;
+        return value ? value->to_double() : 0;
+    }
+    bool carries(BodyIndex body, PointIndex point) const {
+        const std::vector<PointIndex>& points = mechanism_.body(body).points;
+        return point != none && std::find(points.begin(), points.end(), point) != points.end();
+    }
+    /// Of a point of a body that turns about a pin of the frame, m; 0: it is none.
+    double distance_from_pivot(BodyIndex body, PointIndex point) const {
+        if (!carries(body, point)) return 0;
+        for (const Joint& joint : mechanism_.joints)
+            if (joint.pair().is_hinge() && joint.connects(body) && joint.connects(frame))
+                return kinegraph::length(solution_.pose.at(point) - solution_.pose.at(joint.point));
+        return 0;
+    }
+
+    void add_force(const ResultRow& row) {
+        const Kind kind = row.quantity.kind;
+        if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort) return;
+        Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
+        if (row.group.couples) {
+            answer.tolerance = tolerance_of_couple(row);
+        } else {
+            answer.tolerance = tolerance_of_vector(row);
+            for (const FreeBody& body : solution_.free_bodies)
+                for (const AppliedForce& applied : body.forces)
+                    if (!answer.direction && !applied.force.is_zero() && name_of(applied.symbol) == row.name)
+                        answer.direction = degrees_of(applied.force);
+        }
+        answers_.push_back(std::move(answer));
+    }
+    /// M = F·h with the largest force on the body: both are read.
+    std::optional<double> tolerance_of_couple(const ResultRow& row) const {
+        if (!length_scale_ || !force_scale_) return std::nullopt;
+        double force = 0;
+        BodyIndex on = row.quantity.body;
+        if (row.quantity.kind == Kind::effort)
+            if (const auto* effort = std::get_if<CoupleEffort>(&mechanism_.efforts[static_cast<std::size_t>(row.quantity.given)]))
+                on = effort->body;
+        for (const FreeBody& body : solution_.free_bodies)
+            if (body.body == on)
+                for (const AppliedForce& applied : body.forces) force = std::max(force, kinegraph::length(applied.force));
+        if (!(force > 0)) return std::nullopt;
+        const double si = mechanism_.units.moment.si.to_double(), arm = std::abs(row.drawing) * si / force;
+        return reading_by_hand * (force * *length_scale_ + arm * *force_scale_) / si;
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    std::vector<ResultRow> motion_, forces_;
+    std::optional<double> length_scale_;  // m for each mm
+    std::optional<double> force_scale_;   // N for each mm
+    std::vector<Answer> answers_;
+};
+
+/// Digits after the point that a tolerance leaves meaning to.
+int decimals_of(double tolerance) { return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9); }
+/// Rounded up to one digit.
+double one_digit(double tolerance) {
+    const double power = std::pow(10.0, std::floor(std::log10(tolerance) + 1e-9));
+    return std::ceil(tolerance / power - 1e-6) * power;
+}
+
+struct Cells {
+    std::array<ShapedLine, 5> all;  // quantity, value, tolerance, unit, direction
+};
+
+class AnswerTable {
+public:
+    AnswerTable(const DrawingContext& context, const std::vector<Answer>& answers) : context_(context) {
+        const auto is_told = [](const Answer& each) { return each.tolerance.has_value(); };
+        tolerances_ = std::any_of(answers.begin(), answers.end(), is_told);
+        for (std::size_t c = 0; c < 5; ++c) head_.all[c] = shape(head_word(c), context.theme.small);
+        for (const Answer& each : answers) lines_.push_back(cells_of(each));
+    }
+
+    std::vector<Block> lines(double width) const {
+        std::array<double, 5> widths{};
+        for (std::size_t c = 0; c < 5; ++c) {
+            widths[c] = head_.all[c].width;
+            for (const Cells& line : lines_) widths[c] = std::max(widths[c], line.all[c].width);
+        }
+        double sum = 0;
+        for (const double each : widths) sum += each;
+        const double between = std::clamp((width - sum) / 4, 1.2, 6.0);
+        std::vector<Block> blocks{row(head_, widths, between, context_.theme.secondary)};
+        const double whole = sum + 4 * between;
+        add_rule(blocks.front(), 0, whole, context_.theme.outline);
+        add_rule(blocks.front(), 4.8, whole, context_.theme.thin);
+        blocks.front().height = 5.2;
+        for (const Cells& line : lines_) blocks.push_back(row(line, widths, between, context_.theme.text));
+        if (blocks.size() > 1) add_rule(blocks.back(), blocks.back().height, whole, context_.theme.outline);
+        return blocks;
+    }
+
+private:
+    ShapedLine shape(const std::string& text, double size) const { return context_.fonts.shape(with_powers(text), size); }
+    std::string head_word(std::size_t column) const {
+        switch (column) {
+            case 1:
+                return word("value", context_.language);
+            case 2:
+                return tolerances_ ? "±" : "";
+            case 3:
+                return word("unit", context_.language);
+            case 4:
+                return word("direction", context_.language);
+            default:
+                return "";
+        }
+    }
+    Cells cells_of(const Answer& answer) const {
+        const Language language = context_.language;
+        const double size = context_.theme.body_text;
+        RichText name = typeset(answer.symbol, language);
+        if (!answer.at)
+            for (Piece& piece : name)
+                if (piece.face == Face::bold_italic) piece.face = Face::italic;  // the length of the vector
+        Cells cells;
+        cells.all[0] = context_.fonts.shape(name, size + 0.5);
+        const auto value = [&](double v) {
+            constexpr double too_long = 1e6;
+            if (!answer.tolerance || std::abs(v) >= too_long) return number(v, 4, language);
+            return fixed(v, decimals_of(*answer.tolerance), language);
+        };
+        const bool turns = answer.symbol.letter == Symbol::Letter::omega || answer.symbol.letter == Symbol::Letter::alpha;
+        std::string text = value(answer.value);
+        if (turns && answer.value > 0) text.insert(0, "+");
+        if (answer.at)
+            text = "(" + value((*answer.at)[0]) + (language == Language::it ? "; " : ", ") + value((*answer.at)[1]) + ")";
+        const bool at_infinity = answer.section == Topic::centres && !answer.at;
+        cells.all[1] = shape(at_infinity ? word("at infinity", language) : text, size);
+        if (answer.tolerance) cells.all[2] = shape(number(one_digit(*answer.tolerance), 1, language), size);
+        if (!at_infinity) cells.all[3] = shape(answer.unit, size);
+        if (answer.direction) cells.all[4] = shape(fixed(*answer.direction, 1, language) + "°", size);
+        return cells;
+    }
+    Block row(const Cells& cells, const std::array<double, 5>& widths, double between, Colour colour) const {
+        constexpr double pitch = 4.6, baseline = 3.5;
+        Block block;
+        double x = 0;
+        for (std::size_t c = 0; c < 5; ++c) {
+            const bool right = c == 1 || c == 2 || c == 4;
+            const double at = right ? x + widths[c] - cells.all[c].width : x;
+            if (cells.all[c].width > 0) set_text(block.marks, cells.all[c], {at, baseline}, colour, "text");
+            x += widths[c] + between;
+        }
+        block.width = x - between;
+        block.height = pitch;
+        return block;
+    }
+    void add_rule(Block& block, double y, double width, double pen) const {
+        block.marks.emplace_back(line({0, y}, {width, y}, {pen, context_.theme.text, {}, false}));
+    }
+
+    const DrawingContext& context_;
+    bool tolerances_ = false;
+    Cells head_;
+    std::vector<Cells> lines_;
+};
+
+}  // namespace
+
+std::vector<Answer> answers_of(const DrawingContext& context, const std::vector<Figure>& drawn, bool with_centres) {
+    return Answers(context, drawn).all(with_centres);
+}
+
+std::vector<Block> answer_lines(const DrawingContext& context, const std::vector<Answer>& answers, double width) {
+    return AnswerTable(context, answers).lines(width);
+}
+
+}  // namespace kinegraph::render

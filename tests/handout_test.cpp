@@ -1,0 +1,264 @@
+// Questions, keys and brief solutions: what they say, what they keep to themselves, and that nothing on them covers anything.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "render/sheet/drawn_sheet.hpp"
+#include "render/tables/answers.hpp"
+#include "tests/command_line.hpp"
+#include "tests/page_checker.hpp"
+#include "tests/pages.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+using namespace kinegraph::pages;
+
+SheetOptions of_kind(SheetKind kind, Language language = Language::en) {
+    SheetOptions options;
+    options.kind = kind;
+    options.language = language;
+    return options;
+}
+SheetOptions brief(Language language = Language::en) {
+    SheetOptions options;
+    options.detail = SolutionDetail::brief;
+    options.language = language;
+    return options;
+}
+
+std::string words_of(const std::vector<Page>& pages) {
+    std::string words;
+    for (const Page& page : pages)
+        for (const TextMark* text : texts_of(page)) words += text->words + "\n";
+    return words;
+}
+std::set<std::string> classes_of(const std::vector<Page>& pages) {
+    std::set<std::string> classes;
+    for (const Page& page : pages)
+        for (const Mark& mark : page.marks)
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) classes.insert(group->cls);
+    return classes;
+}
+/// Where the joints of figure 1 stand, by their ids.
+std::map<std::string, Spot> joints_of(const Page& page) {
+    std::map<std::string, Spot> joints;
+    for (std::size_t k = 0; k < page.marks.size(); ++k) {
+        const auto* group = std::get_if<GroupBegin>(&page.marks[k]);
+        if (!group || group->cls != "joint") continue;
+        std::vector<Mark> marks;
+        for (std::size_t i = k + 1; !std::holds_alternative<GroupEnd>(page.marks[i]); ++i) marks.push_back(page.marks[i]);
+        if (!marks.empty()) joints.emplace(group->id, box_of(marks).middle());
+    }
+    return joints;
+}
+
+// The acceptance of the brief solution: what a lecturer solves on two sides takes two.
+TEST(Brief, ExamFitsTwoSides) {
+    for (const std::string& name : example_names()) {
+        if (!name.starts_with("exam_2001")) continue;
+        SCOPED_TRACE(name);
+        for (const Language language : {Language::en, Language::it}) {
+            SheetOptions upright = brief(language);
+            upright.orientation = Orientation::portrait;
+            EXPECT_LE(lay_out(example(name), upright, fonts()).size(), 2U);
+            EXPECT_LE(lay_out(example(name), brief(language), fonts()).size(), 3U);
+        }
+    }
+}
+
+TEST(Brief, HasCentresOnlyWhereTheFileAsksForThem) {
+    const Solution asked = example("four_bar");
+    ASSERT_TRUE(asked.mechanism.find.stated && asked.mechanism.find.instant_centres);
+    EXPECT_TRUE(classes_of(lay_out(asked, brief(), fonts())).contains("centre"));
+    Solution unasked = asked;
+    unasked.mechanism.find.instant_centres = false;
+    const auto pages = lay_out(unasked, brief(), fonts());
+    EXPECT_FALSE(classes_of(pages).contains("centre"));
+    EXPECT_FALSE(says(pages, "Instant centres"));
+    EXPECT_TRUE(classes_of(lay_out(unasked, {}, fonts())).contains("centre"));
+}
+
+TEST(Brief, TellsEveryAnswerOnceAndRepeatsNoSentence) {
+    const Solution solution = example("stephenson_1_driver_2");
+    const auto pages = lay_out(solution, brief(), fonts());
+    EXPECT_LT(words_of(pages).size(), 0.6 * static_cast<double>(words_of(lay_out(solution, {}, fonts())).size()));
+    EXPECT_TRUE(says(pages, "Likewise"));
+    // Of all that is found by ω = v/l one sentence is told, with the values of the others behind it.
+    std::size_t sentences = 0;
+    for (const Statement& statement : solution.protocol.statements)
+        sentences += statement.message.sentence == Sentence::omega_from_pair ? 1 : 0;
+    ASSERT_GT(sentences, 1U);
+    const std::string words = words_of(pages);
+    for (const Answer& answer : answers_of({solution, SheetOptions{}.theme, fonts()}, {}))
+        EXPECT_NE(words.find(plain(typeset(answer.symbol, Language::en))), std::string::npos) << name_of(answer.symbol);
+}
+
+TEST(Brief, BarsOfTwoForcesShareABand) {
+    const Solution solution = example("scissor_lift");
+    std::set<std::string> bands_with_bars;
+    std::string band;
+    for (const Page& page : lay_out(solution, brief(), fonts()))
+        for (const Mark& mark : page.marks)
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+                if (group->cls == "band") band = *group->attribute("data-question");
+                for (const FreeBody& body : solution.free_bodies)
+                    if (!has_force_polygon(solution, body) && body.body != none &&
+                        group->id == "body-" + solution.mechanism.body(body.body).name)
+                        bands_with_bars.insert(band);
+            }
+    EXPECT_EQ(bands_with_bars.size(), 1U);
+}
+
+TEST(Question, ShowsTheDataAndNothingOfTheSolution) {
+    for (const char* name : {"four_bar", "exam_2001", "quick_return", "four_bar_weights"}) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
+        SheetOptions options = of_kind(SheetKind::question);
+        options.grid = true;
+        const auto pages = lay_out(solution, options, fonts());
+        const std::set<std::string> classes = classes_of(pages);
+        for (const char* found : {"vector", "centre", "sense", "velocity", "force"})
+            EXPECT_FALSE(classes.contains(found)) << found;
+        EXPECT_TRUE(classes.contains("room"));
+        for (const Page& page : pages)
+            for (const Mark& mark : page.marks)
+                if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+                    EXPECT_EQ(group->attribute("data-value"), nullptr) << group->id;
+                    EXPECT_TRUE(group->statement == none) << group->id;
+                }
+        EXPECT_TRUE(says(pages, "Sought"));
+        // No number of an answer, as the key and the tables write them.
+        const std::string words = words_of(pages);
+        const DrawingContext context{solution, options.theme, fonts()};
+        for (const Answer& answer : answers_of(context, {})) {
+            const std::string value = number(answer.value, 4, Language::en);
+            if (value.size() >= 5) EXPECT_EQ(words.find(value), std::string::npos) << name_of(answer.symbol) << " = " << value;
+        }
+    }
+}
+
+TEST(Question, SaysEveryDatum) {
+    const std::string words = words_of(lay_out(example("four_bar"), of_kind(SheetKind::question), fonts()));
+    for (const char* datum : {"40 mm", "60°", "150 mm", "80 mm", "(0, 0)", "(150, 0)"})
+        EXPECT_NE(words.find(datum), std::string::npos) << datum;
+    const Solution loaded = example("four_bar_weights");
+    const std::string with_masses = words_of(lay_out(loaded, of_kind(SheetKind::question), fonts()));
+    for (const Mass& mass : loaded.mechanism.masses)
+        EXPECT_NE(with_masses.find(number((mass.mass / loaded.mechanism.units.mass.si).to_double(), 1, Language::en)),
+                  std::string::npos);
+}
+
+TEST(Handouts, HaveFigureOneWhereTheSolutionHasIt) {
+    for (const char* name : {"four_bar", "exam_2001", "scara", "peaucellier"}) {
+        SCOPED_TRACE(name);
+        const Solution solution = example(name);
+        const auto joints = joints_of(lay_out(solution, {}, fonts()).front());
+        ASSERT_FALSE(joints.empty());
+        for (const SheetKind kind : {SheetKind::question, SheetKind::answers}) {
+            const auto same = joints_of(lay_out(solution, of_kind(kind), fonts()).front());
+            ASSERT_EQ(same.size(), joints.size());
+            // The mechanism to its scale; where its data want more room it gives way as a whole.
+            const Spot moved = same.begin()->second - joints.begin()->second;
+            for (const auto& [id, at] : joints) {
+                EXPECT_NEAR(same.at(id).x - at.x, moved.x, 0.01) << id;
+                EXPECT_NEAR(same.at(id).y - at.y, moved.y, 0.01) << id;
+            }
+            if (kind == SheetKind::answers) EXPECT_LT(length(moved), 0.01);
+        }
+    }
+}
+
+TEST(Answers, HaveTheTolerancesOfTheirReadings) {
+    const Solution solution = example("four_bar");
+    const SheetOptions options;
+    const DrawnSheet sheet = draw_solution(solution, options, fonts());
+    const DrawingContext context{solution, options.theme, fonts()};
+    const std::vector<Answer> answers = answers_of(context, sheet.figures);
+    const auto named = [&](const std::string& name) {
+        const auto found =
+            std::find_if(answers.begin(), answers.end(), [&](const Answer& a) { return name_of(a.symbol) == name; });
+        EXPECT_NE(found, answers.end()) << name;
+        return found == answers.end() ? Answer{} : *found;
+    };
+    double scale = 0;
+    for (const Figure& figure : sheet.figures)
+        if (figure.id == "velocity") scale = figure.scale;
+    ASSERT_GT(scale, 0);
+    // v_A = 4π · 0.04 m/s, normal to the crank that stands at 60° and turns clockwise.
+    const Answer v_A = named("v_A");
+    EXPECT_NEAR(v_A.value, 0.16 * 3.14159265358979, 1e-9);
+    EXPECT_NEAR(v_A.tolerance.value_or(0), 0.5 * scale, 1e-9);
+    EXPECT_NEAR(v_A.direction.value_or(0), 330, 1e-9);
+    // What is given is no answer.
+    EXPECT_TRUE(std::none_of(answers.begin(), answers.end(), [](const Answer& a) { return name_of(a.symbol) == "omega_2"; }));
+    const Answer omega_3 = named("omega_3");
+    EXPECT_NEAR(omega_3.value, solution.bodies[2].omega->to_double(), 1e-9);
+    ASSERT_TRUE(omega_3.tolerance);
+    // No better than the vector that it is found from, and good enough to tell it from zero.
+    EXPECT_GT(*omega_3.tolerance, 0.5 * scale / 0.15);
+    EXPECT_LT(*omega_3.tolerance, std::abs(omega_3.value));
+}
+
+TEST(Handouts, CoverNothing) {
+    std::size_t turn = 0;
+    std::map<Fault::Kind, int> counts;
+    std::size_t pixels = 0;
+    std::string first;
+    for (const std::string& name : example_names()) {
+        ++turn;
+        const Solution solution = example(name);
+        for (std::size_t kind = 0; kind < 3; ++kind) {
+            // Of three examples in a row each kind is seen in all languages, papers and orientations in turn.
+            const std::size_t n = turn * 5 + kind * 7;
+            SheetOptions options = kind == 0 ? brief() : of_kind(kind == 1 ? SheetKind::question : SheetKind::answers);
+            options.language = n % 2 == 0 ? Language::en : Language::it;
+            options.paper = static_cast<Paper>(n / 2 % 3);
+            options.orientation = static_cast<Orientation>(n / 6 % 2);
+            options.grid = kind == 1;
+            options.theme = built_in_theme(theme_names()[n % theme_names().size()]).value();
+            for (const Page& page : lay_out(solution, options, fonts())) {
+                for (const Fault& fault : faults_of(page, fonts())) {
+                    ++counts[fault.kind];
+                    if (first.size() < 4000) first += name + " " + std::to_string(kind) + ", " + said(fault) + "\n";
+                }
+                if (turn % 3 == kind) pixels += pixels_in_common(page, fonts(), 100);
+            }
+        }
+    }
+    EXPECT_EQ(counts, (std::map<Fault::Kind, int>{})) << first;
+    EXPECT_EQ(pixels, 0U);
+}
+
+class HandoutLine : public tests::CommandLine {};
+
+TEST_F(HandoutLine, GoesToEveryFormatAndSaysWhatHasNoMeaning) {
+    for (const char* file : {"q.svg", "q.png", "q.pdf"}) {
+        const auto run_of =
+            run("solve four_bar.json --sheet question --grid --lang it --theme print --paper letter -o " + std::string(file));
+        EXPECT_EQ(run_of.status, 0) << run_of.err;
+        EXPECT_TRUE(is_there(file));
+    }
+    EXPECT_EQ(run("solve four_bar.json --detail brief -o b.pdf").status, 0);
+    EXPECT_EQ(run("solve four_bar.json --sheet answers -o a.svg").status, 0);
+    const auto before = snapshot();
+    for (const char* arguments :
+         {"--grid -o x.svg", "--sheet answers --grid -o x.svg", "--sheet question --detail brief -o x.svg",
+          "--sheet question --figure velocity -o x.svg", "--detail brief --figure velocity -o x.svg",
+          "--sheet answers --steps -o x.svg", "--detail brief --steps -o x.svg", "--sheet question --with joukowsky -o x.svg",
+          "--sheet exam -o x.svg", "--detail short -o x.svg"})
+        for (const char* language : {"", " --lang it"}) {
+            const auto wrong = run("solve four_bar.json " + std::string(arguments) + language);
+            EXPECT_EQ(wrong.status, 2) << arguments;
+            EXPECT_TRUE(tests::lines_are(wrong.err, "kinegraph: --.*")) << wrong.err;
+            EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
+        }
+    EXPECT_EQ(changed_since(before), "");
+}
+
+}  // namespace
