@@ -27,9 +27,9 @@ struct Way {
     std::string name;
     bool is_path = false;
     std::vector<VectorOf<double>> places;
-    BodyIndex outline = none;  ///< of this body: closed, tinted and drawn as the body is
     enum class Kind { plain, fixed_centrode, moving_centrode, pole } kind = Kind::plain;
     bool comes_from_infinity = false, goes_to_infinity = false;  ///< centrodes: it is cut there
+    BodyIndex outline = none;                                    ///< of this body: closed, tinted and drawn as the body is
 };
 /// The mechanism as drawn, with its ways behind it. Kind and id "mechanism".
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y);
