@@ -54,11 +54,10 @@ private:
     // ----- the file
 
     void read_file(JsonValue root) {
-        const Members file =
-            members(root,
-                    {"$schema", "kinegraph", "title", "units", "precision", "frame", "points", "bodies", "joints", "drivers",
-                     "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales", "hertz", "reye", "impact"},
-                    {"a mechanism", "un meccanismo"});
+        const Members file = members(root, {"$schema", "kinegraph", "title",   "units",  "precision", "frame",          "points",
+                                            "bodies",  "joints",    "drivers", "masses", "gravity",   "inertia forces", "loads",
+                                            "effort",  "motion",    "find",    "scales", "hertz",     "reye",           "impact"},
+                                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
                      {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});
@@ -79,11 +78,12 @@ private:
             points_known_ = true;
             for (const JsonValue member : points) register_point(member);
         }
+        if (is_problem && !points) points_known_ = true;  // there are none
         const bool bodies_readable =
             bodies && expect(bodies, Kind::object, {"an object of bodies by name", "un oggetto con i corpi per nome"});
         bodies_known_ = bodies_readable;
         register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
-        if (points_known_) read_points(points);
+        if (points && points_known_) read_points(points);
         if (bodies_readable) read_bodies(bodies);
         if (is_problem) {
             mechanism_.problem = read_problem(file, mechanism_);

@@ -225,7 +225,8 @@ private:
     void draw_shoe_force(Spot pin, double drum) {
         const Spot toe = round(drum + (problem_.inside ? -1.5 : 1.5), found_.end);
         const Spot towards = unit(toe - pin);
-        const Spot place = pin + (problem_.arm.to_double() / scale_) * towards;
+        // A lever longer than the drawing is drawn as far as that goes.
+        const Spot place = pin + std::min(problem_.arm.to_double() / scale_, 2.2 * drum) * towards;
         add(line(pin, place, pen(theme_.thin, theme_.secondary)));
         // Across the arm, away from the drum's centre for an inner shoe, towards it for an outer one.
         Spot across = turned(towards);
