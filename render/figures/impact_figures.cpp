@@ -105,10 +105,8 @@ private:
         for (std::size_t i = 0; i < 2; ++i) {
             if (found_.bodies.at(i).fixed) continue;
             for (const PointIndex point : body(i).points) include(context_.solution.pose.at(point), 0);
-            if (const auto round = circle_of(i))
-                include(round->first, round->second);
-            else
-                include(found_.bodies.at(i).centre, 0);
+            if (const auto round = circle_of(i)) include(round->first, round->second);
+            include(found_.bodies.at(i).centre, 0);
             if (found_.bodies.at(i).pivot) include(*found_.bodies.at(i).pivot, 0);
         }
         constexpr double something = 0.05;  // m, of particles alone
@@ -169,6 +167,7 @@ private:
                                  .anchor = centre});
         if (const auto& percussion = found_.bodies.at(i).percussion) {
             const Spot there = spot(*percussion);
+            if (render::length(there - centre) > room_.x) return;  // too far to be drawn
             const Pen pen{theme_.outline, theme_.secondary, {}, false};
             figure.marks.emplace_back(line(there + Spot{-1.2, -1.2}, there + Spot{1.2, 1.2}, pen));
             figure.marks.emplace_back(line(there + Spot{-1.2, 1.2}, there + Spot{1.2, -1.2}, pen));

@@ -134,10 +134,8 @@ private:
         add(ring(centroid, 0.9, theme_.paper, pen(theme_.outline, theme_.text)));
         name("{G}", centroid);
         name("{R} = {Q}", {at, foot - 3}, Spot{at, foot - 8});
-        if (found_.first > 0)
-            name("{p_1}", {left, top + first / 2}, Spot{left, top});
-        if (found_.second > 0)
-            name("{p_2}", {right, top + second / 2}, Spot{right, top});
+        if (found_.first > 0) name("{p_1}", {left, top + first / 2}, Spot{left, top});
+        if (found_.second > 0) name("{p_2}", {right, top + second / 2}, Spot{right, top});
     }
 
     // ----- disc
@@ -187,8 +185,7 @@ private:
         // Friction turns a leading shoe the way its force does.
         const double middle = 1.25 * pi;
         const bool counter = problem_.leading == problem_.inside;
-        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline,
-                       theme_.text);
+        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline, theme_.text);
         name("{ω}", round(0.6 * drum, middle));
     }
     void draw_lining(double drum) {
