@@ -12,6 +12,7 @@
 #include "render/sheet/steps.hpp"
 #include "tests/command_line.hpp"
 #include "tests/pages.hpp"
+#include "tests/through_all.hpp"
 
 namespace kinegraph {
 namespace {
@@ -63,6 +64,11 @@ TEST_P(ProblemSheets, HaveResultsThatAgreeWithTheChecks) {
     for (const Language language : {Language::en, Language::it})
         for (const ProblemValue& each : solution.problem->values)
             EXPECT_NE(results_table(solution, language).find(in(each.name, language)), std::string::npos);
+}
+
+TEST_P(ProblemSheets, ComeThroughAll) {
+    const tests::HowFar far = tests::through_all(tests::contents(tests::example_file(GetParam())), fonts());
+    EXPECT_TRUE(far.drawn);
 }
 
 std::string name_of_file(const testing::TestParamInfo<std::string>& info) { return info.param.substr(info.param.find('/') + 1); }
