@@ -258,15 +258,15 @@ Result<ProblemSolution> solve_impact(const ImpactProblem& problem, const Mechani
     solution.values = values_of(problem, found, check_impact(problem, found.at, found.normal, pose), mechanism);
     for (const ProblemValue& each : solution.values)
         if (!std::isfinite(each.value) || !std::isfinite(*each.numeric))
-            return tl::unexpected(Errors{{ErrorCode::bad_input,
-                                          problem.where,
-                                          {"these numbers are too far apart: {0} comes out as no number; check the units",
-                                           "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità",
-                                           each.name}}});
+            return tl::unexpected(Errors{
+                {ErrorCode::bad_input,
+                 problem.where,
+                 {"these numbers are too far apart: {0} comes out as no number; check the units",
+                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}});
     if (found.kinematic_restitution != found.restitution)
         solution.remarks.emplace_back(
-            "friction makes the two coefficients of restitution differ: the ratio of the impulses (Poisson) is the one given, that of the normal velocities (Newton) comes out otherwise",
-            "l’attrito rende diversi i due coefficienti di restituzione: il rapporto degli impulsi (Poisson) è quello dato, quello delle velocità normali (Newton) risulta diverso");
+            "Friction makes the two coefficients of restitution differ: the ratio of the impulses (Poisson) is the one given, that of the normal velocities (Newton) comes out otherwise.",
+            "L’attrito rende diversi i due coefficienti di restituzione: il rapporto degli impulsi (Poisson) è quello dato, quello delle velocità normali (Newton) risulta diverso.");
     solution.of = std::move(found);
     return solution;
 }

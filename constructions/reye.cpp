@@ -171,11 +171,8 @@ std::vector<ProblemValue> values_of(const ReyeProblem& problem, const ReyeSoluti
                           force,
                           std::hypot(found.normal_force.x, found.normal_force.y),
                           check.normal});
-        values.push_back({{"centre of pressure", "centro di pressione"},
-                          "r_C",
-                          length,
-                          found.pressure_radius,
-                          check.pressure_radius});
+        values.push_back(
+            {{"centre of pressure", "centro di pressione"}, "r_C", length, found.pressure_radius, check.pressure_radius});
         if (problem.leading && found.locking_friction)
             values.push_back(
                 {{"locking friction", "attrito di bloccaggio"}, "f_lim", dimensionless, *found.locking_friction, check.locking});
@@ -213,8 +210,8 @@ Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
                   "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}});
     if (found.lifts)
         solution.remarks.emplace_back(
-            "the force lies outside the middle third, so the pad lifts at one end: the contact that remains is a triangle of pressure",
-            "la forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha pressione triangolare");
+            "The force lies outside the middle third, so the pad lifts at one end: the contact that remains is a triangle of pressure.",
+            "La forza è fuori dal terzo medio, quindi il pattino si solleva a un estremo: il contatto che resta ha pressione triangolare.");
     solution.of = std::move(found);
     return solution;
 }

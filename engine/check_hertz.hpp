@@ -1,5 +1,6 @@
 // The numeric check of a Hertzian contact. It shares nothing with the closed forms: points by Hertz's own integrals over the
-// confocal ellipsoids, done by quadrature; lines by the integral equation of the pressure as a linear system (Erdogan and Gupta's
+// confocal ellipsoids, done by quadrature (the closed form of an approach along a line leaves
+// out (b/r)², the check does not); lines by the integral equation of the pressure as a linear system (Erdogan and Gupta's
 // Gauss–Chebyshev quadrature); approaches along a line by adding up the strain; stresses by Boussinesq's and Flamant's solutions
 // for one force, summed over the face of contact.
 #pragma once

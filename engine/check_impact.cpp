@@ -103,6 +103,25 @@ private:
             push(0, without > 0 ? -most : most);
     }
 
+    /// The same, parted where the slip would turn back within it: up to there it slides.
+    void advance(double along) {
+        const auto kept = bodies_;
+        const Pair total = total_;
+        const double before = slip();
+        const double against = before > 0 ? -friction_ : friction_;
+        push(along, before == 0 ? 0 : against * along);
+        const double after = slip();
+        bodies_ = kept;
+        total_ = total;
+        if (before * after >= 0) {
+            step(along);
+            return;
+        }
+        const double part = along * before / (before - after);
+        push(part, against * part);
+        step(along - part);
+    }
+
     void run(double restitution) {
         // The scale of the impulse: what a unit of it does to the approach.
         const auto kept = bodies_;
@@ -123,7 +142,7 @@ private:
             const auto back = bodies_;
             const Pair total = total_;
             const double from = approach();
-            step(size);
+            advance(size);
             sum += size;
             if (const double to = approach(); to > 0) {
                 // The compression ended within this step.
@@ -131,13 +150,13 @@ private:
                 total_ = total;
                 sum -= size;
                 const double rest = size * from / (from - to);
-                step(rest);
+                advance(rest);
                 sum += rest;
                 break;
             }
         }
         const double all = restitution * sum;
-        for (int i = 0; i < steps && all > 0; ++i) step(all / steps);
+        for (int i = 0; i < steps && all > 0; ++i) advance(all / steps);
     }
     double scale() const {
         double sum = 0;

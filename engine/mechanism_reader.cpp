@@ -68,9 +68,9 @@ private:
 
     void read_file(JsonValue root) {
         const Members file =
-            members(root,
-                    {"$schema", "kinegraph", "title", "units", "parameters", "precision", "frame", "points", "bodies", "joints",
-                     "drivers", "masses", "gravity", "inertia forces", "loads", "effort", "motion", "find", "scales", "hertz", "reye", "impact"},
+            members(root, {"$schema", "kinegraph", "title",   "units",  "parameters", "precision",      "frame", "points",
+                           "bodies",  "joints",    "drivers", "masses", "gravity",    "inertia forces", "loads", "effort",
+                           "motion",  "find",      "scales",  "hertz",  "reye",       "impact"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
@@ -93,11 +93,12 @@ private:
             points_known_ = true;
             for (const JsonValue member : points) register_point(member);
         }
+        if (is_problem && !points) points_known_ = true;  // there are none
         const bool bodies_readable =
             bodies && expect(bodies, Kind::object, {"an object of bodies by name", "un oggetto con i corpi per nome"});
         bodies_known_ = bodies_readable;
         register_bodies(file["frame"], bodies_readable ? bodies : JsonValue());
-        if (points_known_) read_points(points);
+        if (points && points_known_) read_points(points);
         if (bodies_readable) read_bodies(bodies);
         if (is_problem) {
             mechanism_.problem = read_problem(file, mechanism_);
@@ -683,9 +684,8 @@ private:
     void read_driver(JsonValue value) {
         if (!expect(value, Kind::object, {"a driver", "un movente"})) return;
         if (value["joint"]) {
-            const Members form =
-                members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
-                        {"a driver of a joint", "un movente di una coppia"});
+            const Members form = members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
+                                         {"a driver of a joint", "un movente di una coppia"});
             SlideDriver driver;
             driver.where = value.pointer();
             driver.joint = sliding_joint(
@@ -727,10 +727,9 @@ private:
             add(std::move(driver));
             return;
         }
-        const Members form =
-            members(value,
-                    {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
-                    {"a driver", "un movente"});
+        const Members form = members(
+            value, {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
+            {"a driver", "un movente"});
         for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
             if (form.has_or_misspells(key)) return;
         }
@@ -773,9 +772,8 @@ private:
         }
         const bool turning = *rates.begin() == "omega";
         const std::size_t faults = faults_.size();
-        Law law = law_of_value(
-            value, turning ? LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
-                           : LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
+        Law law = law_of_value(value, turning ? LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
+                                              : LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
         if (faults_.size() > faults) return std::nullopt;
         law.drawn = quantity_or_zero(drawn, QuantityKind::time);
         if (law.drawn.sign() < 0 || law.drawn.to_double() > law.length() * (1 + 1e-12)) {

@@ -245,12 +245,12 @@ std::optional<ReyeProblem> ProblemReader::read_reye(JsonValue section) {
     const Words wanted("\"pad\", \"block\", \"disc\", \"collar\" or \"shoe\"",
                        "\"pad\", \"block\", \"disc\", \"collar\" o \"shoe\"");
     const JsonValue kind = section["kind"];
-    const auto* found =
-        std::find_if(kinds.begin(), kinds.end(), [&](const auto& each) { return kind.is_string() && each.first == kind.text(); });
     if (!kind) {
         fault(section, {"\"kind\" is missing: {0}", "manca \"kind\": {0}", wanted});
         return std::nullopt;
     }
+    const auto* found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& each) { return kind.is_string() && each.first == kind.text(); });
     if (found == kinds.end()) {
         wrong(kind, wanted);
         return std::nullopt;

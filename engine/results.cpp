@@ -492,7 +492,8 @@ private:
 /// What was found of contact, wear or impact: its own section, and the checks of its values.
 class ProblemResults {
 public:
-    explicit ProblemResults(const Solution& solution) : found_(*solution.problem), mechanism_(solution.mechanism) {}
+    ProblemResults(const Solution& solution, bool exact)
+        : found_(*solution.problem), mechanism_(solution.mechanism), exact_(exact) {}
 
     std::string json() const {
         Members file;
@@ -535,6 +536,9 @@ private:
         members.emplace_back("bodies", object(bodies));
         members.emplace_back("energy lost", number(found.energy_lost));
         members.emplace_back("normal restitution", number(found.kinematic_restitution));
+        if (exact_)
+            members.emplace_back("exact",
+                                 object({{"impulse", fractions(found.impulse)}, {"energy lost", fraction(found.energy_lost)}}));
         file.emplace_back("impact", object_of_lines(members));
     }
     void add(const ReyeSolution& found, Members& file) const {
@@ -557,12 +561,13 @@ private:
 
     const ProblemSolution& found_;
     const Mechanism& mechanism_;
+    bool exact_;
 };
 
 }  // namespace
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
-    if (solution.problem) return ProblemResults(solution).json();
+    if (solution.problem) return ProblemResults(solution, exact).json();
     return Results(solution, exact, tell).json();
 }
 

@@ -118,7 +118,7 @@ TEST(Impact, RouthAgreesWithNewtonWhereverTheContactSticksSlidesOrTurnsBack) {
         if (!solution) continue;  // it jams, or would part
         SCOPED_TRACE(text);
         expect_balance(*solution);
-        expect_near_check(*solution, 2e-3);
+        expect_near_check(*solution, 1e-6);
         int sense = 0;
         bool sticks = false, turns = false;
         for (const ImpactSolution::Phase& phase : impact_of(*solution).phases) {

@@ -105,10 +105,8 @@ private:
         for (std::size_t i = 0; i < 2; ++i) {
             if (found_.bodies.at(i).fixed) continue;
             for (const PointIndex point : body(i).points) include(context_.solution.pose.at(point), 0);
-            if (const auto round = circle_of(i))
-                include(round->first, round->second);
-            else
-                include(found_.bodies.at(i).centre, 0);
+            if (const auto round = circle_of(i)) include(round->first, round->second);
+            include(found_.bodies.at(i).centre, 0);
             if (found_.bodies.at(i).pivot) include(*found_.bodies.at(i).pivot, 0);
         }
         constexpr double something = 0.05;  // m, of particles alone
@@ -169,6 +167,7 @@ private:
                                  .anchor = centre});
         if (const auto& percussion = found_.bodies.at(i).percussion) {
             const Spot there = spot(*percussion);
+            if (render::length(there - centre) > room_.x) return;  // too far to be drawn
             const Pen pen{theme_.outline, theme_.secondary, {}, false};
             figure.marks.emplace_back(line(there + Spot{-1.2, -1.2}, there + Spot{1.2, 1.2}, pen));
             figure.marks.emplace_back(line(there + Spot{-1.2, 1.2}, there + Spot{1.2, -1.2}, pen));
@@ -297,8 +296,15 @@ public:
         figure.scale = scale_ / si;
         figure.unit = unit_.symbol;
         draw_axes(figure, {(si / scale_) * extent.min, (si / scale_) * extent.max});
-        for (const Side& each : sides) draw_side(figure, each);
-        for (const Arrow& each : arrows) draw_arrow_of(figure, each);
+        // Vectors on one line would cover each other: they are drawn side by side.
+        const bool side_by_side = are_collinear();
+        Spot tail;
+        if (!side_by_side)
+            for (const Side& each : sides) draw_side(figure, each);
+        for (const Arrow& each : arrows) {
+            draw_arrow_of(figure, each, tail);
+            if (side_by_side && !each.tip.is_zero()) tail = tail + 5 * unit(spot_of(found_.tangent, 1));
+        }
         figure.marks.emplace_back(disc({0, 0}, 0.8, theme_.text));
         figure.labels.push_back(
             {.text = one_piece("o", Face::italic), .size = theme_.label, .colour = theme_.text, .anchor = {0, 0}});
@@ -306,6 +312,10 @@ public:
     }
 
 private:
+    bool are_collinear() const {
+        return std::all_of(arrows.begin(), arrows.end(),
+                           [&](const Arrow& each) { return cross(each.tip, found_.normal).is_zero(); });
+    }
     /// Across the drawing, whatever it spans.
     void draw_axes(Figure& figure, const Box& box) {
         const auto axis = [&](const Vector& direction, const char* name, const std::vector<double>& kind) {
@@ -337,12 +347,15 @@ private:
                                      .toward = to,
                                      .clearance = 1.4});
     }
-    void draw_arrow_of(Figure& figure, const Arrow& arrow) {
-        const Spot tip = spot_of(arrow.tip, scale_);
-        if (render::length(tip) < 0.3) return;
-        vector_mark(figure, arrow.name, {0, 0}, tip, kinegraph::length(arrow.tip), "m/s", arrow.line);
-        figure.labels.push_back(
-            {.text = formula(arrow.text), .size = theme_.label, .colour = arrow.letter, .anchor = 0.6 * tip, .toward = tip});
+    void draw_arrow_of(Figure& figure, const Arrow& arrow, Spot tail) {
+        const Spot reach = spot_of(arrow.tip, scale_);
+        if (render::length(reach) < 0.3) return;
+        vector_mark(figure, arrow.name, tail, tail + reach, kinegraph::length(arrow.tip), "m/s", arrow.line);
+        figure.labels.push_back({.text = formula(arrow.text),
+                                 .size = theme_.label,
+                                 .colour = arrow.letter,
+                                 .anchor = tail + 0.6 * reach,
+                                 .toward = tail + reach});
     }
 
     const DrawingContext& context_;

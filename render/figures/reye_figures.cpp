@@ -134,10 +134,8 @@ private:
         add(ring(centroid, 0.9, theme_.paper, pen(theme_.outline, theme_.text)));
         name("{G}", centroid);
         name("{R} = {Q}", {at, foot - 3}, Spot{at, foot - 8});
-        if (found_.first > 0)
-            name("{p_1}", {left, top + first / 2}, Spot{left, top});
-        if (found_.second > 0)
-            name("{p_2}", {right, top + second / 2}, Spot{right, top});
+        if (found_.first > 0) name("{p_1}", {left, top + first / 2}, Spot{left, top});
+        if (found_.second > 0) name("{p_2}", {right, top + second / 2}, Spot{right, top});
     }
 
     // ----- disc
@@ -187,8 +185,7 @@ private:
         // Friction turns a leading shoe the way its force does.
         const double middle = 1.25 * pi;
         const bool counter = problem_.leading == problem_.inside;
-        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline,
-                       theme_.text);
+        draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline, theme_.text);
         name("{ω}", round(0.6 * drum, middle));
     }
     void draw_lining(double drum) {
@@ -225,7 +222,8 @@ private:
     void draw_shoe_force(Spot pin, double drum) {
         const Spot toe = round(drum + (problem_.inside ? -1.5 : 1.5), found_.end);
         const Spot towards = unit(toe - pin);
-        const Spot place = pin + (problem_.arm.to_double() / scale_) * towards;
+        // A lever longer than the drawing is drawn as far as that goes.
+        const Spot place = pin + std::min(problem_.arm.to_double() / scale_, 2.2 * drum) * towards;
         add(line(pin, place, pen(theme_.thin, theme_.secondary)));
         // Across the arm, away from the drum's centre for an inner shoe, towards it for an outer one.
         Spot across = turned(towards);

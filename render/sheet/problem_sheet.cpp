@@ -23,12 +23,14 @@ constexpr double between_sections = 3.5, below_figure = 2.5, equation_indent = 6
 struct ResultCells {
     std::string found, numeric, difference;
 };
-/// The largest of its kind: what is rounding beside it is nothing.
+/// The largest of its kind, or of all where its kind vanishes: what is rounding beside it is nothing.
 double largest_like(const ProblemValue& value, const std::vector<ProblemValue>& values) {
-    double largest = 0;
-    for (const ProblemValue& each : values)
+    double largest = 0, of_all = 0;
+    for (const ProblemValue& each : values) {
+        of_all = std::max(of_all, std::abs(each.value));
         if (each.kind == value.kind && each.unit == value.unit) largest = std::max(largest, std::abs(each.value));
-    return largest;
+    }
+    return largest > 0 ? largest : of_all;
 }
 ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>& all, const Units& units, Language language) {
     const double larger = std::max(std::abs(value.value), std::abs(value.numeric.value_or(0)));
@@ -58,6 +60,7 @@ struct Item {
     std::size_t section = 0;
     double above = 0;         ///< air before it, unless it begins a column
     bool holds_next = false;  ///< a heading does not part from what follows
+    bool spreads = false;     ///< begins a column where there is one to spare
 };
 
 class ProblemSheet {
@@ -69,14 +72,16 @@ public:
           sections_(sections_of_problem(context_)) {}
 
     std::vector<Page> pages() {
-        // The tallest figures that need no more pages than the smallest.
+        // The tallest figures that need no more pages than the smallest; the results in a column of their own where that needs
+        // none.
         constexpr std::array heights{86.0, 82.0, 78.0, 74.0, 70.0, 66.0, 62.0, 58.0, 54.0};
-        std::vector<std::vector<Mark>> best = flow(items(heights.back()));
+        const std::size_t fewest = flow(items(heights.back()), false).size();
+        std::vector<std::vector<Mark>> best;
         for (const double height : heights) {
-            if (height == heights.back()) break;
-            auto sheets = flow(items(height));
-            if (sheets.size() > best.size()) continue;
-            best = std::move(sheets);
+            const std::vector<Item> all = items(height);
+            best = flow(all, false);
+            if (best.size() > fewest) continue;
+            if (auto spread = flow(all, true); spread.size() == fewest) best = std::move(spread);
             break;
         }
         return framed(best);
@@ -191,7 +196,7 @@ private:
         table.width = width;
         table.height = y;
         const Words heading("Results and numeric check", "Risultati e verifica numerica");
-        all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true});
+        all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
         all.push_back({fitted(std::move(table)), section, 0, false});
         return all;
     }
@@ -218,7 +223,7 @@ private:
     }
 
     /// Items one below the other, column after column, page after page.
-    std::vector<std::vector<Mark>> flow(const std::vector<Item>& all) const {
+    std::vector<std::vector<Mark>> flow(const std::vector<Item>& all, bool spread) const {
         std::vector<std::vector<Mark>> sheets(1);
         int column = 0;
         double y = format_.content.min.y;
@@ -232,7 +237,7 @@ private:
             const Item& item = all[i];
             double needed = item.block.height;
             for (std::size_t k = i; all[k].holds_next && k + 1 < all.size(); ++k) needed += all[k + 1].block.height;
-            if (!begins && y + item.above + needed > bottom(column, sheets.size() == 1)) {
+            if (!begins && ((spread && item.spreads) || y + item.above + needed > bottom(column, sheets.size() == 1))) {
                 if (++column == format_.columns) {
                     close();
                     sheets.emplace_back();
