@@ -51,9 +51,9 @@ tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanis
     const auto rates = rates_at(*law, coordinate.to_double());
     if (rates) return *rates;
     const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
-    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}", "{0}: la legge del movente {1} va da {2} a {3}",
-                                text(coordinate.to_double()), name_of_driver(mechanism, driver), text(rates.error().first),
-                                text(rates.error().second)));
+    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}",
+                                "{0}: la legge del movente {1} va da {2} a {3}", text(coordinate.to_double()),
+                                name_of_driver(mechanism, driver), text(rates.error().first), text(rates.error().second)));
 }
 /// A time of a law, zero as drawn; nothing where the text is no time.
 std::optional<Asked> asked_by_time(const Law& law, const std::string& text) {
@@ -161,12 +161,19 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
     return solutions;
 }
 
+/// What a request asks that only a mechanism has; null where a problem in place of joints will do.
+const char* asked_of_mechanisms(const SolveRequest& request) {
+    if (!request.at.empty()) return "solve --at";
+    if (request.sheet != render::SheetKind::solution) return "solve --sheet";
+    return request.detail == render::SolutionDetail::brief ? "solve --detail" : nullptr;
+}
+
 /// The file read and solved; else it has been said what is wrong.
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
     auto mechanism = mechanism_of(request.file, request.language, request.set);
     if (!mechanism) return tl::unexpected(mechanism.error());
-    if (!request.at.empty() && mechanism->problem) {
-        say(spoken(request.file), no_mechanism("solve --at"), request.language);
+    if (const char* const what = asked_of_mechanisms(request); mechanism->problem && what != nullptr) {
+        say(spoken(request.file), no_mechanism(what), request.language);
         return tl::unexpected(Status::bad_input);
     }
     if (!request.at.empty()) return solved_at(*mechanism, request);
