@@ -105,8 +105,8 @@ public:
         for (int i = 0; i <= steps; ++i) {
             const double s = low + (high - low) * inner(i, steps);
             coarse.push_back(at(s));
-            // A change point has no row, but its neighbours have.
-            constexpr double beside = 1e-6;
+            // A change point has no row, and next to it doubles lose digits.
+            constexpr double beside = 1e-4;
             if (!coarse.back().known) coarse.back() = at(s + (i == steps ? -beside : beside) * (high - low));
         }
         // The places at which the two do not turn against each other part the rest.
