@@ -25,6 +25,7 @@ struct Shows {
     bool centres = false;
     std::optional<Symbol::Letter> turnings{};
     const std::vector<Way>* ways = nullptr;
+    Box without_ways{};  ///< what the mechanism alone spans, m; with ways
 };
 
 /// On paper, at a scale of m for each mm.
@@ -60,11 +61,11 @@ Box room_of(const Way& way, const Box& mechanism) {
 }
 
 /// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with its name.
-void draw_centrode(Sketch& sketch, const Way& way) {
+void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism) {
     const Theme& theme = sketch.theme;
     if (way.kind == Way::Kind::pole) {
         const Spot at = spots_of(way, sketch.scale()).front();
-        if (!contains(room_of(way, sketch.mechanism_box()), at)) return;
+        if (!contains(room_of(way, mechanism), at)) return;
         sketch.centres.emplace_back(tinted(disc(at, 1.15, theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, theme.text));
         sketch.add_label(typeset(Symbol{Symbol::Letter::centre, way.name, ""}, sketch.context.language), theme.text, at, 1.7);
@@ -72,7 +73,7 @@ void draw_centrode(Sketch& sketch, const Way& way) {
     }
     const bool is_fixed = way.kind == Way::Kind::fixed_centrode;
     const Pen pen{1.2 * theme.outline, theme.text, is_fixed ? std::vector<double>{} : dashes(), false};
-    const auto pieces = pieces_within(room_of(way, sketch.mechanism_box()), spots_of(way, sketch.scale()));
+    const auto pieces = pieces_within(room_of(way, mechanism), spots_of(way, sketch.scale()));
     sketch.construction.emplace_back(
         GroupBegin{"centrode", "", "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -89,14 +90,14 @@ void draw_centrode(Sketch& sketch, const Way& way) {
 }
 
 /// Each centrode is named once, at its longest piece; whose it is, where there are those of several pairs.
-void name_centrodes(Sketch& sketch, const std::vector<Way>& ways) {
+void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
     std::map<std::pair<std::string, Way::Kind>, std::vector<Spot>> longest;
     std::set<std::string> pairs;
     for (const Way& way : ways) {
         if (way.kind != Way::Kind::fixed_centrode && way.kind != Way::Kind::moving_centrode) continue;
         pairs.insert(way.name);
         std::vector<Spot>& kept = longest[{way.name, way.kind}];
-        for (auto& spots : pieces_within(room_of(way, sketch.mechanism_box()), spots_of(way, sketch.scale())))
+        for (auto& spots : pieces_within(room_of(way, mechanism), spots_of(way, sketch.scale())))
             if (spots.size() > kept.size()) kept = std::move(spots);
     }
     for (const auto& [key, spots] : longest) {
@@ -111,9 +112,10 @@ void name_centrodes(Sketch& sketch, const std::vector<Way>& ways) {
 }
 
 /// Other positions thin behind the mechanism, paths of points a little stronger.
-void draw_ways(Sketch& sketch, const std::vector<Way>& ways) {
+/// `mechanism`: what it spans, mm.
+void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
     for (const Way& way : ways) {
-        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way);
+        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way, mechanism);
         if (way.kind != Way::Kind::plain || way.places.size() < 2) continue;
         const Theme& theme = sketch.theme;
         sketch.construction.emplace_back(GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
@@ -163,7 +165,8 @@ private:
     };
     Drawn drawn(const Trial& trial, Dimensions dimensions, const std::set<std::string>& left_out) const {
         Sketch sketch(subject, context, trial.scale, "");
-        if (shows.ways != nullptr) draw_ways(sketch, *shows.ways);
+        const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
+        if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
         draw_drivers(sketch);
         draw_compass(sketch);
         draw_in_colour(sketch);
@@ -172,7 +175,7 @@ private:
         if (shows.turnings) draw_turnings(sketch, *shows.turnings);
         if (dimensions != Dimensions::off) draw_dimensions(sketch, room, dimensions == Dimensions::on, left_out);
         const bool dimensioned = !sketch.dimensions.empty();
-        if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways);
+        if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(shows.ways != nullptr ? "mechanism and its way"
@@ -291,7 +294,7 @@ Box extent_of_mechanism(const Solution& solution, bool with_centres) {
 
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y) {
     MechanismFigure figure{context, {room_x, room_y}, {.ways = &ways}};
-    const Box mechanism = figure.subject.box;
+    const Box mechanism = figure.shows.without_ways = figure.subject.box;
     for (const Way& way : ways)
         for (const Spot spot : spots_of(way, 1))
             if (way.kind == Way::Kind::plain || contains(room_of(way, mechanism), spot)) figure.subject.box.include(spot);
