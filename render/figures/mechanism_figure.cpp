@@ -61,7 +61,8 @@ Box room_of(const Way& way, const Box& mechanism) {
 }
 
 /// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with its name.
-void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism) {
+/// `ends`: where an arrow stands already, for a way that is gone forth and back.
+void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::vector<Spot>& ends) {
     const Theme& theme = sketch.theme;
     if (way.kind == Way::Kind::pole) {
         const Spot at = spots_of(way, sketch.scale()).front();
@@ -80,6 +81,9 @@ void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism) {
         const std::vector<Spot>& spots = pieces[i];
         sketch.construction.emplace_back(polyline(spots, pen));
         const auto arrow = [&](Spot before, Spot end) {
+            constexpr double apart = 3;
+            if (std::any_of(ends.begin(), ends.end(), [&](Spot other) { return length(other - end) < apart; })) return;
+            ends.push_back(end);
             draw_arrow(sketch.construction, end - 5 * unit(end - before), end, theme.outline, pen.colour);
             sketch.add_label(one_piece("∞"), pen.colour, end, 1.2);
         };
@@ -114,8 +118,9 @@ void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mec
 /// Other positions thin behind the mechanism, paths of points a little stronger.
 /// `mechanism`: what it spans, mm.
 void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
+    std::vector<Spot> ends;
     for (const Way& way : ways) {
-        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way, mechanism);
+        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way, mechanism, ends);
         if (way.kind != Way::Kind::plain || way.places.size() < 2) continue;
         const Theme& theme = sketch.theme;
         sketch.construction.emplace_back(GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
