@@ -81,7 +81,7 @@ void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::ve
         const std::vector<Spot>& spots = pieces[i];
         sketch.construction.emplace_back(polyline(spots, pen));
         const auto arrow = [&](Spot before, Spot end) {
-            constexpr double apart = 3;
+            constexpr double apart = 1.5;
             if (std::any_of(ends.begin(), ends.end(), [&](Spot other) { return length(other - end) < apart; })) return;
             ends.push_back(end);
             draw_arrow(sketch.construction, end - 5 * unit(end - before), end, theme.outline, pen.colour);
