@@ -105,8 +105,8 @@ public:
         for (int i = 0; i <= steps; ++i) {
             const double s = low + (high - low) * inner(i, steps);
             coarse.push_back(at(s));
-            // A change point has no row, but its neighbours have.
-            constexpr double beside = 1e-6;
+            // A change point has no row, and next to it doubles lose digits.
+            constexpr double beside = 1e-4;
             if (!coarse.back().known) coarse.back() = at(s + (i == steps ? -beside : beside) * (high - low));
         }
         // The places at which the two do not turn against each other part the rest.
@@ -161,6 +161,7 @@ private:
         }
         if ((a.omega < 0) != (b.omega < 0) && a.omega != 0 && b.omega != 0) {
             const double zero = zero_between(a, b);
+            if (pass_standstill(a, zero, b)) return;
             if (a.finite) leave(a, zero);
             finish_branch(true);
             found_.infinities.push_back(zero);
@@ -177,6 +178,17 @@ private:
         if (a.finite) finish_branch(true);
         if (a.finite && b.omega == 0) found_.infinities.push_back(b.s);
         if (b.finite) enter(a.s, b);
+    }
+    /// Where all of the motion stops and turns round (a rocker at the end of its stroke) the pole stays where it is.
+    bool pass_standstill(const Sample& a, double zero, const Sample& b) {
+        constexpr double beside = 1e-4, near = 0.01;  // of the step; of the drawing's size
+        const Sample left = at(zero - beside * (b.s - a.s)), right = at(zero + beside * (b.s - a.s));
+        if (!a.finite || !b.finite || !left.finite || !right.finite) return false;
+        if (size_of(right.fixed - left.fixed) > near * size_) return false;
+        add(a);
+        refine(a, left, 0);
+        refine(right, b, 0);
+        return true;
     }
     double zero_between(const Sample& a, const Sample& b) {
         double low = a.s, high = b.s;

@@ -108,6 +108,15 @@ TEST(Centrodes, OfTwoMovingBodiesRollToo) {
     expect_rolling(centrodes, 0.15);
 }
 
+TEST(Centrodes, StayWhereAllOfTheMotionStops) {
+    // At both ends of the lever's stroke coupler and ram stand still; at infinity the pole is where the coupler alone does not
+    // turn.
+    const Centrodes centrodes = traced_example("quick_return", "1", "5");
+    EXPECT_LE(centrodes.infinities.size(), 2U);
+    for (const double each : centrodes.infinities)
+        for (const double stop : {3.0295107240589, 5.3480696855137}) EXPECT_GT(std::abs(each - stop), 0.01);
+}
+
 TEST(Centrodes, OfAHingeAreAPointAndOfASlideNone) {
     const Centrodes hinge = traced_example("four_bar", "1", "2");
     for (const Centrodes::Branch& branch : hinge.branches)

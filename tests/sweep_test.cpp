@@ -120,7 +120,7 @@ TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
     refused("four_bar.json --steps 1", R"(four_bar\.json: --steps: at least 2 are needed)");
     refused("four_bar.json --from 20mm", R"(four_bar\.json: --from "20mm" is a length; an angle is wanted here)");
     refused("four_bar.json --from 1 --to 1", R"(four_bar\.json: --from and --to are the same position.*)");
-    refused("four_bar.json --centrodes 1,3", R"(kinegraph: .*--centrodes.*)");
+    refused("four_bar.json --centroids 1,3", R"(kinegraph: .*--centroids.*)");
     refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
 }
 

@@ -2,7 +2,10 @@
 // Solution and computes no mechanics.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "render/figures/figure.hpp"
 #include "render/figures/fit.hpp"
@@ -22,6 +25,7 @@ struct Shows {
     bool centres = false;
     std::optional<Symbol::Letter> turnings{};
     const std::vector<Way>* ways = nullptr;
+    Box without_ways{};  ///< what the mechanism alone spans, m; with ways
 };
 
 /// On paper, at a scale of m for each mm.
@@ -50,29 +54,36 @@ std::vector<std::vector<Spot>> pieces_within(const Box& box, const std::vector<S
     return pieces;
 }
 
-/// How far round the mechanism centrodes are followed.
-Box room_of_centrodes(const Box& mechanism) { return grown(mechanism, 0.75 * std::max(mechanism.width(), mechanism.height())); }
+/// How far round the mechanism a centrode is followed: not far where it goes on to infinity.
+Box room_of(const Way& way, const Box& mechanism) {
+    const double share = way.comes_from_infinity || way.goes_to_infinity ? 0.45 : 1.5;
+    return grown(mechanism, share * std::max(mechanism.width(), mechanism.height()));
+}
 
 /// The fixed centrode full, the moving one broken; an arrow where it goes on towards infinity. The pole is a dot with its name.
-void draw_centrode(Sketch& sketch, const Way& way) {
+/// `ends`: where an arrow stands already, for a way that is gone forth and back.
+void draw_centrode(Sketch& sketch, const Way& way, const Box& mechanism, std::vector<Spot>& ends) {
     const Theme& theme = sketch.theme;
     if (way.kind == Way::Kind::pole) {
         const Spot at = spots_of(way, sketch.scale()).front();
-        if (!contains(room_of_centrodes(sketch.mechanism_box()), at)) return;
+        if (!contains(room_of(way, mechanism), at)) return;
         sketch.centres.emplace_back(tinted(disc(at, 1.15, theme.paper)));
         sketch.centres.emplace_back(disc(at, 0.8, theme.text));
         sketch.add_label(typeset(Symbol{Symbol::Letter::centre, way.name, ""}, sketch.context.language), theme.text, at, 1.7);
         return;
     }
     const bool is_fixed = way.kind == Way::Kind::fixed_centrode;
-    const Pen pen = is_fixed ? Pen{theme.outline, theme.accent, {}, false} : Pen{theme.outline, theme.text, dashes(), false};
-    const auto pieces = pieces_within(room_of_centrodes(sketch.mechanism_box()), spots_of(way, sketch.scale()));
+    const Pen pen{1.2 * theme.outline, theme.text, is_fixed ? std::vector<double>{} : dashes(), false};
+    const auto pieces = pieces_within(room_of(way, mechanism), spots_of(way, sketch.scale()));
     sketch.construction.emplace_back(
         GroupBegin{"centrode", "", "", {{"data-name", way.name}, {"data-on", is_fixed ? "fixed" : "moving"}}, none});
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::vector<Spot>& spots = pieces[i];
         sketch.construction.emplace_back(polyline(spots, pen));
         const auto arrow = [&](Spot before, Spot end) {
+            constexpr double apart = 1.5;
+            if (std::any_of(ends.begin(), ends.end(), [&](Spot other) { return length(other - end) < apart; })) return;
+            ends.push_back(end);
             draw_arrow(sketch.construction, end - 5 * unit(end - before), end, theme.outline, pen.colour);
             sketch.add_label(one_piece("∞"), pen.colour, end, 1.2);
         };
@@ -82,28 +93,34 @@ void draw_centrode(Sketch& sketch, const Way& way) {
     sketch.construction.emplace_back(GroupEnd{});
 }
 
-/// Centrodes are told apart once, at their longest piece.
-void name_centrodes(Sketch& sketch, const std::vector<Way>& ways) {
-    for (const auto kind : {Way::Kind::fixed_centrode, Way::Kind::moving_centrode}) {
-        std::vector<Spot> longest;
-        for (const Way& way : ways)
-            if (way.kind == kind)
-                for (auto& spots : pieces_within(room_of_centrodes(sketch.mechanism_box()), spots_of(way, sketch.scale())))
-                    if (spots.size() > longest.size()) longest = std::move(spots);
-        if (longest.size() < 2) continue;
-        const bool is_fixed = kind == Way::Kind::fixed_centrode;
-        const std::size_t at = is_fixed ? longest.size() / 4 : (3 * longest.size()) / 4;
+/// Each centrode is named once, at its longest piece; whose it is, where there are those of several pairs.
+void name_centrodes(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
+    std::map<std::pair<std::string, Way::Kind>, std::vector<Spot>> longest;
+    std::set<std::string> pairs;
+    for (const Way& way : ways) {
+        if (way.kind != Way::Kind::fixed_centrode && way.kind != Way::Kind::moving_centrode) continue;
+        pairs.insert(way.name);
+        std::vector<Spot>& kept = longest[{way.name, way.kind}];
+        for (auto& spots : pieces_within(room_of(way, mechanism), spots_of(way, sketch.scale())))
+            if (spots.size() > kept.size()) kept = std::move(spots);
+    }
+    for (const auto& [key, spots] : longest) {
+        if (spots.size() < 2) continue;
+        const bool is_fixed = key.second == Way::Kind::fixed_centrode;
+        const std::string words = word(is_fixed ? "fixed centrode" : "moving centrode", sketch.context.language);
+        const std::size_t at = is_fixed ? spots.size() / 4 : (3 * spots.size()) / 4;
         LabelRequest& label =
-            sketch.add_label(one_piece(word(is_fixed ? "fixed centrode" : "moving centrode", sketch.context.language)),
-                             is_fixed ? sketch.theme.accent : sketch.theme.text, longest[at], 1.4);
-        label.toward = longest[std::min(at + 1, longest.size() - 1)];
+            sketch.add_label(one_piece(pairs.size() > 1 ? words + " " + key.first : words), sketch.theme.text, spots[at], 1.4);
+        label.toward = spots[std::min(at + 1, spots.size() - 1)];
     }
 }
 
 /// Other positions thin behind the mechanism, paths of points a little stronger.
-void draw_ways(Sketch& sketch, const std::vector<Way>& ways) {
+/// `mechanism`: what it spans, mm.
+void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanism) {
+    std::vector<Spot> ends;
     for (const Way& way : ways) {
-        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way);
+        if (way.kind != Way::Kind::plain) draw_centrode(sketch, way, mechanism, ends);
         if (way.kind != Way::Kind::plain || way.places.size() < 2) continue;
         const Theme& theme = sketch.theme;
         if (way.outline != none) {
@@ -161,7 +178,8 @@ private:
     };
     Drawn drawn(const Trial& trial, Dimensions dimensions, const std::set<std::string>& left_out) const {
         Sketch sketch(subject, context, trial.scale, "");
-        if (shows.ways != nullptr) draw_ways(sketch, *shows.ways);
+        const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
+        if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
         draw_drivers(sketch);
         draw_compass(sketch);
         draw_in_colour(sketch);
@@ -170,7 +188,7 @@ private:
         if (shows.turnings) draw_turnings(sketch, *shows.turnings);
         if (dimensions != Dimensions::off) draw_dimensions(sketch, room, dimensions == Dimensions::on, left_out);
         const bool dimensioned = !sketch.dimensions.empty();
-        if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways);
+        if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
         Figure figure = sketch.finish("mechanism", "mechanism", "m");
         figure.caption = one_piece(word(shows.ways != nullptr ? "mechanism and its way"
@@ -289,10 +307,10 @@ Box extent_of_mechanism(const Solution& solution, bool with_centres) {
 
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y) {
     MechanismFigure figure{context, {room_x, room_y}, {.ways = &ways}};
-    const Box seen = room_of_centrodes(figure.subject.box);
+    const Box mechanism = figure.shows.without_ways = figure.subject.box;
     for (const Way& way : ways)
         for (const Spot spot : spots_of(way, 1))
-            if (way.kind == Way::Kind::plain || contains(seen, spot)) figure.subject.box.include(spot);
+            if (way.kind == Way::Kind::plain || contains(room_of(way, mechanism), spot)) figure.subject.box.include(spot);
     return figure.fitted(any_scale);
 }
 
