@@ -128,13 +128,15 @@ private:
     void say_confirmed() const {
         std::array<char, 32> share{};
         std::snprintf(share.data(), share.size(), "%.1e", difference_);
-        say_line({"{0} positions solved as mechanisms: speed and acceleration of the follower differ from the law by {1} of the "
-                  "largest at most",
-                  "{0} posizioni risolte come meccanismi: velocità e accelerazione della punteria differiscono dalla legge al più di "
-                  "{1} della maggiore",
-                  std::to_string(solved_), decimal(share.data())});
+        say_line(
+            {"{0} positions solved as mechanisms: speed and acceleration of the follower differ from the law by {1} of the "
+             "largest at most",
+             "{0} posizioni risolte come meccanismi: velocità e accelerazione della punteria differiscono dalla legge al più di "
+             "{1} della maggiore",
+             std::to_string(solved_), decimal(share.data())});
         if (not_solved_ > 0)
-            say_line({"{0} positions have no unique answer", "{0} posizioni non hanno risposta unica", std::to_string(not_solved_)});
+            say_line(
+                {"{0} positions have no unique answer", "{0} posizioni non hanno risposta unica", std::to_string(not_solved_)});
     }
 
     // --- what a designer asks -----------------------------------------------------------------------------------------------
@@ -171,16 +173,18 @@ private:
     Words undercut() const {
         const Words from = turn_text((*summary_.undercut)[0]), to = turn_text((*summary_.undercut)[1]);
         if (is_flat())
-            return {"undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; take a "
-                    "larger base radius",
-                    "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere un raggio "
-                    "di base maggiore",
-                    from, to};
-        return {"undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not keep its "
-                "law; take a larger base radius or a smaller roller",
-                "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà la legge; "
-                "prendere un raggio di base maggiore o una rotella minore",
+            return {
+                "undercut between {0} and {1}: the profile turns back there, and the follower will not keep its law; take a "
+                "larger base radius",
+                "sottotaglio fra {0} e {1}: lì il profilo torna indietro, e la punteria non seguirà la legge; prendere un raggio "
+                "di base maggiore",
                 from, to};
+        return {
+            "undercut between {0} and {1}: the pitch curve is tighter than the roller there, and the follower will not keep its "
+            "law; take a larger base radius or a smaller roller",
+            "sottotaglio fra {0} e {1}: lì la curva primitiva è più stretta della rotella, e la punteria non seguirà la legge; "
+            "prendere un raggio di base maggiore o una rotella minore",
+            from, to};
     }
 
     // --- rows ---------------------------------------------------------------------------------------------------------------
@@ -219,7 +223,8 @@ private:
             const Quantity slides{.kind = Kind::sliding_velocity, .joint = JointIndex(drawn.mechanism.joints.size() - 1)};
             add(Column::Kind::slid, slides, "s", QuantityKind::length);
             add(Column::Kind::along, slides, "v", QuantityKind::velocity);
-            add(Column::Kind::along, {.kind = Kind::sliding_acceleration, .joint = slides.joint}, "a", QuantityKind::acceleration);
+            add(Column::Kind::along, {.kind = Kind::sliding_acceleration, .joint = slides.joint}, "a",
+                QuantityKind::acceleration);
         } else {
             const auto body = BodyIndex(drawn.mechanism.bodies.size() - 1);
             add(Column::Kind::angle, {.kind = Kind::omega, .body = body}, "s", QuantityKind::angle);
@@ -261,8 +266,7 @@ private:
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
-        const auto pages =
-            render::lay_out_cycle(*drawn, table(*drawn), {{1}, {2}, {3}, {4}}, curves(), options, press->fonts());
+        const auto pages = render::lay_out_cycle(*drawn, table(*drawn), {{1}, {2}, {3}, {4}}, curves(), options, press->fonts());
         for (const Target& target : targets)
             if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
         press->remark_missing(remarks_);
@@ -287,8 +291,10 @@ tl::expected<double, Words> turn_asked(const CamRequest& request, const Cam& cam
     const auto turn = quantity_of(request.at, QuantityKind::angle, cam.units.angle.si);
     if (!turn) return tl::unexpected(std::string("--at ") + turn.error());
     if (turn->sign() < 0 || *turn > 2 * pi())
-        return tl::unexpected(Words("--at {0}: the cam's turn lies between 0 and 360°", "--at {0}: la rotazione della camma è fra 0 e "
-                                    "360°", request.at));
+        return tl::unexpected(Words("--at {0}: the cam's turn lies between 0 and 360°",
+                                    "--at {0}: la rotazione della camma è fra 0 e "
+                                    "360°",
+                                    request.at));
     return turn->to_double();
 }
 

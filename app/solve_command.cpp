@@ -50,9 +50,9 @@ tl::expected<std::optional<Rates>, Words> rates_of_law(const Mechanism& mechanis
     const auto rates = rates_at(*law, coordinate.to_double());
     if (rates) return *rates;
     const auto text = [&](double end) { return coordinate_text(mechanism, driver, end); };
-    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}", "{0}: la legge del movente {1} va da {2} a {3}",
-                                text(coordinate.to_double()), name_of_driver(mechanism, driver), text(rates.error().first),
-                                text(rates.error().second)));
+    return tl::unexpected(Words("{0}: the law of driver {1} goes from {2} to {3}",
+                                "{0}: la legge del movente {1} va da {2} a {3}", text(coordinate.to_double()),
+                                name_of_driver(mechanism, driver), text(rates.error().first), text(rates.error().second)));
 }
 /// A time of a law, zero as drawn; nothing where the text is no time.
 std::optional<Asked> asked_by_time(const Law& law, const std::string& text) {

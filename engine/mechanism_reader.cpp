@@ -659,9 +659,8 @@ private:
     void read_driver(JsonValue value) {
         if (!expect(value, Kind::object, {"a driver", "un movente"})) return;
         if (value["joint"]) {
-            const Members form =
-                members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
-                        {"a driver of a joint", "un movente di una coppia"});
+            const Members form = members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
+                                         {"a driver of a joint", "un movente di una coppia"});
             SlideDriver driver;
             driver.where = value.pointer();
             driver.joint = sliding_joint(
@@ -703,10 +702,9 @@ private:
             add(std::move(driver));
             return;
         }
-        const Members form =
-            members(value,
-                    {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
-                    {"a driver", "un movente"});
+        const Members form = members(
+            value, {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
+            {"a driver", "un movente"});
         for (const std::string_view key : {"joint", "at", "along", "speed", "acceleration"}) {
             if (form.has_or_misspells(key)) return;
         }
@@ -749,9 +747,8 @@ private:
         }
         const bool turning = *rates.begin() == "omega";
         const std::size_t faults = faults_.size();
-        Law law = law_of_value(
-            value, turning ? LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
-                           : LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
+        Law law = law_of_value(value, turning ? LawTerms{"turn", QuantityKind::angle, "time", QuantityKind::time}
+                                              : LawTerms{"slide", QuantityKind::length, "time", QuantityKind::time});
         if (faults_.size() > faults) return std::nullopt;
         law.drawn = quantity_or_zero(drawn, QuantityKind::time);
         if (law.drawn.sign() < 0 || law.drawn.to_double() > law.length() * (1 + 1e-12)) {

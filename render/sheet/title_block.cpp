@@ -152,7 +152,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
     set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
               origin.empty() ? 0 : line);
-    if (one_line) small_print(subtitle_of(solution, signature, context.language), format.block.max.y - (origin.empty() ? 3.2 : 5.4));
+    if (one_line)
+        small_print(subtitle_of(solution, signature, context.language), format.block.max.y - (origin.empty() ? 3.2 : 5.4));
     if (!origin.empty()) small_print(origin, format.block.max.y - 2.0);
 }
 
