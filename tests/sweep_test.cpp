@@ -139,7 +139,7 @@ TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
     EXPECT_NE(drawn.err.find("largest pressure angle: 26.2°"), std::string::npos) << drawn.err;
     EXPECT_EQ(lines_of(contents(folder_ / "cam.csv")).size(), 26U);
     EXPECT_EQ(run("solve at.json --format json").status, 0);
-    EXPECT_NE(contents(folder_ / "cam.svg").find("data-name=\"pressure angle\""), std::string::npos);
+    EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
     const auto before = snapshot();
     for (const char* wrong : {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
         const Outcome refused = run(std::string(wrong) + " -o x.csv -o x.svg");
