@@ -244,8 +244,8 @@ private:
     std::vector<render::Way> curves() const {
         const double angle = geometry_.sense() * at_;
         const auto placed = [&](const Spot& on_cam) { return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam); };
-        render::Way profile{"profile", true, {}, BodyIndex(1)}, pitch{"pitch curve", false, {}, none},
-            base{"base circle", false, {}, none};
+        render::Way profile{"profile", true, {}, BodyIndex(1)}, pitch{"pitch curve", true, {}, none, true},
+            base{"base circle", true, {}, none, true};
         constexpr int samples = 1440;
         for (int i = 0; i <= samples; ++i) {
             const CamState state = geometry_.at(2 * pi_ * i / samples);

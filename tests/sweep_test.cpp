@@ -96,7 +96,8 @@ TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
     refused("four_bar.json --centrodes 1,3", R"(kinegraph: .*--centrodes.*)");
     refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
     refused("four_bar.json --plot 'omega 33'", R"(four_bar\.json: --plot: .* \(did you mean "omega 3"\?\).*)");
-    refused("four_bar.json --step 2", R"(four_bar\.json: --step is of a driver that goes along.* the number of steps is --steps\))");
+    refused("four_bar.json --step 2",
+            R"(four_bar\.json: --step is of a driver that goes along.* the number of steps is --steps\))");
     refused("scara.json --driver 2 --driver 3", R"(scara\.json: --step is of a driver that goes along.*)");
     refused("scara.json --driver 2 --driver 2 --step 1", R"(scara\.json: --driver 2 is given twice)");
     refused("scara.json --driver 2 --driver 3 --step 1mm", R"(scara\.json: --step "1mm" is a length; an angle is wanted here)");

@@ -27,6 +27,7 @@ struct Way {
     bool is_path = false;
     std::vector<VectorOf<double>> places;
     BodyIndex outline = none;  ///< of this body: closed, tinted and drawn as the body is
+    bool is_thin = false;      ///< a path that only helps
 };
 /// The mechanism as drawn, with its ways behind it. Kind and id "mechanism".
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y);
