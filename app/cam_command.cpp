@@ -245,7 +245,8 @@ private:
         const double angle = geometry_.sense() * at_;
         const auto placed = [&](const Spot& on_cam) { return faced(Spot{std::cos(angle), std::sin(angle)}, on_cam); };
         render::Way profile{.name = "profile", .is_path = true, .places = {}, .outline = BodyIndex(1)},
-            pitch{"pitch curve", false, {}}, base{"base circle", false, {}};
+            pitch{.name = "pitch curve", .is_path = true, .places = {}, .is_thin = true},
+            base{.name = "base circle", .is_path = true, .places = {}, .is_thin = true};
         constexpr int samples = 1440;
         for (int i = 0; i <= samples; ++i) {
             const CamState state = geometry_.at(2 * pi_ * i / samples);

@@ -229,9 +229,10 @@ void add_driver(CLI::App& command, std::string& driver) {
 
 void add_branch(CLI::App& command, int& branch) {
     command
-        .add_option("--branch", branch,
-                    "Out of a change point that is drawn: which of the branches that the results list, from 1; without it the one "
-                    "on which the bodies move least")
+        .add_option(
+            "--branch", branch,
+            "Out of a change point that is drawn: which of the branches that the results list, from 1; without it the one "
+            "on which the bodies move least")
         ->check(CLI::PositiveNumber)
         ->type_name("N");
 }
@@ -272,14 +273,16 @@ struct SweepWords {
 
 void add_drivers(CLI::App& command, SweepRequest& request) {
     command
-        .add_option("--driver", request.drivers,
-                    "Which driver moves, by the name of its body, joint or point; without it the first of the file. Given again: a "
-                    "driver that goes along, by its --step. Others rest")
+        .add_option(
+            "--driver", request.drivers,
+            "Which driver moves, by the name of its body, joint or point; without it the first of the file. Given again: a "
+            "driver that goes along, by its --step. Others rest")
         ->allow_extra_args(false)
         ->type_name("NAME");
     command
-        .add_option("--step", request.step,
-                    "By how much a driver that goes along moves at each step of the first: 2°, -1 mm; one for each, in their order")
+        .add_option(
+            "--step", request.step,
+            "By how much a driver that goes along moves at each step of the first: 2°, -1 mm; one for each, in their order")
         ->allow_extra_args(false)
         ->type_name("TURN");
     add_branch(command, request.branch);
@@ -362,22 +365,25 @@ struct CamWords {
 };
 
 void add_cam(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "cam", "The disc cam that gives a follower its law: profile, pressure angle, curvature");
+    CLI::App* command =
+        add_command(program, "cam", "The disc cam that gives a follower its law: profile, pressure angle, curvature");
     auto words = std::make_shared<CamWords>();
     CamRequest& request = words->request;
     command->add_option("FILE", request.file, "The cam's file; - is standard input")->required();
     command
-        ->add_option("-o,--output", request.outputs,
-                     "OUT.csv (SI units), .svg, .png or .pdf (the sheet), .json (the mechanism file of one position); may be given "
-                     "again. Without it CSV goes to standard output")
+        ->add_option(
+            "-o,--output", request.outputs,
+            "OUT.csv (SI units), .svg, .png or .pdf (the sheet), .json (the mechanism file of one position); may be given "
+            "again. Without it CSV goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command->add_option("--format", request.format, "What to write where the name of the output does not say it")
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
         ->type_name("FORMAT");
     command
-        ->add_option("--at", request.at,
-                     "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
+        ->add_option(
+            "--at", request.at,
+            "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
         ->type_name("TURN");
     command->add_option("--steps", request.steps, "Rows over the whole turn")->type_name("N")->capture_default_str();
     add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);

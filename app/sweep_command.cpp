@@ -158,15 +158,18 @@ struct Asked {
 std::optional<Words> add_along(const SweepRequest& request, const Mechanism& mechanism, Asked& asked) {
     const std::size_t more = request.drivers.empty() ? 0 : request.drivers.size() - 1;
     if (more != request.step.size())
-        return Words("--step is of a driver that goes along: each --driver after the first has one, in the same order ({0} and {1} "
-                     "are given; the number of steps is --steps)",
-                     "--step è di un movente che accompagna: ogni --driver dopo il primo ne ha uno, nello stesso ordine (ne sono "
-                     "dati {0} e {1}; il numero dei passi è --steps)",
-                     std::to_string(more), std::to_string(request.step.size()));
+        return Words(
+            "--step is of a driver that goes along: each --driver after the first has one, in the same order ({0} and {1} "
+            "are given; the number of steps is --steps)",
+            "--step è di un movente che accompagna: ogni --driver dopo il primo ne ha uno, nello stesso ordine (ne sono "
+            "dati {0} e {1}; il numero dei passi è --steps)",
+            std::to_string(more), std::to_string(request.step.size()));
     if (more == 0) return std::nullopt;
     if (law_of(mechanism, asked.course.driver) != nullptr)
-        return Words("--step: driver {0} has a law, and moves in steps of time", "--step: il movente {0} ha una legge, e si muove a "
-                     "passi di tempo", name_of_driver(mechanism, asked.course.driver));
+        return Words("--step: driver {0} has a law, and moves in steps of time",
+                     "--step: il movente {0} ha una legge, e si muove a "
+                     "passi di tempo",
+                     name_of_driver(mechanism, asked.course.driver));
     const bool has_way = asked.to || turns(mechanism, asked.course.driver);
     if (!has_way)
         return Words("--step counts the steps of driver {0}; say how far it goes with --to",
@@ -280,9 +283,10 @@ public:
                   "è disegnato un punto di biforcazione: dei suoi {0} rami si prende il numero {1}; --branch ne prende un altro",
                   std::to_string(branch->of), std::to_string(branch->index + 1)});
         for (const double each : travel.change_points)
-            if (!branch || each != 0) line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
-                  "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza salti",
-                  coordinate_text(mechanism_, driver_, each, 1e-6)});
+            if (!branch || each != 0)
+                line({"a change point at {0}: the branch is a choice there; the one is taken that goes on smoothly",
+                      "un punto di biforcazione a {0}: lì il ramo è una scelta; si prende quello che prosegue senza salti",
+                      coordinate_text(mechanism_, driver_, each, 1e-6)});
         if (travel.times)
             line({"driver {0} follows its law, from {1} to {2}", "il movente {0} segue la sua legge, da {1} a {2}",
                   name_of_driver(mechanism_, driver_), time_text(travel.times->first), time_text(travel.times->second)});
@@ -489,8 +493,7 @@ private:
         };
         for (const std::string& remark : remarks_) tell_of("a remark", remark);
         report.on_travel(travel_, cycle_.positions().branch());
-        for (const Words& line : efforts.told(cycle_, mechanism_, [&](double at) { return report.text(at); }))
-            report.line(line);
+        for (const Words& line : efforts.told(cycle_, mechanism_, [&](double at) { return report.text(at); })) report.line(line);
         report.on_rows_left_out(left_out_, first_left_out_, last_left_out_);
         report.on_difference(cycle_);
         const auto tell = [&](const Message& message) { return render::tell(message, language()); };
@@ -526,10 +529,10 @@ tl::expected<Travel, Words> travel_asked(const Positions& positions, const Mecha
     const TravelFault& fault = travel.error();
     const std::string name = name_of_driver(mechanism, driver);
     if (!fault.limit)
-        return tl::unexpected(Words("driver {0} has no limit; give --from and --to",
-                                    "il movente {0} non ha limiti; dare --from e --to", name));
-    return tl::unexpected(out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name,
-                                       coordinate_text(mechanism, driver, *fault.limit)));
+        return tl::unexpected(
+            Words("driver {0} has no limit; give --from and --to", "il movente {0} non ha limiti; dare --from e --to", name));
+    return tl::unexpected(
+        out_of_reach(coordinate_text(mechanism, driver, fault.wanted), name, coordinate_text(mechanism, driver, *fault.limit)));
 }
 
 }  // namespace

@@ -42,6 +42,10 @@ measure "solve: JSON" "$program" solve "$example" -o "$folder/a.json"
 measure "solve: SVG, A4" "$program" solve "$example" -o "$folder/a.svg"
 measure "solve: PDF, A4" "$program" solve "$example" -o "$folder/a.pdf"
 measure "solve: PNG, A4, 150 dpi" "$program" solve "$example" -o "$folder/a.png" --dpi 150
+measure "sweep: CSV, 360 steps" "$program" sweep "$example" -o "$folder/c.csv"
+measure "sweep: CSV, 10000 steps" "$program" sweep "$example" --steps 10000 -o "$folder/c.csv"
+measure "sweep: SVG, A4" "$program" sweep "$example" -o "$folder/c.svg"
+measure "cam: CSV, 360 steps" "$program" cam "$top/examples/cams/disc_cam.json" -o "$folder/c.csv"
 for path in "$top"/examples/*.json; do
     name=$(basename "$path" .json)
     [ "$name" = slider_driven_dead_point ] || [ "$name" = four_bar ] || measure "SVG of $name" "$program" solve "$path" -o "$folder/b.svg"

@@ -595,10 +595,10 @@ private:
     const Mechanism& mechanism_;
     const Pose& pose_;
     int driver_;
-    const Law* law_;                        ///< null: the rates are the file's
+    const Law* law_;                         ///< null: the rates are the file's
     std::pair<double, double> drawn_{0, 0};  ///< of the law: its time and its way in the drawn position
-    LawState state_;                        ///< of the law, here
-    double time_ = 0;                       ///< since the drawn position, by the law
+    LawState state_;                         ///< of the law, here
+    double time_ = 0;                        ///< since the drawn position, by the law
     bool turns_ = true;
     double rate_ = 0;  ///< zero: no time
     Positions positions_;

@@ -42,10 +42,11 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
         if (is_trace(follower)) {
             const double height = prime * prime - made.offset_ * made.offset_;
             if (height <= 0)
-                return tl::unexpected(Errors{fault("/cam/follower/offset", {"the follower's line passes the prime circle by; it must "
-                                                                           "be nearer than the base circle and the roller reach",
-                                                                           "la retta della punteria non incontra la circonferenza "
-                                                                           "primitiva; va più vicina al centro"})});
+                return tl::unexpected(
+                    Errors{fault("/cam/follower/offset", {"the follower's line passes the prime circle by; it must "
+                                                          "be nearer than the base circle and the roller reach",
+                                                          "la retta della punteria non incontra la circonferenza "
+                                                          "primitiva; va più vicina al centro"})});
             made.height_ = std::sqrt(height);
         }
         return made;
@@ -55,8 +56,9 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
     const double of_face = (made.base_ + made.offset_) / away;
     const double cosine = is_trace(follower) ? of_arm : of_face;
     if (!(std::abs(cosine) < 1))
-        return tl::unexpected(Errors{fault("/cam/follower", {"the follower does not reach the base circle from its pivot",
-                                                             "la punteria non raggiunge la circonferenza di base dal suo perno"})});
+        return tl::unexpected(
+            Errors{fault("/cam/follower", {"the follower does not reach the base circle from its pivot",
+                                           "la punteria non raggiunge la circonferenza di base dal suo perno"})});
     const double to_pivot = std::atan2(made.pivot_.y, made.pivot_.x);
     made.first_angle_ = is_trace(follower) ? to_pivot + pi_ - side * std::acos(cosine) : to_pivot + side * std::acos(cosine);
     // Away from the cam's centre: |C| grows, or the face's distance.
@@ -67,8 +69,8 @@ Result<CamGeometry> CamGeometry::of(const Cam& cam) {
 
 CamState CamGeometry::at(double turn) const { return is_trace(cam_->follower) ? of_trace(turn) : of_face(turn); }
 
-/// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the cam, so that
-/// e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
+/// With complex numbers, ψ the cam's turn and c the trace point in the frame, the pitch curve is p = e^{−iψ} c on the cam, so
+/// that e^{iψ} p′ = c′ − i c and e^{iψ} p″ = c″ − 2i c′ − c. It is run through clockwise: convex is κ > 0.
 CamState CamGeometry::of_trace(double turn) const {
     CamState state;
     state.turn = turn;
@@ -123,8 +125,8 @@ CamState CamGeometry::of_face(double turn) const {
     state.contact = height * normal + slope * quarter_turn(normal);
     state.trace = state.contact;
     state.curvature = state.pitch_curvature = 1 / radius;
-    const Spot way = cam_->follower.moves == Follower::Moves::translating ? Spot{0, 1}
-                                                                          : rises_ * quarter_turn(state.contact - pivot_);
+    const Spot way =
+        cam_->follower.moves == Follower::Moves::translating ? Spot{0, 1} : rises_ * quarter_turn(state.contact - pivot_);
     state.pressure_angle = angle_from(way, normal);
     return state;
 }
@@ -203,11 +205,12 @@ public:
     std::string text() && {
         point("O", {0, 0});
         write_follower_points();
-        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) +
-                           ",\n  \"units\": {\"length\": \"" + cam_.units.length.symbol + "\"},\n  \"frame\": 1,\n  \"points\": {" +
-                           points_ + "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() + ",\n    \"3\": " + follower_body() +
-                           "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() + ",\n    " +
-                           guide() + "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " + written(cam_.omega.to_double()) +
+        std::string file = "{\n  \"kinegraph\": 1,\n  \"title\": " + title_of(cam_, turn_) + ",\n  \"units\": {\"length\": \"" +
+                           cam_.units.length.symbol + "\"},\n  \"frame\": 1,\n  \"points\": {" + points_ +
+                           "\n  },\n  \"bodies\": {\n    \"2\": " + cam_body() + ",\n    \"3\": " + follower_body() +
+                           "\n  },\n  \"joints\": [\n    {\"revolute\": \"O\", \"bodies\": [1, 2]},\n    " + contact() +
+                           ",\n    " + guide() +
+                           "\n  ],\n  \"drivers\": [{\"body\": 2, \"omega\": " + written(cam_.omega.to_double()) +
                            "}],\n  \"find\": [\"instant centres\", \"velocity\", \"acceleration\"]\n}\n";
         return file;
     }
@@ -256,16 +259,16 @@ private:
                    "}, \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
         const bool is_disc = !is_straight_ && state_.curvature > 0 && state_.curvature * cam_.base_circle.to_double() > 0.3;
         std::string body = is_straight_ ? "{\"points\": [\"O\"]" : "{\"points\": [\"O\", \"K\"]";
-        if (is_disc)
-            body += ", \"circle\": {\"centre\": \"K\", \"radius\": " + written(1 / state_.curvature / unit_) + "}";
+        if (is_disc) body += ", \"circle\": {\"centre\": \"K\", \"radius\": " + written(1 / state_.curvature / unit_) + "}";
         return body + ", \"label\": {\"en\": \"cam\", \"it\": \"camma\"}}";
     }
     std::string follower_body() const {
         const std::string label = ", \"label\": {\"en\": \"follower\", \"it\": \"punteria\"}}";
         const std::string guide = translates() ? "H" : "Q";
         if (cam_.follower.face == Follower::Face::roller)
-            return "{\"points\": [\"C\", \"" + guide + "\"], \"circle\": {\"centre\": \"C\", \"radius\": " +
-                   written(cam_.follower.radius.to_double() / unit_) + "}" + label;
+            return "{\"points\": [\"C\", \"" + guide +
+                   "\"], \"circle\": {\"centre\": \"C\", \"radius\": " + written(cam_.follower.radius.to_double() / unit_) + "}" +
+                   label;
         if (is_flat()) return "{\"points\": [\"F\", \"" + guide + "\"]" + label;
         return "{\"points\": [\"P\", \"" + guide + "\"]" + label;
     }
@@ -273,7 +276,7 @@ private:
         const Spot along = turned_back(state_.outward);
         const std::string line = "{\"line\": " + written(along) + "}";
         const std::string of_cam = is_straight_ ? line : "{\"circle\": \"" + std::string(centre()) + "\"}";
-        const std::string of_follower = is_flat() ? line
+        const std::string of_follower = is_flat()                                          ? line
                                         : cam_.follower.face == Follower::Face::knife_edge ? "{\"tip\": true}"
                                                                                            : "{\"circle\": \"C\"}";
         return "{\"contact\": \"P\", \"bodies\": [3, 2], \"profiles\": {\"2\": " + of_cam + ", \"3\": " + of_follower +

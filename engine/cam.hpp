@@ -39,14 +39,14 @@ Result<Cam> read_cam(std::string_view text, std::string source);
 
 /// What the cam is to its follower when it has turned by so much since the beginning of its law.
 struct CamState {
-    double turn = 0;              ///< of the cam as it runs, rad, not negative
-    LawState rise;                ///< of the follower, m or rad; derivatives by the turn
-    VectorOf<double> trace;       ///< the roller's centre, the edge; of a flat face the contact
-    VectorOf<double> contact;     ///< on the working profile
-    VectorOf<double> outward;     ///< unit normal of the cam at the contact
-    double pitch_curvature = 0;   ///< of the pitch curve, 1/m; positive: convex. Of a flat face that of the profile
-    double curvature = 0;         ///< of the working profile
-    double pressure_angle = 0;    ///< between the normal and the way of the driven point, rad; signed
+    double turn = 0;             ///< of the cam as it runs, rad, not negative
+    LawState rise;               ///< of the follower, m or rad; derivatives by the turn
+    VectorOf<double> trace;      ///< the roller's centre, the edge; of a flat face the contact
+    VectorOf<double> contact;    ///< on the working profile
+    VectorOf<double> outward;    ///< unit normal of the cam at the contact
+    double pitch_curvature = 0;  ///< of the pitch curve, 1/m; positive: convex. Of a flat face that of the profile
+    double curvature = 0;        ///< of the working profile
+    double pressure_angle = 0;   ///< between the normal and the way of the driven point, rad; signed
     VectorOf<double> on_cam(const VectorOf<double>& place, double sense) const;  ///< as the cam sees it, as drawn at turn 0
 };
 
@@ -79,11 +79,11 @@ std::string mechanism_file_of(const Cam& cam, const CamGeometry& geometry, doubl
 
 /// What a designer asks of a cam, over its whole turn.
 struct CamSummary {
-    double most_pressure = 0, most_pressure_at = 0;            ///< the largest |pressure angle|, rad, and the turn
-    std::optional<double> least_convex, least_concave;         ///< radii of curvature of the working profile, m
+    double most_pressure = 0, most_pressure_at = 0;     ///< the largest |pressure angle|, rad, and the turn
+    std::optional<double> least_convex, least_concave;  ///< radii of curvature of the working profile, m
     double least_convex_at = 0, least_concave_at = 0;
-    std::optional<std::array<double, 2>> undercut;             ///< turns between which the profile would be cut away again
-    std::optional<std::array<double, 2>> face;                 ///< a flat one: how far contact goes to both sides, m
+    std::optional<std::array<double, 2>> undercut;  ///< turns between which the profile would be cut away again
+    std::optional<std::array<double, 2>> face;      ///< a flat one: how far contact goes to both sides, m
 };
 CamSummary summary_of(const Cam& cam, const CamGeometry& geometry);
 

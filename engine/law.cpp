@@ -10,13 +10,14 @@ namespace {
 
 constexpr double pi_ = std::numbers::pi;
 
-constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{{{LawForm::rest, "rest"},
-                                                                         {LawForm::constant_speed, "constant speed"},
-                                                                         {LawForm::constant_acceleration, "constant acceleration"},
-                                                                         {LawForm::harmonic, "harmonic"},
-                                                                         {LawForm::cycloidal, "cycloidal"},
-                                                                         {LawForm::polynomial_345, "3-4-5"},
-                                                                         {LawForm::modified_trapezoidal, "modified trapezoidal"}}};
+constexpr std::array<std::pair<LawForm, std::string_view>, 7> spellings{
+    {{LawForm::rest, "rest"},
+     {LawForm::constant_speed, "constant speed"},
+     {LawForm::constant_acceleration, "constant acceleration"},
+     {LawForm::harmonic, "harmonic"},
+     {LawForm::cycloidal, "cycloidal"},
+     {LawForm::polynomial_345, "3-4-5"},
+     {LawForm::modified_trapezoidal, "modified trapezoidal"}}};
 
 /// sin πx and cos πx; zero where they vanish.
 double sin_pi(double x) {
@@ -31,16 +32,15 @@ LawState first_half_of_trapezoid(double x) {
     const double most = 8 * pi_ / (2 + pi_), four_pi = 4 * pi_;
     const double speed_1 = most / four_pi, way_1 = speed_1 * (1.0 / 8 - 1 / four_pi);
     if (x <= 1.0 / 8) {
-        return {speed_1 * (x - sin_pi(4 * x) / four_pi), speed_1 * (1 - cos_pi(4 * x)),
-                most * sin_pi(4 * x)};
+        return {speed_1 * (x - sin_pi(4 * x) / four_pi), speed_1 * (1 - cos_pi(4 * x)), most * sin_pi(4 * x)};
     }
     if (x <= 3.0 / 8) {
         const double u = x - 1.0 / 8;
         return {way_1 + speed_1 * u + most * u * u / 2, speed_1 + most * u, most};
     }
     const double speed_2 = speed_1 + most / 4, way_2 = way_1 + speed_1 / 4 + most / 32, u = x - 3.0 / 8;
-    return {way_2 + speed_2 * u + most * (1 - cos_pi(4 * u)) / (four_pi * four_pi),
-            speed_2 + speed_1 * sin_pi(4 * u), most * cos_pi(4 * u)};
+    return {way_2 + speed_2 * u + most * (1 - cos_pi(4 * u)) / (four_pi * four_pi), speed_2 + speed_1 * sin_pi(4 * u),
+            most * cos_pi(4 * u)};
 }
 
 /// f and its derivatives by τ = x.

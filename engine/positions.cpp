@@ -50,7 +50,8 @@ Error stuck(const Driver& driver) {
 Error no_branch(const Driver& driver) {
     return {ErrorCode::bad_input,
             where_of(driver),
-            {"no branch is to be chosen: the drawn position is no change point", "non c’è ramo da scegliere: la posizione disegnata "
+            {"no branch is to be chosen: the drawn position is no change point",
+             "non c’è ramo da scegliere: la posizione disegnata "
              "non è un punto di biforcazione"}};
 }
 Error no_such_branch(const Driver& driver, std::size_t branch) {
@@ -117,7 +118,8 @@ void Positions::prepare_course(const Mechanism& mechanism) {
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         const double share = exact_shares_[i].to_double();
         shares_.push_back(turns(drivers[i]) ? share : share / unit_);
-        if (share != 0) longest_step_ = std::min(longest_step_, (turns(drivers[i]) ? longest_turn : longest_share * unit_) / std::abs(share));
+        if (share != 0)
+            longest_step_ = std::min(longest_step_, (turns(drivers[i]) ? longest_turn : longest_share * unit_) / std::abs(share));
     }
 }
 
@@ -388,8 +390,7 @@ bool Positions::close(State& state) {
 
 /// dq/ds by the matrix factored last.
 void Positions::look_along(State& state) {
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        right_[i] = rows_[i].driver >= 0 ? shares_[at_index(rows_[i].driver)] : 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) right_[i] = rows_[i].driver >= 0 ? shares_[at_index(rows_[i].driver)] : 0;
     jacobian_.solve(right_, state.v);
 }
 

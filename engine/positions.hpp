@@ -32,10 +32,11 @@ struct Course {
 
 class Positions {
 public:
-    /// The coordinate of a driver, zero as drawn, is its turn (rad) or slide (m). Drivers that are not of the course rest as drawn,
-    /// and so do bodies that the drivers leave undetermined. From a change point that is drawn it goes along the branch asked for,
-    /// else along the one on which the bodies move least. Errors: those of closure_of and carriers_of; a drawn pose from which the
-    /// driver does not lead in one way only (a dead point, a lock, a change point without branches or without the one asked for).
+    /// The coordinate of a driver, zero as drawn, is its turn (rad) or slide (m). Drivers that are not of the course rest as
+    /// drawn, and so do bodies that the drivers leave undetermined. From a change point that is drawn it goes along the branch
+    /// asked for, else along the one on which the bodies move least. Errors: those of closure_of and carriers_of; a drawn pose
+    /// from which the driver does not lead in one way only (a dead point, a lock, a change point without branches or without the
+    /// one asked for).
     static Result<Positions> of(const Mechanism& mechanism, const Pose& pose, const Course& course);
     static Result<Positions> of(const Mechanism& mechanism, const Pose& pose, int driver) {
         return of(mechanism, pose, Course{driver});

@@ -23,7 +23,8 @@ std::string file(const std::string& follower, const std::string& law, int base, 
 /// Up, a rest, down, a rest.
 std::string dwells(const std::string& rise) {
     return R"([{"form": "cycloidal", "rise": )" + rise + R"(, "turn": 110}, {"form": "rest", "turn": 50},
-        {"form": "modified trapezoidal", "rise": -)" + rise + R"(, "turn": 120}, {"form": "rest", "turn": 80}])";
+        {"form": "modified trapezoidal", "rise": -)" +
+           rise + R"(, "turn": 120}, {"form": "rest", "turn": 80}])";
 }
 Cam cam_of(const std::string& text) {
     auto cam = read_cam(text, "cam.json");
@@ -41,7 +42,8 @@ const std::vector<Kind> kinds{
     {"roller, offset", R"({"moves": "translating", "face": "roller", "radius": 10, "offset": 8})", "24", "10"},
     {"edge", R"({"moves": "translating", "face": "knife edge", "offset": -6})", "20", "-10"},
     {"flat", R"({"moves": "translating", "face": "flat"})", "15", "-10"},
-    {"rocker with roller", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80})", "20", "10"},
+    {"rocker with roller", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80})", "20",
+     "10"},
     {"on the right", R"({"moves": "oscillating", "face": "roller", "radius": 8, "pivot": [90, 10], "arm": 80, "side": "right"})",
      "20", "10"},
     {"rocker with edge", R"({"moves": "oscillating", "face": "knife edge", "pivot": [-90, 10], "arm": 80})", "20", "-10"},
@@ -105,8 +107,9 @@ TEST(Cam, OurOwnSolverFindsTheLaw) {
 
 TEST(Cam, AnEccentricIsFoundAgain) {
     // Harmonic all round under a flat face, s = e (1 − cos θ): a circle of radius r + e about a point e beside the axis.
-    const Cam cam = cam_of(file(R"({"moves": "translating", "face": "flat"})",
-                                R"([{"form": "harmonic", "rise": 20, "turn": 180}, {"form": "harmonic", "rise": -20, "turn": 180}])", 30));
+    const Cam cam =
+        cam_of(file(R"({"moves": "translating", "face": "flat"})",
+                    R"([{"form": "harmonic", "rise": 20, "turn": 180}, {"form": "harmonic", "rise": -20, "turn": 180}])", 30));
     const CamGeometry geometry = *CamGeometry::of(cam);
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const CamState state = geometry.at(degrees * pi_ / 180);
@@ -163,7 +166,8 @@ TEST(Cam, FaultsOfFilesAreTold) {
     for (const Case& each :
          {Case{file(roller, R"([{"form": "rest", "turn": 350}])", 40), "its pieces make 350°"},
           Case{file(roller, R"([{"form": "harmonic", "rise": 1, "turn": 360}])", 40), "the rises add up to zero"},
-          Case{file(roller, R"([{"form": "harmonic", "rise": -1, "turn": 180}, {"form": "harmonic", "rise": 1, "turn": 180}])", 40),
+          Case{file(roller, R"([{"form": "harmonic", "rise": -1, "turn": 180}, {"form": "harmonic", "rise": 1, "turn": 180}])",
+                    40),
                "begins at its lowest"},
           Case{file(roller, law, 40, "0"), "does not turn"}, Case{file(roller, law, -4), "greater than zero"},
           Case{file(R"({"moves": "sliding", "face": "roller", "radius": 10})", law, 40), "\"sliding\" is none of"},
@@ -174,7 +178,8 @@ TEST(Cam, FaultsOfFilesAreTold) {
         ASSERT_FALSE(cam) << each.told;
         EXPECT_NE(cam.error().front().message.en.find(each.told), std::string::npos) << cam.error().front().message.en;
     }
-    const Cam far = cam_of(file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "pivot": [200, 0], "arm": 20})", law, 40));
+    const Cam far =
+        cam_of(file(R"({"moves": "oscillating", "face": "roller", "radius": 10, "pivot": [200, 0], "arm": 20})", law, 40));
     EXPECT_FALSE(CamGeometry::of(far));
     const Cam beside = cam_of(file(R"({"moves": "translating", "face": "knife edge", "offset": 50})", law, 40));
     EXPECT_FALSE(CamGeometry::of(beside));

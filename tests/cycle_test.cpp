@@ -158,8 +158,7 @@ TEST(Cycle, TheGenevaWheelFollowsItsClosedFormWhileThePinIsInTheSlot) {
         auto row = s.at(a - drawn);
         ASSERT_FALSE(row.empty()) << degrees;
         EXPECT_NEAR(row["omega 3"], omega * r * (r - d * std::cos(a)) / apart, 1e-9 * std::abs(omega)) << degrees;
-        EXPECT_NEAR(row["alpha 3"], omega * omega * r * d * (d * d - r * r) * std::sin(a) / (apart * apart),
-                    1e-8 * omega * omega)
+        EXPECT_NEAR(row["alpha 3"], omega * omega * r * d * (d * d - r * r) * std::sin(a) / (apart * apart), 1e-8 * omega * omega)
             << degrees;
     }
 }

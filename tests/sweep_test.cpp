@@ -122,6 +122,58 @@ TEST_F(Sweep, SaysInOneLineWhatIsWrongAndWritesNothing) {
     refused("four_bar.json --from 1 --to 1", R"(four_bar\.json: --from and --to are the same position.*)");
     refused("four_bar.json --centroids 1,3", R"(kinegraph: .*--centroids.*)");
     refused("four_bar.json --plot x", R"(four_bar\.json: --plot: there is no quantity "x".*)");
+    refused("four_bar.json --plot 'omega 33'", R"(four_bar\.json: --plot: .* \(did you mean "omega 3"\?\).*)");
+    refused("four_bar.json --step 2",
+            R"(four_bar\.json: --step is of a driver that goes along.* the number of steps is --steps\))");
+    refused("scara.json --driver 2 --driver 3", R"(scara\.json: --step is of a driver that goes along.*)");
+    refused("scara.json --driver 2 --driver 2 --step 1", R"(scara\.json: --driver 2 is given twice)");
+    refused("scara.json --driver 2 --driver 3 --step 1mm", R"(scara\.json: --step "1mm" is a length; an angle is wanted here)");
+    refused("four_bar.json --branch 1", R"(four_bar\.json: /drivers/0: no branch is to be chosen.*)");
+}
+
+TEST_F(Sweep, DriversGoTogether) {
+    const Outcome swept = run("sweep scara.json --driver 2 --to 20 --steps 10 --driver 3 --step -1° -o a.json");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_EQ(swept.err.find("rest where"), std::string::npos) << swept.err;
+    const Json json = Json::parse(contents(folder_ / "a.json"));
+    EXPECT_NEAR(json["along"]["3"], -0.5, 1e-15);
+    const auto& columns = json["columns"];
+    const auto column = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "angle 3") - columns.begin());
+    const double turned = json["rows"][10][column].get<double>() - json["rows"][0][column].get<double>();
+    EXPECT_NEAR(turned, (20 - 10) * std::numbers::pi / 180, 1e-12) << "body 3 turns against body 2";
+}
+
+TEST_F(Sweep, ADriverWithALawGoesThroughItInTime) {
+    write("law.json", spoilt(R"("omega": "-120 rpm")", R"("law": {"form": "3-4-5", "turn": -90, "time": 2})"));
+    const Outcome swept = run("sweep law.json --steps 4 -o law.svg -o law.csv");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    EXPECT_NE(swept.err.find("driver 2 follows its law, from 0 s to 2 s"), std::string::npos) << swept.err;
+    const auto lines = lines_of(contents(folder_ / "law.csv"));
+    ASSERT_EQ(lines.size(), 6U);
+    EXPECT_EQ(lines[3].substr(0, lines[3].find(',', lines[3].find(',') + 1)), "-0.7853981633974483,1") << "half way at half time";
+    EXPECT_NE(contents(folder_ / "law.svg").find("data-unit=\"s\""), std::string::npos);
+    EXPECT_EQ(run("sweep law.json --from 20° -o b.csv").status, 2) << "times, not turns";
+    const Outcome at = run("solve law.json --at 1s --format json");
+    ASSERT_EQ(at.status, 0) << at.err;
+    EXPECT_NEAR(Json::parse(at.out)["bodies"]["2"]["omega"], -15.0 / 8 * std::numbers::pi / 4, 1e-12);
+    EXPECT_EQ(run("solve law.json --at 20°").status, 2) << "the law goes the other way";
+}
+
+TEST_F(Sweep, ACamIsDrawnAndItsMechanismSolved) {
+    write("cam.json", contents(example_file("cams/disc_cam")));
+    const Outcome drawn = run("cam cam.json --steps 24 --at 60 -o cam.csv -o at.json -o cam.svg");
+    ASSERT_EQ(drawn.status, 0) << drawn.err;
+    EXPECT_NE(drawn.err.find("25 positions solved as mechanisms"), std::string::npos) << drawn.err;
+    EXPECT_NE(drawn.err.find("largest pressure angle: 26.2°"), std::string::npos) << drawn.err;
+    EXPECT_EQ(lines_of(contents(folder_ / "cam.csv")).size(), 26U);
+    EXPECT_EQ(run("solve at.json --format json").status, 0);
+    EXPECT_NE(contents(folder_ / "cam-2.svg").find("data-name=\"pressure angle\""), std::string::npos);
+    const auto before = snapshot();
+    for (const char* wrong : {"cam cam.json --steps 1", "cam cam.json --at 400", "cam four_bar.json", "cam none.json"}) {
+        const Outcome refused = run(std::string(wrong) + " -o x.csv -o x.svg");
+        EXPECT_EQ(refused.status, 2) << wrong;
+        EXPECT_EQ(changed_since(before), "") << wrong;
+    }
 }
 
 TEST_F(Sweep, SaysItInItalianToo) {

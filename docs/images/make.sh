@@ -16,6 +16,14 @@ draw() {
     mv "$work/$name.png" "docs/images/$name.png"
 }
 
+# plot NAME COMMAND OPTION…: the first page of a whole motion, or of a cam.
+plot() {
+    name=$1
+    shift
+    "$program" "$@" -o "docs/images/$name.png" --dpi 110 2>/dev/null
+    rm -f "docs/images/$name"-[0-9]*.png
+}
+
 draw four_bar four_bar 1 --dpi 110
 draw sluice_gate sluice_gate 1 --dpi 110
 draw whitworth whitworth 1 --dpi 110
@@ -33,6 +41,11 @@ draw print slider_crank 1 --dpi 100 --theme print
 draw dark slider_crank 1 --dpi 100 --theme dark
 draw step_1 four_bar 4 --dpi 80 --steps
 draw step_2 four_bar 5 --dpi 80 --steps
+plot slider_crank_cycle sweep examples/slider_crank.json --plot "s B" --plot "v B" --plot "a B" --poses 8
+plot shaper_cycle sweep examples/quick_return.json --trace C --poses 8
+plot sluice_gate_travel sweep examples/sluice_gate_travel.json --plot "effort F_G" --trace O --poses 5
+plot jansen_cycle sweep examples/jansen_leg.json --trace F --poses 8
+plot cam_from_law cam examples/cams/disc_cam.json --at 60°
 
 status=0
 for picture in docs/images/*.png; do

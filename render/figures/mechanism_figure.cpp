@@ -133,8 +133,8 @@ void draw_ways(Sketch& sketch, const std::vector<Way>& ways, const Box& mechanis
         }
         sketch.construction.emplace_back(GroupBegin{way.is_path ? "path" : "position", "", "", {{"data-name", way.name}}, none});
         sketch.construction.emplace_back(
-            polyline(spots_of(way, sketch.scale()),
-                     way.is_path ? Pen{theme.outline, theme.accent, {}, false} : Pen{theme.thin, theme.skeleton, {}, false}));
+            polyline(spots_of(way, sketch.scale()), way.is_path && !way.is_thin ? Pen{theme.outline, theme.accent, {}, false}
+                                                                                : Pen{theme.thin, theme.skeleton, {}, false}));
         sketch.construction.emplace_back(GroupEnd{});
     }
 }

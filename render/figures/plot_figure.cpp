@@ -65,9 +65,8 @@ public:
         for (const double end : {table.travel.at(0), table.travel.at(1)}) x_.take(in_x(end));
         for (const auto& row : table.rows)
             for (const std::size_t column : columns) y_.take(in_y(row[column]));
-        const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(), [&](std::size_t column) {
-                                 return is_constant(table, column);
-                             });
+        const bool is_flat = y_.most < y_.least || std::all_of(columns.begin(), columns.end(),
+                                                               [&](std::size_t column) { return is_constant(table, column); });
         if (is_flat) {
             // A constant lies in the middle; what is rounding is zero.
             double middle = y_.most < y_.least ? 0 : (y_.most + y_.least) / 2;
@@ -76,7 +75,11 @@ public:
             y_ = {middle - half, middle + half};
         }
         y_step_ = tick_step(y_.width(), std::max(2, static_cast<int>(room.y / 9)), y_unit_.symbol == "°");
+        const double lowest = y_.least;
         y_ = {std::floor(y_.least / y_step_ - 1e-9) * y_step_, std::ceil(y_.most / y_step_ + 1e-9) * y_step_};
+        // The least value stands below its mark, and not among the numbers of the axis.
+        constexpr double letters = 4;
+        if (!is_flat && lowest < 0 && lowest - y_.least < letters / std::max(room.y - 15, 12.0) * y_.width()) y_.least -= y_step_;
         x_step_ = tick_step(x_.width(), std::max(3, static_cast<int>(room.x / 11)), x_unit_.symbol == "°");
     }
 

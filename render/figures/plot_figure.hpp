@@ -30,6 +30,7 @@ struct Way {
     enum class Kind { plain, fixed_centrode, moving_centrode, pole } kind = Kind::plain;
     bool comes_from_infinity = false, goes_to_infinity = false;  ///< centrodes: it is cut there
     BodyIndex outline = none;                                    ///< of this body: closed, tinted and drawn as the body is
+    bool is_thin = false;                                        ///< a path that only helps
 };
 /// The mechanism as drawn, with its ways behind it. Kind and id "mechanism".
 Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>& ways, double room_x, double room_y);

@@ -102,9 +102,7 @@ private:
         return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
     }
     /// Where something is: the driver's coordinate, or the time where it has a law.
-    std::string place(double at) const {
-        return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at);
-    }
+    std::string place(double at) const { return table_.travel.times ? number(at, 4, context_.language) + " s" : coordinate(at); }
     std::string amount(double si, QuantityKind kind) const {
         const Unit unit = unit_of(kind, context_.solution.mechanism);
         return number(si / unit.si.to_double(), 4, context_.language) + (unit.symbol == "°" ? "°" : " " + unit.symbol);
@@ -208,8 +206,8 @@ private:
             say("stroke", amount(most.value - least.value, of.unit));
             // Over a whole turn at constant speed the time goes with the turn between the two ends of the stroke.
             const double whole = std::abs(table_.travel.to - table_.travel.from), one = std::abs(most.at - least.at);
-            if (!table_.turns || table_.travel.times || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 || one == whole ||
-                rests(column, least) || rests(column, most))
+            if (!table_.turns || table_.travel.times || std::abs(whole - 2 * std::numbers::pi) > 1e-9 || one == 0 ||
+                one == whole || rests(column, least) || rests(column, most))
                 return;
             const double ratio = std::max(one, whole - one) / std::min(one, whole - one);
             // A stroke that takes as long there as back is no quick return.

@@ -24,7 +24,8 @@ Extreme refined(const CycleTable& table, const std::vector<double>& y, std::size
     const auto bend = [&](std::size_t k) { return y[k - 1] - 2 * y[k] + y[k + 1]; };
     const double here = bend(i);
     for (const double beside : {bend(i - 1), bend(i + 1)})
-        if (beside * here <= 0 || std::abs(beside) < 0.5 * std::abs(here) || std::abs(beside) > 2 * std::abs(here)) return as_it_is;
+        if (beside * here <= 0 || std::abs(beside) < 0.5 * std::abs(here) || std::abs(beside) > 2 * std::abs(here))
+            return as_it_is;
     const double off = std::clamp((y[i - 1] - y[i + 1]) / (2 * here), -0.5, 0.5);
     return {at(i) + off * step, y[i] - (y[i - 1] - y[i + 1]) * off / 4};
 }
