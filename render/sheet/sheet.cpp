@@ -396,7 +396,7 @@ private:
     WantedFigures wanted_;
     Bands bands_;
     BandTexts texts_;
-    static constexpr int most_refusals = 2;
+    static constexpr int most_refusals = 3;
     /// Of a room in the last round, by a figure, and its rim there.
     struct Refusal {
         std::size_t wanted = 0;
