@@ -157,6 +157,13 @@ TEST(Question, SaysEveryDatum) {
     const std::string words = words_of(lay_out(example("four_bar"), of_kind(SheetKind::question), fonts()));
     for (const char* datum : {"40 mm", "60°", "150 mm", "80 mm", "(0, 0)", "(150, 0)"})
         EXPECT_NE(words.find(datum), std::string::npos) << datum;
+    // How far a guide passes beside the pin stands on the figure, too.
+    bool offset = false;
+    for (const Page& page : lay_out(example("slider_crank_offset"), of_kind(SheetKind::question), fonts()))
+        for (const Mark& mark : page.marks)
+            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "dimension")
+                offset = offset || (group->title == "20 mm" && group->id.ends_with("offset"));
+    EXPECT_TRUE(offset);
     const Solution loaded = example("four_bar_weights");
     const std::string with_masses = words_of(lay_out(loaded, of_kind(SheetKind::question), fonts()));
     for (const Mass& mass : loaded.mechanism.masses)

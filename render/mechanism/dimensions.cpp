@@ -189,7 +189,11 @@ private:
             if (!given) continue;
             const Exact offset = lying ? given->y - origin.y : given->x - origin.x;
             if (offset.is_zero()) continue;
-            const Spot a = sketch_.spot(*pin), b = sketch_.spot(joint);
+            // The guide's axis is met beside the block and its walls, on the pin's side.
+            const Spot a = sketch_.spot(*pin), block = sketch_.spot(joint);
+            const double beyond = sketch_.measures.slider_half + sketch_.measures.wall_beyond + 3;
+            const Spot aside = lying ? Spot{a.x - block.x, 0} : Spot{0, a.y - block.y};
+            const Spot b = block + std::min(beyond, length(aside)) * unit(aside);
             const Spot along = lying ? Spot{0, b.y > a.y ? 1.0 : -1.0} : Spot{b.x > a.x ? 1.0 : -1.0, 0};
             add_length({a, b, along, std::abs(offset.to_double()), name_of(pin->point) + "." + name_of(joint.point) + ".offset"});
         }
