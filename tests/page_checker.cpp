@@ -6,8 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render/backends/backends.hpp"
-#include "render/backends/picture_difference.hpp"
+#include "render/backends/raster.hpp"
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -378,14 +377,9 @@ std::vector<Fault> faults_of(const Page& page, const Fonts& fonts) {
 }
 
 std::size_t pixels_in_common(const Page& page, const Fonts& fonts, double dpi) {
-    const auto picture_of = [&](const Page& part) {
-        auto picture = decode_png(to_png(part, fonts, dpi));
-        if (!picture) throw std::runtime_error(picture.error().en);
-        return *std::move(picture);
-    };
     const Page drawn = strokes_of(page);
     if (drawn.marks.empty()) return 0;
-    const Picture letters = picture_of(letters_of(page)), strokes = picture_of(drawn);
+    const Picture letters = to_picture(letters_of(page), fonts, dpi), strokes = to_picture(drawn, fonts, dpi);
     constexpr int half = 0x80;  // of white
     std::size_t common = 0;
     for (std::size_t i = 0; i < letters.pixels.size(); ++i)

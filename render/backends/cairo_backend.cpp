@@ -17,6 +17,7 @@
 
 #include "engine/assert.hpp"
 #include "render/backends/backends.hpp"
+#include "render/backends/raster.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -230,7 +231,10 @@ private:
 
 }  // namespace
 
-std::string to_png(const Page& page, const Glyphs& glyphs, double dpi) {
+namespace {
+
+/// A surface on memory that is kept from page to page: one of them is in use at a time.
+Owned<cairo_surface_t> drawn_at(const Page& page, const Glyphs& glyphs, double dpi) {
     KG_ASSERT(std::isfinite(dpi) && dpi > 0, "a picture has a resolution");
     const double scale = dpi / 25.4;
     const auto pixels = [scale](double mm) { return static_cast<int>(std::ceil(mm * scale - 1e-6)); };
@@ -252,7 +256,28 @@ std::string to_png(const Page& page, const Glyphs& glyphs, double dpi) {
         cairo_set_tolerance(cr.get(), drawn_tolerance);
     });
     cairo_surface_flush(surface.get());
-    return encode(surface.get(), grey(page), dpi);
+    return surface;
+}
+
+}  // namespace
+
+std::string to_png(const Page& page, const Glyphs& glyphs, double dpi) {
+    return encode(drawn_at(page, glyphs, dpi).get(), grey(page), dpi);
+}
+
+Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
+    const Owned<cairo_surface_t> surface = drawn_at(page, glyphs, dpi);
+    Picture picture{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}, dpi};
+    const std::ptrdiff_t stride = cairo_image_surface_get_stride(surface.get());
+    const unsigned char* const data = cairo_image_surface_get_data(surface.get());
+    picture.pixels.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    for (int y = 0; y < picture.height; ++y) {
+        const auto* row = reinterpret_cast<const std::uint32_t*>(data + y * stride);
+        for (int x = 0; x < picture.width; ++x)
+            picture.pixels.push_back({static_cast<std::uint8_t>(row[x] >> 16), static_cast<std::uint8_t>(row[x] >> 8),
+                                      static_cast<std::uint8_t>(row[x])});
+    }
+    return picture;
 }
 
 std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs) {

@@ -27,6 +27,7 @@ public:
              {&sketch.ground, &sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.construction})
             if (!layer->empty()) box_.include(box_of(*layer));
         gather();
+        if (through_ground) gather_offsets();
     }
 
     /// `all`: each datum is drawn at its best place, else only where that is free.
@@ -169,6 +170,51 @@ private:
             else if (up != 0)
                 add_length({a, b, unit(b - a), std::abs(up), name});
         }
+    }
+
+    /// Guides of the frame that run along an axis, by how far they pass beside the first fixed pin.
+    void gather_offsets() {
+        const Mechanism& mechanism = sketch_.mechanism;
+        const auto pin = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& joint) {
+            return is_fixed_pin(joint) && std::holds_alternative<Coordinates>(mechanism.point(joint.point).placement);
+        });
+        if (pin == mechanism.joints.end()) return;
+        const Vector& origin = std::get<Coordinates>(mechanism.point(pin->point).placement).at;
+        for (const Joint& joint : mechanism.joints) {
+            if (!is_slide(joint) || joint.bodies[1] != frame) continue;
+            const Vector& guide = sketch_.subject.solution.pose.guides[at_index(mechanism.index_of(joint))];
+            if (guide.x.is_zero() == guide.y.is_zero()) continue;
+            const bool lying = guide.y.is_zero();
+            const std::optional<Vector> given = given_on_guide(joint, lying);
+            if (!given) continue;
+            const Exact offset = lying ? given->y - origin.y : given->x - origin.x;
+            if (offset.is_zero()) continue;
+            // The guide's axis is met beside the block and its walls, on the pin's side.
+            const Spot a = sketch_.spot(*pin), block = sketch_.spot(joint);
+            const double beyond = sketch_.measures.slider_half + sketch_.measures.wall_beyond + 3;
+            const Spot aside = lying ? Spot{a.x - block.x, 0} : Spot{0, a.y - block.y};
+            const Spot b = block + std::min(beyond, length(aside)) * unit(aside);
+            const Spot along = lying ? Spot{0, b.y > a.y ? 1.0 : -1.0} : Spot{b.x > a.x ? 1.0 : -1.0, 0};
+            add_length({a, b, along, std::abs(offset.to_double()), name_of(pin->point) + "." + name_of(joint.point) + ".offset"});
+        }
+    }
+    /// A place on a guide that the file gives by its coordinates.
+    std::optional<Vector> given_on_guide(const Joint& joint, bool lying) const {
+        const Placement& placement = sketch_.mechanism.point(joint.point).placement;
+        if (const auto* at = std::get_if<Coordinates>(&placement)) return at->at;
+        const auto* meet = std::get_if<Meet>(&placement);
+        if (meet == nullptr) return std::nullopt;
+        const Vector& here = sketch_.subject.solution.pose.at(joint.point);
+        for (const Curve* curve : {&meet->first, &meet->second}) {
+            const auto* line = std::get_if<LineCurve>(curve);
+            if (line == nullptr) continue;
+            std::optional<Vector> place;
+            if (const auto* bare = std::get_if<Vector>(&line->through)) place = *bare;
+            if (const auto* point = std::get_if<PointIndex>(&line->through))
+                if (const auto* at = std::get_if<Coordinates>(&sketch_.mechanism.point(*point).placement)) place = at->at;
+            if (place && (lying ? place->y - here.y : place->x - here.x).is_zero()) return place;
+        }
+        return std::nullopt;
     }
 
     // ---- where ----

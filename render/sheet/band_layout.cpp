@@ -57,7 +57,7 @@ const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
     const auto found = texts_.find(key);
     if (found != texts_.end()) return found->second;
     const double measure = format_.span(1, divided);
-    ColumnText words(bands_.text(band, measure / format_.text_size, cornered, {}), measure, format_.text_size);
+    ColumnText words(bands_.text(band, measure / format_.text_size, cornered, bands_.results()), measure, format_.text_size);
     return texts_.emplace(key, std::move(words)).first->second;
 }
 

@@ -426,7 +426,7 @@ void Bands::number_steps() {
                 for (const std::size_t statement : part.which) step_.emplace(statement, static_cast<int>(step_.size()) + 1);
 }
 
-std::vector<ResultRow> Bands::result_rows_on(const std::vector<Figure>& drawn) const {
+std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const {
     std::vector<ResultRow> rows = result_rows(context_, drawn);
     for (ResultRow& row : force_rows(context_, drawn)) rows.push_back(std::move(row));
     return rows;
@@ -434,7 +434,7 @@ std::vector<ResultRow> Bands::result_rows_on(const std::vector<Figure>& drawn) c
 
 /// Every row stands under the figure that it is measured on; what no figure shows, under the last of its kind.
 void Bands::deal_out_results() {
-    const std::vector<ResultRow> rows = result_rows_on({});
+    const std::vector<ResultRow>& rows = results_ = results_on({});
     const auto draws = [&](const Band& band, const std::string& name) {
         return std::any_of(band.figures.begin(), band.figures.end(), [&](std::size_t f) { return wanted_.list[f].name == name; });
     };
@@ -497,12 +497,11 @@ Block Bands::equations(const Band& band, double most) const {
     return all;
 }
 
-std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart, const std::vector<Figure>& drawn) const {
-    std::vector<ResultRow> results;
+std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
+                                 const std::vector<ResultRow>& results) const {
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres());
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
-        if (part.kind == Kind::results) results = result_rows_on(drawn);
         all.push_back(writer.passage_of(part, results, remarks_));
     }
     // What goes on from a page before begins in the middle.

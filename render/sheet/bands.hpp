@@ -46,8 +46,13 @@ public:
     /// A remark on a figure, once it is drawn; false where it is made already.
     bool remark(const std::string& figure, const RichText& text);
 
-    /// Set to a width of `measure` mm. Lengths are measured on `drawn`; `equations_apart`: its equations stand in the figure.
-    std::vector<Passage> text(const Band& band, double measure, bool equations_apart, const std::vector<Figure>& drawn) const;
+    /// Rows of all results, lengths measured on the figures where there are some.
+    std::vector<ResultRow> results_on(const std::vector<Figure>& drawn) const;
+    /// The same with no length measured: as wide and as high as they will be.
+    const std::vector<ResultRow>& results() const { return results_; }
+    /// Set to a width of `measure` mm; `equations_apart`: its equations stand in the figure.
+    std::vector<Passage> text(const Band& band, double measure, bool equations_apart,
+                              const std::vector<ResultRow>& results) const;
     /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it has none, or
     /// so many that no figure has room for them.
     Block equations(const Band& band, double most) const;
@@ -62,7 +67,6 @@ private:
     void number_steps();
     void deal_out_results();
     void add_remarks();
-    std::vector<ResultRow> result_rows_on(const std::vector<Figure>& drawn) const;
 
     const DrawingContext& context_;
     const Solution& solution_;
@@ -70,7 +74,8 @@ private:
     SolutionDetail detail_;
     std::map<std::size_t, int> step_;                           // number of a statement
     std::map<std::size_t, std::vector<std::size_t>> likewise_;  // statements that say the same of others, by the first
-    std::map<std::string, RichText> remarks_;                   // on figures as drawn
+    std::vector<ResultRow> results_;
+    std::map<std::string, RichText> remarks_;  // on figures as drawn
 };
 
 }  // namespace kinegraph::render

@@ -109,7 +109,7 @@ private:
     void divide(std::size_t index) {
         Band& band = bands_.list[index];
         std::size_t rows = 0;
-        for (const Passage& passage : bands_.text(band, format_.measure, false, {})) rows += passage.rows.size();
+        for (const Passage& passage : bands_.text(band, format_.measure, false, bands_.results())) rows += passage.rows.size();
         KG_ASSERT(rows > 1, "a page holds a band's figures with a row of its text");
         Band rest = band;
         rest.figures.clear();
@@ -382,10 +382,13 @@ private:
     }
     /// With the lengths that are measured on the figures as drawn.
     ColumnText text_of(const Band& band, double measure, bool cornered) {
-        if (all_.empty())
+        if (!results_) {
+            std::vector<Figure> all;
             for (const auto& [index, figures] : drawn_)
-                for (const Drawn& drawn : figures) all_.push_back(drawn.figure);
-        return {bands_.text(band, measure / format_.text_size, cornered, all_), measure, format_.text_size};
+                for (const Drawn& drawn : figures) all.push_back(drawn.figure);
+            results_ = bands_.results_on(all);
+        }
+        return {bands_.text(band, measure / format_.text_size, cornered, *results_), measure, format_.text_size};
     }
 
     DrawingContext context_;
@@ -416,7 +419,7 @@ private:
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> plan_;
     std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band
-    std::vector<Figure> all_;                          // of them
+    std::optional<std::vector<ResultRow>> results_;    // measured on them
     Spot first_caption_;                               // of figure 1: its corner, and the room it has
     double first_caption_width_ = 0;
     bool corner_missing_ = false;  // one was promised to equations

@@ -144,7 +144,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     }
 
     const double left = format.block.min.x + 3.5, right = cells_left - 2;
-    const std::string origin = origin_of(solution, signature);
+    std::string origin = origin_of(solution, signature);
     const double print = format.large ? theme.body_text : 7.5, line = 3.4;
     const auto small_print = [&](const std::string& words, double at) {
         set_text(marks, fitted(context.fonts, words, Face::regular, print, 5, right - left), {left, at}, theme.secondary, "text");
@@ -152,6 +152,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
     const std::string title = title_of(solution, context.language);
     const double size = format.large ? theme.title : 13;
     const bool one_line = context.fonts.shape(one_piece(title, Face::bold), size).width <= right - left;
+    // Of a question or a key it is said in any case what it is.
+    if (!one_line && !signature.subtitle.empty()) origin = signature.subtitle + (origin.empty() ? "" : "  ·  ") + origin;
     set_title(marks, context, rectangle(left, format.block.min.y + 1.5, right, format.block.max.y - 1.5), size,
               origin.empty() ? 0 : line);
     const std::string subtitle = signature.subtitle.empty() ? subtitle_of(solution, context.language) : signature.subtitle;

@@ -49,6 +49,10 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
     if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
     if (has_forces(context.solution)) collect_forces(joukowsky);
     add_small();
+    // Who is brief wants fewer pages rather than larger figures.
+    constexpr double smaller = 0.8;
+    if (detail_ == SolutionDetail::brief)
+        for (Wanted& each : list) each.least *= smaller;
 }
 
 bool WantedFigures::shows_centres() const {

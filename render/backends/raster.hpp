@@ -1,0 +1,12 @@
+// A page as pixels in memory: what a PNG holds, without being written out and read again.
+#pragma once
+
+#include "render/backends/picture_difference.hpp"
+#include "render/text/text.hpp"
+
+namespace kinegraph::render {
+
+/// The pixels of to_png's picture.
+Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi);
+
+}  // namespace kinegraph::render
