@@ -113,7 +113,7 @@ private:
             const std::size_t open = std::min(pattern.find('{', i), pattern.size());
             if (open > i) append(text, one_piece(pattern.substr(i, open - i)));
             if (open == pattern.size()) break;
-            append(text, parts[static_cast<std::size_t>(pattern[open + 1] - '0')]);
+            append(text, parts[at_index(pattern[open + 1] - '0')]);
             i = open + 3;
         }
         return text;

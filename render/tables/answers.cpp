@@ -163,7 +163,7 @@ private:
         double force = 0;
         BodyIndex on = row.quantity.body;
         if (row.quantity.kind == Kind::effort)
-            if (const auto* effort = std::get_if<CoupleEffort>(&mechanism_.efforts[static_cast<std::size_t>(row.quantity.given)]))
+            if (const auto* effort = std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(row.quantity.given)]))
                 on = effort->body;
         for (const FreeBody& body : solution_.free_bodies)
             if (body.body == on)
