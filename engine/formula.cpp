@@ -492,7 +492,9 @@ private:
         const auto on_grid = [](const Exact& value) {
             return value.is_zero() || abs(value) == Exact(1) || abs(value) == Exact::ratio(1, 2);
         };
-        Measured result{.is_bare = angle.is_bare, .is_approximate = angle.is_approximate};
+        Measured result = bare({});
+        result.is_bare = angle.is_bare;
+        result.is_approximate = angle.is_approximate;
         if (name == "tan") {
             if (cosine.is_zero()) return refused({"tan of a right angle has no value", "tan di un angolo retto non ha valore"});
             result.value = sine == cosine ? Exact(1) : sine == -cosine ? Exact(-1) : sine / cosine;
@@ -553,7 +555,7 @@ tl::expected<Measured, Words> read_measured(std::string_view text, const LookUp&
     return measured(*written);
 }
 
-Measured bare(Exact value) { return {.value = std::move(value), .is_bare = true}; }
+Measured bare(Exact value) { return {.value = std::move(value), .dimension = {}, .is_bare = true}; }
 
 tl::expected<WrittenQuantity, Words> as_quantity(const Measured& value, QuantityKind kind, const KnownUnit& bare_unit) {
     static const KnownUnit* const degrees = unit_spelt("deg");

@@ -50,6 +50,7 @@ public:
             else
                 say("sought relative", {name(query.point), plain_words(mechanism_.body(query.observer).name)});
         }
+        if (find.curvature) say("sought curvature", {});
         if (find.forces || (all && has_forces(solution_))) {
             say("sought forces", {});
             for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);

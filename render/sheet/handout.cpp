@@ -144,6 +144,8 @@ private:
                 return "accelerations";
             case Topic::relative_motion:
                 return "relative motion";
+            case Topic::curvature:
+                return "curvature";
             case Topic::forces:
             case Topic::unnamed:
                 break;

@@ -829,6 +829,8 @@ constexpr std::array fixed_words{
                "le velocità dei punti e le velocità angolari dei corpi"},
     FixedWords{"sought acceleration", "the accelerations of the points and the angular accelerations of the bodies",
                "le accelerazioni dei punti e le accelerazioni angolari dei corpi"},
+    FixedWords{"sought curvature", "the inflection circles and the centres of curvature of the paths",
+               "i circoli dei flessi e i centri di curvatura delle traiettorie"},
     FixedWords{"sought relative", "the motion of {0} as seen from body {1}", "il moto di {0} rispetto al corpo {1}"},
     FixedWords{"sought translating", "the motion of {0} as seen from axes that translate with {1}",
                "il moto di {0} rispetto ad assi traslanti con {1}"},
