@@ -25,11 +25,6 @@ target_compile_options(kinegraph_flags INTERFACE
     -ffunction-sections -fdata-sections
     -fno-semantic-interposition)                      # nobody puts a function of his own in the place of one of ours
 
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC 12 sees moved strings written past their end where there is nothing of the kind (its bug 105329).
-    target_compile_options(kinegraph_flags INTERFACE -Wno-array-bounds -Wno-restrict)
-endif()
-
 if(KINEGRAPH_FUZZ)
     set(CMAKE_CXX_FLAGS_RELEASE "-O1 -g1")
     add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -D_GLIBCXX_ASSERTIONS)
