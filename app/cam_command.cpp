@@ -164,9 +164,10 @@ private:
                               "minimo raggio di curvatura del profilo, concavo: {0} a {1}", length_text(*summary_.least_concave),
                               turn_text(summary_.least_concave_at));
         if (summary_.face)
-            said.emplace_back("the flat face is touched from {0} to {1} of the foot of its normal through the cam’s centre",
-                              "il piattello è toccato da {0} a {1} dal piede della sua normale per il centro della camma",
-                              length_text((*summary_.face)[0]), length_text((*summary_.face)[1]));
+            said.emplace_back(
+                "the flat face is touched from {0} to {1}, counted from the foot of its normal through the cam’s centre",
+                "il piattello è toccato da {0} a {1}, contati dal piede della sua normale per il centro della camma",
+                length_text((*summary_.face)[0]), length_text((*summary_.face)[1]));
         return said;
     }
 

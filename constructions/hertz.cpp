@@ -191,8 +191,8 @@ std::vector<Words> remarks_on(const HertzProblem& problem, const HertzSolution& 
     constexpr double small = 0.1;  // of a radius: there the slope of the surfaces is a tenth
     if (const double widest = std::max(found.a, found.b); widest > small * least)
         remarks.emplace_back(
-            "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius), as the theory wants it.",
-            "Il contatto non è piccolo rispetto ai corpi (il suo semiasse supera un decimo del loro raggio minore), come vuole la teoria.");
+            "The contact is not small beside the bodies (its half axis is more than a tenth of their smallest radius); the theory presumes that it is.",
+            "Il contatto non è piccolo rispetto ai corpi (il suo semiasse supera un decimo del loro raggio minore); la teoria lo presuppone.");
     if (problem.line && problem.length.to_double() < 10 * found.b)
         remarks.emplace_back(
             "The line of contact is not long beside its width, as plane strain wants it.",

@@ -230,7 +230,8 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
         add(Words("velocity {0} x", "velocità {0} x", name), "v_" + n + "x", velocity, body.after.x, checked.velocity[0]);
         add(Words("velocity {0} y", "velocità {0} y", name), "v_" + n + "y", velocity, body.after.y, checked.velocity[1]);
         if (!body.inverse_inertia.is_zero())
-            add(Words("omega {0}", "omega {0}", name), "ω_" + n, angular_velocity, body.omega_after, checked.omega);
+            add(Words("angular velocity {0}", "velocità angolare {0}", name), "ω_" + n, angular_velocity, body.omega_after,
+                checked.omega);
         if (!body.reaction) continue;
         add(Words("pivot {0} x", "cerniera {0} x", name), "R_" + n + "x", dimensionless, body.reaction->x, checked.reaction[0],
             "N s");

@@ -240,7 +240,7 @@ private:
         while (result) {
             const bool plus = takes('+');
             if (!plus && !takes('-')) break;
-            const Outcome other = product();
+            Outcome other = product();
             if (!other) return other;
             result = added(*result, *other, plus);
         }
@@ -252,7 +252,7 @@ private:
         while (result) {
             const bool times = takes('*');
             if (!times && !takes('/')) break;
-            const Outcome other = factor();
+            Outcome other = factor();
             if (!other) return other;
             result = times ? multiplied(*result, *other) : divided(*result, *other);
         }
@@ -272,10 +272,10 @@ private:
         return result;
     }
     Outcome power() {
-        const Outcome base = operand();
+        Outcome base = operand();
         if (!base || !takes('^')) return base;
         if (++depth_ > deepest) return refused({"too many powers upon each other", "troppe potenze una sull’altra"});
-        const Outcome exponent = factor();
+        Outcome exponent = factor();
         --depth_;
         if (!exponent) return exponent;
         return raised(*base, *exponent);

@@ -204,7 +204,8 @@ void ProblemReader::read_material(const Members& form, HertzBody& body) {
 }
 
 void ProblemReader::check_curvatures(const HertzProblem& problem, JsonValue bodies) {
-    const auto& [first, second] = problem.bodies;
+    const HertzBody& first = problem.bodies[0];
+    const HertzBody& second = problem.bodies[1];
     const auto sum = [&](std::size_t plane) { return first.curvature(plane) + second.curvature(plane); };
     if (first.radii[0].is_zero() && second.radii[0].is_zero() && first.radii[1].is_zero() && second.radii[1].is_zero()) {
         fault(bodies, {"two flat bodies touch on their whole face; give one of them a \"radius\"",

@@ -156,7 +156,7 @@ private:
             text(one_piece(tick(near_zero(x, x_step_), x_step_)), theme_.small, {foot.x, foot.y + 3.6}, 0.5, theme_.text);
         }
         const bool over_time = table_.travel.times.has_value();
-        RichText coordinate = one_piece(over_time ? "t" : table_.turns ? "φ" : "s", Face::italic);
+        RichText coordinate = one_piece(over_time ? "t" : table_.turns ? "Δφ" : "s", Face::italic);
         if (!over_time) {
             coordinate.front().sub = table_.driver;
             coordinate.front().sub_face = Face::regular;

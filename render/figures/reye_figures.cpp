@@ -182,9 +182,10 @@ private:
         add(ring(pin, 1.4, theme_.paper, pen(2 * theme_.outline, colour().line)));
         name("{h}", 0.5 * pin, pin);
         draw_shoe_force(pin, drum);
-        // Friction turns a leading shoe the way its force does.
+        // Friction turns a leading shoe the way its force does: the pivot lies to the right, so one within the drum is turned
+        // clockwise.
         const double middle = 1.25 * pi;
-        const bool counter = problem_.leading == problem_.inside;
+        const bool counter = problem_.leading != problem_.inside;
         draw_arc_arrow(figure_.marks, {0, 0}, 0.6 * drum, -middle, -middle + (counter ? -0.8 : 0.8), theme_.outline, theme_.text);
         name("{ω}", round(0.6 * drum, middle));
     }

@@ -59,8 +59,8 @@ public:
             "The gap between the surfaces is {A}{x^2} + {B}{y^2}, with {x} along the longer axis of the contact. From the principal curvatures (Euler)\n{A} + {B} = ½ Σ {κ},  {B} − {A} = ½ √(({κ_1} − {κ_1}′)² + ({κ_2} − {κ_2}′)² + 2 ({κ_1} − {κ_1}′)({κ_2} − {κ_2}′) cos 2{θ}),\n{A} = {0} {2}⁻¹,  {B} = {1} {2}⁻¹.",
             "La distanza fra le superfici è {A}{x^2} + {B}{y^2}, con {x} lungo l’asse maggiore del contatto. Dalle curvature principali (Eulero)\n{A} + {B} = ½ Σ {κ},  {B} − {A} = ½ √(({κ_1} − {κ_1}′)² + ({κ_2} − {κ_2}′)² + 2 ({κ_1} − {κ_1}′)({κ_2} − {κ_2}′) cos 2{θ}),\n{A} = {0} {2}⁻¹,  {B} = {1} {2}⁻¹.",
             numeral(found_.long_curvature * mm), numeral(found_.short_curvature * mm), per);
-        said.emplace_back("The effective radius is\n{R} = 1/2√({A}{B}) = {0}.",
-                          "Il raggio equivalente è\n{R} = 1/2√({A}{B}) = {0}.", length(found_.radius));
+        said.emplace_back("The effective radius is\n{R} = 1/(2√({A}{B})) = {0}.",
+                          "Il raggio equivalente è\n{R} = 1/(2√({A}{B})) = {0}.", length(found_.radius));
         return said;
     }
 
@@ -81,8 +81,8 @@ public:
                 "L’area di contatto è un’ellisse. La sua forma {k} = {b}/{a} si ha dagli integrali ellittici completi K, E di modulo {e}, {e^2} = 1 − {k^2}:\n{A}/{B} = (K − E)/(E/{k^2} − K),  {k} = {0}.",
                 numeral(found_.b / found_.a));
             said.emplace_back(
-                "and its size from the load\n{a} = (3{Q}(K − E)/2π{E*}{A}{e^2})^{1/3} = {0},  {b} = {k}{a} = {1}.",
-                "e la sua grandezza dal carico\n{a} = (3{Q}(K − E)/2π{E*}{A}{e^2})^{1/3} = {0},  {b} = {k}{a} = {1}.",
+                "and its size from the load\n{a} = (3{Q}(K − E)/(2π{E*}{A}{e^2}))^{1/3} = {0},  {b} = {k}{a} = {1}.",
+                "e la sua grandezza dal carico\n{a} = (3{Q}(K − E)/(2π{E*}{A}{e^2}))^{1/3} = {0},  {b} = {k}{a} = {1}.",
                 length(found_.a), length(found_.b));
             said.emplace_back(
                 "The pressure stands as a semi-ellipsoid over it:\n{p_m} = {Q}/π{a}{b} = {0},  {p_0} = 3{p_m}/2 = {1}.",
@@ -133,8 +133,8 @@ public:
         return {
             {"The bodies are elastic, homogeneous and isotropic; their faces are smooth and carry no friction.",
              "I corpi sono elastici, omogenei e isotropi; le superfici sono lisce e senza attrito."},
-            {"The contact is small beside the radii, so that each body yields as a half-space and the gap is a paraboloid.",
-             "Il contatto è piccolo rispetto ai raggi: ciascun corpo cede come un semispazio e la distanza è un paraboloide."}};
+            {"The contact is small beside the radii, so that each body yields as a half-space and the gap is of the second degree.",
+             "Il contatto è piccolo rispetto ai raggi: ciascun corpo cede come un semispazio e la distanza è di secondo grado."}};
     }
 
 private:
@@ -167,8 +167,8 @@ private:
     Words approach() const {
         if (!problem_.line)
             return found_.elliptic
-                       ? Words("Points far from the contact come nearer by\n{δ} = 3{Q}K/2π{a}{E*} = {0}.",
-                               "I punti lontani dal contatto si accostano di\n{δ} = 3{Q}K/2π{a}{E*} = {0}.",
+                       ? Words("Points far from the contact come nearer by\n{δ} = 3{Q}K/(2π{a}{E*}) = {0}.",
+                               "I punti lontani dal contatto si accostano di\n{δ} = 3{Q}K/(2π{a}{E*}) = {0}.",
                                length(found_.approach))
                        : Words("Points far from the contact come nearer by\n{δ} = {a^2}/{R} = {0}.",
                                "I punti lontani dal contatto si accostano di\n{δ} = {a^2}/{R} = {0}.", length(found_.approach));

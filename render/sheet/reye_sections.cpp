@@ -149,8 +149,8 @@ private:
     std::vector<Words> disc() const {
         std::vector<Words> said;
         said.emplace_back(
-            "Ring by ring the pressures make up the force:\n{Q} = ∫ 2π{r}{p} d{r} = 2π({p}{r})({r_2} − {r_1}),\n{p_1} = {Q}/2π{r_1}({r_2} − {r_1}) = {0},  {p_2} = {1}.",
-            "Corona per corona le pressioni fanno la forza:\n{Q} = ∫ 2π{r}{p} d{r} = 2π({p}{r})({r_2} − {r_1}),\n{p_1} = {Q}/2π{r_1}({r_2} − {r_1}) = {0},  {p_2} = {1}.",
+            "Ring by ring the pressures make up the force:\n{Q} = ∫ 2π{r}{p} d{r} = 2π({p}{r})({r_2} − {r_1}),\n{p_1} = {Q}/(2π{r_1}({r_2} − {r_1})) = {0},  {p_2} = {1}.",
+            "Corona per corona le pressioni fanno la forza:\n{Q} = ∫ 2π{r}{p} d{r} = 2π({p}{r})({r_2} − {r_1}),\n{p_1} = {Q}/(2π{r_1}({r_2} − {r_1})) = {0},  {p_2} = {1}.",
             pressure(found_.first), pressure(found_.second));
         said.emplace_back("The friction acts at the mean radius:\n{M} = {n}{f}{Q}({r_1} + {r_2})/2 = {0}.",
                           "L’attrito agisce al raggio medio:\n{M} = {n}{f}{Q}({r_1} + {r_2})/2 = {0}.", moment(*found_.torque));
