@@ -447,10 +447,13 @@ private:
         Progress progress(request_.steps);
         for (long i = 0; i <= request_.steps; ++i) {
             progress.at(i);
-            // At a limit the driver has no velocity to give.
-            if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) continue;
             const double share = static_cast<double>(i) / static_cast<double>(request_.steps);
             const double at = travel_.at(share);
+            // At a limit the driver has no velocity to give.
+            if ((i == 0 && travel_.starts_at_limit) || (i == request_.steps && travel_.ends_at_limit)) {
+                if (draws) drawing_.table.limits.push_back(cycle_.at_limit(at, (i == 0 ? 1 : -1) * (travel_.to - travel_.from)));
+                continue;
+            }
             const auto row = cycle_.row(at);
             if (draws) drawing_.keep(i, at, row);
             if (row) {

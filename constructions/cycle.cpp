@@ -264,6 +264,25 @@ public:
         return values_;
     }
 
+    /// Near a limit the places go with the root of the distance from it: two places, one four times as far as the other, tell
+    /// where they lead (Richardson's extrapolation).
+    std::vector<std::optional<double>> at_limit(double limit, double inward) {
+        constexpr double near = 1e-8;  // of the way; the limit itself is known to 1e-9
+        const auto places = [&](double share) {
+            std::vector<std::optional<double>> values(columns_.size());
+            if (!positions_.move_to(limit + share * inward)) return values;
+            positions_.read(places_);
+            for (std::size_t i = 0; i < columns_.size(); ++i) values[i] = place_value(columns_[i]);
+            return values;
+        };
+        const auto far = places(4 * near), close = places(near);
+        std::vector<std::optional<double>> values(columns_.size());
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (far[i] && close[i]) values[i] = 2 * *close[i] - *far[i];
+        if (values[0]) values[0] = limit;
+        return values;
+    }
+
     Difference difference() const {
         Difference worst;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -630,6 +649,7 @@ const Positions& Cycle::positions() const { return rows_->positions(); }
 std::vector<Unsolved> Cycle::begin(const Travel& travel, bool checked) { return rows_->begin(travel, checked); }
 const std::vector<Column>& Cycle::columns() const { return rows_->columns(); }
 std::optional<std::span<const double>> Cycle::row(double at) { return rows_->row(at); }
+std::vector<std::optional<double>> Cycle::at_limit(double limit, double inward) { return rows_->at_limit(limit, inward); }
 Cycle::Difference Cycle::difference() const { return rows_->difference(); }
 int Cycle::plans() const { return rows_->plans(); }
 

@@ -53,6 +53,10 @@ public:
     /// coordinate of the driver, or a time where it has a law, as Travel::at gives it.
     std::optional<std::span<const double>> row(double at);
 
+    /// By column what the place alone gives at a limit of the travel, which has no row: turn, angles, places, slides. `inward`:
+    /// from the limit to the other end. Nothing where it cannot be approached.
+    std::vector<std::optional<double>> at_limit(double limit, double inward);
+
     /// The largest difference from the check so far, as a share of the largest of its kind, and where. `column` < 0: none was
     /// held.
     struct Difference {

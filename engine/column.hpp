@@ -60,6 +60,8 @@ struct CycleTable {
     Travel travel;
     std::vector<Column> columns;  ///< the first is the driver's coordinate
     std::vector<std::vector<double>> rows;
+    /// Limits of the travel, which have no row: by column what the place alone gives there (turns, angles, places, slides).
+    std::vector<std::vector<std::optional<double>>> limits;
     std::vector<double> left_out;  ///< positions without a row, as Travel::at gives them
     std::optional<Transmission> transmission;
     std::vector<Words> facts;  ///< what else is told below the extremes

@@ -47,6 +47,23 @@ Swept swept(const std::string& text) {
 }
 Swept swept_example(const std::string& name) { return swept(tests::contents(tests::example_file(name))); }
 
+TEST(Cycle, PlacesAreKnownAtLimitsToo) {
+    // The rod of 150 mm lies along A's guide there, B at the crossing of the guides: drawn 90 mm above it.
+    Swept s = swept_example("elliptic_trammel.json");
+    ASSERT_TRUE(s.travel.starts_at_limit && s.travel.ends_at_limit);
+    const double way = s.travel.to - s.travel.from;
+    for (const auto& [limit, inward] : {std::pair(s.travel.from, way), std::pair(s.travel.to, -way)}) {
+        EXPECT_FALSE(s.cycle->row(limit));
+        const auto places = s.cycle->at_limit(limit, inward);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::string& name = s.cycle->columns()[i].name;
+            if (name == "s B") EXPECT_NEAR(places[i].value(), -0.09, 1e-7);
+            if (name == "s A") EXPECT_NEAR(places[i].value(), limit, 1e-7);
+            if (name == "v B") EXPECT_FALSE(places[i]);
+        }
+    }
+}
+
 TEST(Cycle, ASliderCrankFollowsItsClosedForm) {
     const double r = 0.04, l = 0.15, omega = 10;
     Swept s = swept(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0],

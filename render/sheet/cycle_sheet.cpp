@@ -180,7 +180,8 @@ private:
         for (std::size_t i = 0; i < table_.columns.size(); ++i) tell_of_column(i, said);
         if (table_.transmission)
             say(in_words("least transmission angle"),
-                number(table_.transmission->least * 180 / std::numbers::pi, 4, context_.language) + "°" + at +
+                // To hundredths: at a dead point, where it is zero, the position is known no better.
+                number(std::round(table_.transmission->least * 18000 / std::numbers::pi) / 100, 4, context_.language) + "°" + at +
                     coordinate(table_.transmission->at));
         if (const auto fastest = largest_of_points(Kind::velocity)) say(in_words("largest speed"), *fastest);
         if (const auto hardest = largest_of_points(Kind::acceleration)) say(in_words("largest acceleration"), *hardest);
@@ -233,6 +234,14 @@ private:
     }
 
     /// "1.23 m/s (A) at 45°".
+    /// Next to a limit of the travel, where velocities grow without bound: no value is the largest.
+    bool grows_to_a_limit(const Extreme& largest, const std::vector<double>& sizes) const {
+        if (table_.limits.empty() || sizes.size() < 2) return false;
+        const double at = largest.at;
+        const double first = table_.rows.front()[table_.over()], last = table_.rows.back()[table_.over()];
+        return (at == first && table_.travel.starts_at_limit) || (at == last && table_.travel.ends_at_limit);
+    }
+
     std::optional<std::string> largest_of_points(Kind kind) const {
         Extreme largest;
         PointIndex point;
@@ -244,6 +253,7 @@ private:
             std::vector<double> sizes;
             for (const auto& row : table_.rows) sizes.push_back(length(Spot{row[i], row[i + 1]}));
             const Extreme of_point = extremes_of(table_, sizes).second;
+            if (grows_to_a_limit(of_point, sizes)) return std::nullopt;
             if (of_point.value <= largest.value * (1 + 1e-9)) continue;
             largest = of_point;
             point = x.quantity.point;

@@ -41,6 +41,12 @@ std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vect
 
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column) {
     auto found = extremes_of(table, values_of(table, column));
+    for (const auto& limit : table.limits) {
+        if (!limit[column]) continue;
+        const Extreme there{limit[table.over()].value_or(0), *limit[column]};
+        if (there.value < found.first.value) found.first = there;
+        if (there.value > found.second.value) found.second = there;
+    }
     const double rounding = rounding_of(table, column);
     for (Extreme* each : {&found.first, &found.second})
         if (std::abs(each->value) < rounding) each->value = 0;

@@ -14,7 +14,7 @@ struct Extreme {
 };
 
 /// The least and the greatest value; between three rows by the parabola through them, where their neighbours bend alike (so not
-/// at a jump). Of a table without rows: zeros.
+/// at a jump), and at the limits, where the place alone gives it. Of a table without rows: zeros.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, std::size_t column);
 /// The same of any values, one a row.
 std::pair<Extreme, Extreme> extremes_of(const CycleTable& table, const std::vector<double>& values);
