@@ -57,9 +57,15 @@ TEST(Cycle, PlacesAreKnownAtLimitsToo) {
         const auto places = s.cycle->at_limit(limit, inward);
         for (std::size_t i = 0; i < places.size(); ++i) {
             const std::string& name = s.cycle->columns()[i].name;
-            if (name == "s B") EXPECT_NEAR(places[i].value(), -0.09, 1e-7);
-            if (name == "s A") EXPECT_NEAR(places[i].value(), limit, 1e-7);
-            if (name == "v B") EXPECT_FALSE(places[i]);
+            if (name == "s B") {
+                EXPECT_NEAR(places[i].value(), -0.09, 1e-7);
+            }
+            if (name == "s A") {
+                EXPECT_NEAR(places[i].value(), limit, 1e-7);
+            }
+            if (name == "v B") {
+                EXPECT_FALSE(places[i]);
+            }
         }
     }
 }
