@@ -49,7 +49,7 @@ Swept swept_example(const std::string& name) { return swept(tests::contents(test
 
 TEST(Cycle, PlacesAreKnownAtLimitsToo) {
     // The rod of 150 mm lies along A's guide there, B at the crossing of the guides: drawn 90 mm above it.
-    Swept s = swept_example("elliptic_trammel.json");
+    Swept s = swept_example("elliptic_trammel");
     ASSERT_TRUE(s.travel.starts_at_limit && s.travel.ends_at_limit);
     const double way = s.travel.to - s.travel.from;
     for (const auto& [limit, inward] : {std::pair(s.travel.from, way), std::pair(s.travel.to, -way)}) {
