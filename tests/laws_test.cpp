@@ -180,7 +180,7 @@ bool drives_along(const Mechanism& mechanism) {
     return false;
 }
 
-constexpr int mechanisms_moved = 120;
+constexpr int mechanisms_moved = unless_sanitized(120, 20);
 
 void hold_for_random_mechanisms(
     const Similarity& by, bool by_compass, double tolerance,
