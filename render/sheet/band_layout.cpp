@@ -14,9 +14,11 @@ constexpr double room_of_a_name = 150;  // mm²: with what keeps it off the stro
 /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
 double use_of(double size) { return std::log(size) - 40 / size; }
 
-std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, std::optional<double> force_scale,
-                                 bool crowded) {
+std::vector<FigureSize> sizes_of(Wanted wanted, const SheetFormat& format, std::optional<double> force_scale, bool crowded) {
     std::vector<FigureSize> sizes;
+    // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to the figure.
+    wanted.rim_x = std::min(wanted.rim_x, 0.5 * format.content.width());
+    wanted.rim_y = std::min(wanted.rim_y, 0.5 * format.content.height());
     const double extent = std::max(wanted.extent_x, wanted.extent_y);
     const auto at = [&](double scale) {
         const double size = std::min(extent / scale, wanted.enough);

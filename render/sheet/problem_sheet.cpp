@@ -125,8 +125,7 @@ private:
             all.push_back({fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true});
             for (const ProblemFigure& figure : section.figures)
                 all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
-            for (std::size_t k = 0; k < section.sentences.size(); ++k)
-                all.push_back({sentence(section.sentences[k], measure()), s, 0, false});
+            for (const Words& each : section.sentences) all.push_back({sentence(each, measure()), s, 0, false});
         }
         add(all, remarks(sections_.size()));
         return all;

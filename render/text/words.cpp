@@ -510,7 +510,7 @@ constexpr std::array
 struct FixedWords {
     std::string_view key, en, it;
 };
-constexpr std::array fixed_words{
+constexpr auto fixed_words = std::to_array<FixedWords>({
     // figures
     FixedWords{"figure", "Fig.", "Fig."},
     FixedWords{"mechanism", "Mechanism", "Meccanismo"},
@@ -873,7 +873,7 @@ constexpr std::array fixed_words{
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
     FixedWords{"subtitle cam", "A disc cam by the law of its follower", "Camma a disco dalla legge della punteria"},
     FixedWords{"subtitle acceleration", "Velocities and accelerations by polygons", "Velocità e accelerazioni con i poligoni"},
-};
+});
 
 bool digits_only(std::string_view text) {
     return !text.empty() &&
