@@ -256,13 +256,14 @@ void add_solve(CLI::App& program, Action& action) {
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
-/// What is typed to sweep a mechanism: the request, and what it says in words.
-struct SweepWords {
-    SweepRequest request;
+/// What is typed for a sheet that is no solution: the request, and what it says in words.
+template <class Request>
+struct WordsOf {
+    Request request;
     SolveWords sheet;
 
-    SweepRequest meant() const {
-        SweepRequest full = request;
+    Request meant() const {
+        Request full = request;
         const SolveRequest words = sheet.meant();
         full.sheet.language = words.language;
         full.sheet.paper = words.paper;
@@ -329,7 +330,7 @@ void add_plots(CLI::App& command, SweepRequest& request) {
 void add_sweep(CLI::App& program, Action& action) {
     CLI::App* command =
         add_command(program, "sweep", "The results in one position after another: rows of numbers, plots, paths of points");
-    auto words = std::make_shared<SweepWords>();
+    auto words = std::make_shared<WordsOf<SweepRequest>>();
     SweepRequest& request = words->request;
     command->add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
@@ -349,25 +350,10 @@ void add_sweep(CLI::App& program, Action& action) {
     command->callback([&action, words] { action = [words] { return sweep_command(words->meant()); }; });
 }
 
-/// What is typed to draw a cam: the request, and what it says in words.
-struct CamWords {
-    CamRequest request;
-    SolveWords sheet;
-
-    CamRequest meant() const {
-        CamRequest full = request;
-        const SolveRequest words = sheet.meant();
-        full.sheet.language = words.language;
-        full.sheet.paper = words.paper;
-        full.sheet.orientation = words.orientation;
-        return full;
-    }
-};
-
 void add_cam(CLI::App& program, Action& action) {
     CLI::App* command =
         add_command(program, "cam", "The disc cam that gives a follower its law: profile, pressure angle, curvature");
-    auto words = std::make_shared<CamWords>();
+    auto words = std::make_shared<WordsOf<CamRequest>>();
     CamRequest& request = words->request;
     command->add_option("FILE", request.file, "The cam's file; - is standard input")->required();
     command
