@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "constructions/problems.hpp"
 #include "engine/check_impact.hpp"
 
 namespace kinegraph {
@@ -257,13 +258,7 @@ Result<ProblemSolution> solve_impact(const ImpactProblem& problem, const Mechani
     ProblemSolution solution;
     solution.subject = {"Impact: momentum, restitution and friction", "Urto: quantità di moto, restituzione e attrito"};
     solution.values = values_of(problem, found, check_impact(problem, found.at, found.normal, pose), mechanism);
-    for (const ProblemValue& each : solution.values)
-        if (!std::isfinite(each.value) || !std::isfinite(*each.numeric))
-            return tl::unexpected(Errors{
-                {ErrorCode::bad_input,
-                 problem.where,
-                 {"these numbers are too far apart: {0} comes out as no number; check the units",
-                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}});
+    if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     if (found.kinematic_restitution != found.restitution)
         solution.remarks.emplace_back(
             "Friction makes the two coefficients of restitution differ: the ratio of the impulses (Poisson) is the one given, that of the normal velocities (Newton) comes out otherwise.",

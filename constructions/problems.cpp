@@ -1,5 +1,7 @@
 #include "constructions/problems.hpp"
 
+#include <cmath>
+
 #include "constructions/hertz.hpp"
 #include "constructions/impact.hpp"
 #include "constructions/reye.hpp"
@@ -10,6 +12,17 @@ Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& m
     if (const auto* hertz = std::get_if<HertzProblem>(&problem.of)) return solve_hertz(*hertz);
     if (const auto* reye = std::get_if<ReyeProblem>(&problem.of)) return solve_reye(*reye);
     return solve_impact(std::get<ImpactProblem>(problem.of), mechanism, pose);
+}
+
+std::optional<Errors> why_no_numbers(const std::vector<ProblemValue>& values, const std::string& where) {
+    for (const ProblemValue& each : values)
+        if (!std::isfinite(each.value) || !std::isfinite(*each.numeric))
+            return Errors{
+                {ErrorCode::bad_input,
+                 where,
+                 {"these numbers are too far apart: {0} comes out as no number; check the units",
+                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}};
+    return std::nullopt;
 }
 
 }  // namespace kinegraph

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "constructions/problems.hpp"
 #include "engine/check_reye.hpp"
 
 namespace kinegraph {
@@ -201,13 +202,7 @@ Result<ProblemSolution> solve_reye(const ReyeProblem& problem) {
     solution.subject = {"Wear by Reye’s hypothesis: pressures and torque",
                         "Usura secondo l’ipotesi di Reye: pressioni e momento"};
     solution.values = values_of(problem, found, check_reye(problem));
-    for (const ProblemValue& each : solution.values)
-        if (!std::isfinite(each.value) || !std::isfinite(*each.numeric))
-            return tl::unexpected(Errors{
-                {ErrorCode::bad_input,
-                 problem.where,
-                 {"these numbers are too far apart: {0} comes out as no number; check the units",
-                  "questi numeri sono troppo lontani fra loro: {0} non risulta un numero; controllare le unità", each.name}}});
+    if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     if (found.lifts)
         solution.remarks.emplace_back(
             "The force lies outside the middle third, so the pad lifts at one end: the contact that remains is a triangle of pressure.",
