@@ -71,10 +71,11 @@ Words time_text(double time) {
 Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain) {
     const bool turning = turns(mechanism, driver);
     const Unit& unit = turning ? mechanism.units.angle : mechanism.units.length;
+    constexpr int digits = 7;  // a limit is known to nine
     std::array<char, 32> text{};
     double value = coordinate / unit.si.to_double();
     value = std::round(value / grain) * grain;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12);
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
     return decimal(std::string(text.data(), end.ptr) + (unit.symbol == "deg" || unit.symbol == "°" ? "°" : " " + unit.symbol));
 }
 

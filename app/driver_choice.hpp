@@ -28,7 +28,7 @@ tl::expected<Exact, Words> coordinate_of(const Mechanism& mechanism, int driver,
 tl::expected<Exact, Words> quantity_of(const std::string& text, QuantityKind kind, const Exact& unit);
 /// "0.2 s" or a bare number of seconds. Error: a line that says what is wrong.
 tl::expected<Exact, Words> time_of(const std::string& text);
-/// In the file's unit, rounded to `grain` of it: "30°", "20 mm".
+/// In the file's unit, rounded to `grain` of it and to seven digits: "30°", "20 mm".
 Words coordinate_text(const Mechanism& mechanism, int driver, double coordinate, double grain = 1e-9);
 Words time_text(double time);  ///< "0.2 s"
 
