@@ -993,11 +993,12 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
         arg);
 }
 
+/// Sorted first: to hold each against each asks more of a compiler than some allow.
 constexpr bool keys_are_different() {
-    for (std::size_t i = 0; i < fixed_words.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (fixed_words[i].key == fixed_words[j].key) return false;
-    return true;
+    std::array<std::string_view, fixed_words.size()> keys{};
+    for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = fixed_words[i].key;
+    std::sort(keys.begin(), keys.end());
+    return std::adjacent_find(keys.begin(), keys.end()) == keys.end();
 }
 static_assert(keys_are_different(), "a key has one row of words");
 
