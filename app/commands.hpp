@@ -45,9 +45,8 @@ struct SweepRequest {
     std::vector<std::string> outputs;
     std::string format;
     std::string over;                  ///< a parameter that takes the place of the driver; empty: none
-    std::string parameter_step;        ///< of it; empty: by `steps`
     std::vector<std::string> drivers;  ///< by name: the one that moves, and those that go along; empty: the first of the file
-    std::vector<std::string> step;     ///< quantities: by how much those that go along move at each step
+    std::vector<std::string> step;     ///< quantities: by how much those that go along move at each step, or the parameter
     int branch = 0;                    ///< out of a change point that is drawn: from 1; 0: none is asked for
     std::string from, to;              ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;

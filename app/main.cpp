@@ -343,6 +343,11 @@ void add_sweep(CLI::App& program, Action& action) {
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
         ->type_name("FORMAT");
     add_settings(*command, request.set);
+    command
+        ->add_option("--over", request.over,
+                     "A parameter of the file that is swept in place of a driver, --from … --to … in --steps or by --step: every "
+                     "row is the file solved anew")
+        ->type_name("PARAMETER");
     add_drivers(*command, request);
     add_travel(*command, request);
     add_plots(*command, request);

@@ -117,7 +117,7 @@ public:
             csv_ += "," + csv_cell(name);
         }
         for (const Setting& each : variant.values) {
-            row.push_back(in(decimal_of(each.value), language_));
+            row.push_back(in(printed(each.value), language_));
             csv_ += "," + csv_cell(each.value);
         }
         // A further variant may lack what is only chosen because the first has it.
@@ -147,7 +147,9 @@ private:
         }
         csv_ += "\n";
     }
-    static Words decimal_of(const std::string& value) {
+    /// As it is printed: a true minus, the comma of Italian.
+    static Words printed(std::string value) {
+        if (value.starts_with('-')) value.replace(0, 1, "−");
         std::string italian = value;
         std::replace(italian.begin(), italian.end(), '.', ',');
         return {value, italian};
