@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "constructions/named_results.hpp"
 #include "constructions/solve.hpp"
 #include "engine/check.hpp"
 #include "engine/check_forces.hpp"
@@ -33,140 +34,6 @@ Find found_in_rows(const Find& asked) {
     find.forces = !asked.stated || asked.forces;
     return find;
 }
-
-bool has_several_carriers(const Solution& solution, const PointMotion& motion) {
-    return std::count_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& other) {
-               return other.point == motion.point && other.bodies.front() != frame;
-           }) > 1;
-}
-
-/// One value of a solution that a column can hold. Without an element it vanishes.
-struct Entry {
-    Quantity quantity;
-    ElementIndex element;
-    Spot vector;
-    double scalar = 0;
-};
-std::vector<Entry> entries_of(const Solution& solution) {
-    std::vector<Entry> entries;
-    const auto add = [&](const Quantity& quantity, const auto& found) {
-        if (!found) return;
-        entries.push_back({quantity, found.element(), {}, 0});
-        if constexpr (requires { found->x; }) {
-            entries.back().vector = rough(*found);
-        } else {
-            entries.back().scalar = found->to_double();
-        }
-    };
-    const auto add_both = [&](const Quantity& quantity, const auto& found) {
-        add(quantity.along(Quantity::Component::x), found);
-        add(quantity.along(Quantity::Component::y), found);
-    };
-    for (std::size_t body = 1; body < solution.bodies.size(); ++body) {
-        const auto index = BodyIndex(body);
-        add({.kind = Kind::omega, .body = index}, solution.bodies[body].omega);
-        add({.kind = Kind::alpha, .body = index}, solution.bodies[body].alpha);
-    }
-    for (const PointMotion& point : solution.points) {
-        if (std::find(point.bodies.begin(), point.bodies.end(), frame) != point.bodies.end()) continue;
-        add_both(velocity_of(point), point.velocity);
-        add_both(acceleration_of(point), point.acceleration);
-    }
-    for (const Sliding& sliding : solution.sliding) {
-        add({.kind = Kind::sliding_velocity, .joint = sliding.joint}, sliding.velocity);
-        add({.kind = Kind::sliding_acceleration, .joint = sliding.joint}, sliding.acceleration);
-    }
-    std::vector<const JointForce*> told;
-    for (const JointForce& force : solution.forces) {
-        // Of action and reaction the one that the results name first.
-        if (std::any_of(told.begin(), told.end(), [&](const JointForce* other) {
-                return other->joint == force.joint && other->on == force.from && other->from == force.on;
-            }))
-            continue;
-        told.push_back(&force);
-        Quantity quantity = quantity_of(force);
-        add_both(quantity, force.force);
-        quantity.kind = Kind::couple;
-        if (solution.mechanism.joint(force.joint).pair().transmits_couple()) add(quantity, force.couple);
-    }
-    for (std::size_t e = 0; e < solution.efforts.size(); ++e)
-        add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution.efforts[e].value);
-    return entries;
-}
-
-/// Names and units of the columns that a solution gives rise to.
-class ColumnWriter {
-public:
-    ColumnWriter(const Solution& solution, bool turns, bool has_time) : solution_(solution), m_(solution.mechanism) {
-        columns_.push_back({Column::Kind::turn, {}, "turn", turns ? QuantityKind::angle : QuantityKind::length});
-        if (has_time) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
-    }
-    std::vector<Column> write() && {
-        for (const Entry& entry : entries_of(solution_)) write(entry.quantity);
-        return std::move(columns_);
-    }
-
-private:
-    void add(Column::Kind kind, const Quantity& quantity, std::string name, QuantityKind unit) {
-        columns_.push_back({kind, quantity, std::move(name), unit});
-    }
-    const std::string& body(BodyIndex index) const { return m_.body(index).name; }
-    std::string point_name(const Quantity& q) const {
-        const PointMotion* several = nullptr;
-        for (const PointMotion& motion : solution_.points)
-            if (motion.point == q.point && has_several_carriers(solution_, motion)) several = &motion;
-        return m_.point(q.point).name + (several == nullptr ? "" : " on " + body(q.body));
-    }
-    std::string joint_name(const Quantity& q) const {
-        const Joint& joint = m_.joint(q.joint);
-        const bool shared =
-            joint.pair().touches() && std::any_of(solution_.sliding.begin(), solution_.sliding.end(), [&](const Sliding& other) {
-                return other.joint != q.joint && m_.joint(other.joint).name == joint.name;
-            });
-        return joint.name + (shared ? " (" + body(joint.bodies[0]) + " on " + body(joint.bodies[1]) + ")" : "");
-    }
-    std::string action(const Quantity& q) const {
-        return m_.joint(q.joint).name + " " + (q.other == none ? "pin" : body(q.other)) + " on " + body(q.body);
-    }
-    void write(const Quantity& q) {
-        const bool is_x = q.component == Quantity::Component::x;
-        const std::string axis = is_x ? "x" : "y";
-        switch (q.kind) {
-            case Kind::omega:
-                add(Column::Kind::angle, q, "angle " + body(q.body), QuantityKind::angle);
-                return add(Column::Kind::result, q, "omega " + body(q.body), QuantityKind::angular_velocity);
-            case Kind::alpha:
-                return add(Column::Kind::result, q, "alpha " + body(q.body), QuantityKind::angular_acceleration);
-            case Kind::velocity:
-                if (is_x) {
-                    add(Column::Kind::place_x, q, "x " + point_name(q), QuantityKind::length);
-                    add(Column::Kind::place_y, q, "y " + point_name(q), QuantityKind::length);
-                }
-                return add(Column::Kind::result, q, "v" + axis + " " + point_name(q), QuantityKind::velocity);
-            case Kind::acceleration:
-                return add(Column::Kind::result, q, "a" + axis + " " + point_name(q), QuantityKind::acceleration);
-            case Kind::sliding_velocity:
-                if (m_.joint(q.joint).along) add(Column::Kind::slid, q, "s " + joint_name(q), QuantityKind::length);
-                return add(Column::Kind::along, q, "v " + joint_name(q), QuantityKind::velocity);
-            case Kind::sliding_acceleration:
-                return add(Column::Kind::along, q, "a " + joint_name(q), QuantityKind::acceleration);
-            case Kind::force:
-                return add(Column::Kind::result, q, "F" + axis + " " + action(q), QuantityKind::force);
-            case Kind::couple:
-                return add(Column::Kind::result, q, "C " + action(q), QuantityKind::moment);
-            default: {
-                const Effort& effort = m_.efforts[at_index(q.given)];
-                const auto name = std::visit([](const auto& each) { return each.name; }, effort);
-                add(Column::Kind::result, q, "effort " + name,
-                    std::holds_alternative<CoupleEffort>(effort) ? QuantityKind::moment : QuantityKind::force);
-            }
-        }
-    }
-
-    const Solution& solution_;
-    const Mechanism& m_;
-    std::vector<Column> columns_;
-};
 
 /// A position planned: its record in doubles, what of its givens moves, and which element each column reads.
 struct PlannedPosition {
@@ -235,7 +102,9 @@ public:
         for (const double share : {0.381966, 0.618034, 0.236068, 0.854102}) {
             if (!go_to(travel.at(share))) continue;
             Solution solution = planned_here();
-            columns_ = ColumnWriter(solution, turns_, law_ != nullptr || rate_ != 0).write();
+            columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
+            if (law_ != nullptr || rate_ != 0) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
+            for (Column& column : columns_found(solution)) columns_.push_back(std::move(column));
             values_.resize(columns_.size());
             solution.mechanism.find = mechanism_.find;
             check_mechanism_ = solution.mechanism;
@@ -380,9 +249,9 @@ private:
     }
 
     PlannedPosition& keep(const Solution& solution) {
-        const std::vector<Entry> entries = entries_of(solution);
+        const std::vector<FoundValue> entries = found_values(solution);
         std::vector<ElementIndex> wanted;
-        for (const Entry& entry : entries)
+        for (const FoundValue& entry : entries)
             if (entry.element != none) wanted.push_back(entry.element);
         const Cut record =
             cut(solution.protocol.program, wanted, has_forces_ ? solution.settled.forces : solution.settled.accelerations);
@@ -395,7 +264,7 @@ private:
                 plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const auto found = std::find_if(entries.begin(), entries.end(),
-                                            [&](const Entry& entry) { return entry.quantity == columns_[i].quantity; });
+                                            [&](const FoundValue& entry) { return entry.quantity == columns_[i].quantity; });
             if (found == entries.end()) continue;
             plan.sources[i] = {true, found->element == none ? ElementIndex() : record.element[at_index(found->element)]};
         }
@@ -465,10 +334,7 @@ private:
     /// X of a slide, or the common tangent of a contact or a curved slot.
     Spot direction_of_sliding(JointIndex joint) const {
         const std::size_t i = at_index(joint);
-        const Spot& guide = places_.guides[i];
-        if (guide.x != 0 || guide.y != 0) return unit_of(guide);
-        const Spot& tangent = places_.tangents[i];
-        return unit_of(tangent.x != 0 || tangent.y != 0 ? tangent : quarter_turn(places_.normals[i]));
+        return kinegraph::direction_of_sliding(places_.guides[i], places_.tangents[i], places_.normals[i]);
     }
 
     bool fill(const PlannedPosition& plan) {
@@ -480,9 +346,9 @@ private:
         });
     }
     bool fill_from(const Solution& solution) {
-        const std::vector<Entry> entries = entries_of(solution);
+        const std::vector<FoundValue> entries = found_values(solution);
         return fill_each([&](std::size_t i) -> std::optional<std::pair<Spot, double>> {
-            for (const Entry& entry : entries)
+            for (const FoundValue& entry : entries)
                 if (entry.quantity == columns_[i].quantity) return std::pair{entry.vector, entry.scalar};
             return std::nullopt;
         });
@@ -804,6 +670,18 @@ std::optional<Transmission> transmission_of(const Mechanism& mechanism, Position
     const double middle = (low + high) / 2;
     if (const double here = angle(middle); here < found.least) found.least = here, found.at = middle;
     return found;
+}
+
+std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanism, const Pose& pose) {
+    if (mechanism.drivers.empty()) return std::nullopt;
+    auto positions = Positions::of(mechanism, pose, Course{0});
+    if (!positions) return std::nullopt;
+    const Driver& driver = mechanism.drivers.front();
+    const Law* law = law_of(driver);
+    const auto travel = law != nullptr ? travel_of_law(*positions, *law, std::nullopt, std::nullopt)
+                                       : travel_of(*positions, turns(driver), std::nullopt, std::nullopt);
+    if (!travel) return std::nullopt;
+    return std::pair{*std::move(positions), *travel};
 }
 
 }  // namespace kinegraph

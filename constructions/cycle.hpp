@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/column.hpp"
@@ -28,6 +29,9 @@ tl::expected<Travel, TravelFault> travel_of(const Positions& positions, bool tur
 /// Of a driver with a law: from and to are times, s, zero as drawn; what is not given is the law's beginning or end.
 tl::expected<Travel, TravelFault> travel_of_law(const Positions& positions, const Law& law, std::optional<double> from,
                                                 std::optional<double> to);
+
+/// The travel of the first driver, as far as it goes or as its law says, and the positions; nothing where there is none.
+std::optional<std::pair<Positions, Travel>> own_travel(const Mechanism& mechanism, const Pose& pose);
 
 /// Of the first coupler that a driven body pushes by a pin, and that pushes by a pin a body hinged or sliding on the frame: the
 /// least angle between it and the follower's link (or the normal of its guide). Nothing where there is none.

@@ -243,6 +243,9 @@ struct AskedScale {
 /// Contact, wear or impact (engine/problem.hpp), which a file may state in place of joints.
 struct Problem;
 
+/// What a file asks of its students: results, and how it may vary (engine/exercise.hpp).
+struct Exercise;
+
 struct Mechanism {
     std::string source;  ///< the file's name, for messages and the title block
     Words title;
@@ -259,7 +262,8 @@ struct Mechanism {
     std::vector<Load> loads;
     std::vector<Effort> efforts;
     std::optional<ActOfMotion> motion;
-    std::shared_ptr<const Problem> problem;  ///< in place of joints, where the file states one
+    std::shared_ptr<const Problem> problem;    ///< in place of joints, where the file states one
+    std::shared_ptr<const Exercise> exercise;  ///< where the file is one
     Find find;
     std::vector<AskedScale> scales;
 

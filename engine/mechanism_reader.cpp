@@ -17,11 +17,11 @@
 
 #include "engine/assert.hpp"
 #include "engine/drivers.hpp"
+#include "engine/exercise_reader.hpp"
 #include "engine/json_source.hpp"
 #include "engine/law_reader.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/point_cycles.hpp"
-#include "engine/problem_reader.hpp"
 #include "engine/rounding.hpp"
 #include "engine/scale_text.hpp"
 #include "engine/spelling.hpp"
@@ -31,7 +31,7 @@ namespace kinegraph {
 namespace {
 
 /// Section by section.
-class Reader : private ProblemReader {
+class Reader : private ExerciseReader {
 public:
     Reader(const JsonSource& source, std::string name, std::span<const Setting> set) : source_(source), set_(set) {
         mechanism_.source = std::move(name);
@@ -70,7 +70,7 @@ private:
         const Members file =
             members(root, {"$schema", "kinegraph", "title",   "units",  "parameters", "precision",      "frame", "points",
                            "bodies",  "joints",    "drivers", "masses", "gravity",    "inertia forces", "loads", "effort",
-                           "motion",  "find",      "scales",  "hertz",  "reye",       "impact"},
+                           "motion",  "find",      "scales",  "hertz",  "reye",       "impact",         "ask"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
@@ -102,6 +102,7 @@ private:
         if (bodies_readable) read_bodies(bodies);
         if (is_problem) {
             mechanism_.problem = read_problem(file, mechanism_);
+            read_exercise(file, mechanism_);
             return;
         }
         read_joints(file);
@@ -122,6 +123,7 @@ private:
         if (file["find"]) mechanism_.find.stated = true;
         each(file["find"], {"an array of what to find", "un array di ciò che si cerca"}, [&](JsonValue v) { read_wish(v); });
         read_scales(file["scales"]);
+        read_exercise(file, mechanism_);
     }
 
     template <class Action>

@@ -1,0 +1,50 @@
+// Named results: what a solution holds under the names that the rows of a sweep have, one by one. Computes no mechanics.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/column.hpp"
+#include "engine/exercise.hpp"
+#include "engine/solution.hpp"
+
+namespace kinegraph {
+
+/// One value of a solution that a column can hold. Without an element it vanishes.
+struct FoundValue {
+    Quantity quantity;
+    ElementIndex element;
+    VectorOf<double> vector;  ///< of a component: the whole vector
+    double scalar = 0;
+};
+/// In the order of the columns of a sweep.
+std::vector<FoundValue> found_values(const Solution& solution);
+/// The columns that these give rise to, angles, places and slides with them.
+std::vector<Column> columns_found(const Solution& solution);
+
+/// X of a slide, or the common tangent of a contact or a curved slot, as a unit vector: along it relative velocities are counted.
+VectorOf<double> direction_of_sliding(const VectorOf<double>& guide, const VectorOf<double>& tangent,
+                                      const VectorOf<double>& normal);
+
+struct NamedResult {
+    Column column;          ///< its name, and what it is of
+    double value = 0;       ///< SI
+    std::string unit = {};  ///< SI, of what has no kind: "N s", "J"
+};
+/// All that a solution holds: the results of a sweep's row (without turn, time and slides, which are nothing in one position),
+/// the lengths of vectors ("v B"), and of a problem its values. Two of them never have one name.
+std::vector<NamedResult> named_results(const Solution& solution);
+/// What the file asks for, in its order. Errors, each at its place: what the solution has not got, with the nearest of what it
+/// has (bad input), or that its position leaves open (no unique answer).
+Result<std::vector<NamedResult>> asked_results(const Solution& solution);
+
+/// In the file's unit, with that unit's symbol ("" for a bare number).
+struct ToldResult {
+    double value = 0;
+    std::string unit;
+};
+ToldResult told(const NamedResult& result, const Units& units);
+
+}  // namespace kinegraph

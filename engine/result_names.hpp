@@ -1,0 +1,29 @@
+// Names of results: how the rows of a sweep, and a file that asks for results, call what may be found of a mechanism. Knows no
+// values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/column.hpp"
+#include "engine/mechanism.hpp"
+
+namespace kinegraph {
+
+/// The columns that one scalar or component of a solution gives rise to, added to `columns`: ω of 3 is "angle 3" and "omega 3",
+/// v_x of B "x B", "y B" and "vx B". `subject`: how the point or the sliding joint is called, "A on 4" where several bodies carry
+/// A apart; of other quantities not looked at.
+void add_columns(const Quantity& quantity, const Mechanism& mechanism, const std::string& subject, std::vector<Column>& columns);
+
+/// The length of a vector: "v B", "a B", "F A 3 on 2". Its quantity has the component `whole`.
+Column modulus_column(const Quantity& vector, const Mechanism& mechanism, const std::string& subject);
+bool is_modulus(const Column& column);
+
+/// All that a solution of this mechanism may hold, under every name that it may have there: of a point that several bodies carry
+/// "vx A" and "vx A on 4". Of a problem in place of joints only the solution tells.
+std::vector<Column> possible_results(const Mechanism& mechanism);
+
+/// The least angle between a coupler and what it drives, over the whole travel of the first driver (Transmission).
+inline constexpr const char* transmission_angle_name = "transmission angle";
+
+}  // namespace kinegraph
