@@ -2,6 +2,7 @@
 // ended. One file for each command; main.cpp alone knows the options' spelling.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace kinegraph::app {
 /// solve FILE: the table on the terminal, or sheets and results in files.
 struct SolveRequest {
     std::string file;                  ///< "-" is standard input
+    std::optional<std::string> text;   ///< what the file holds, where it is at hand: `file` is then its name and is not opened
     std::vector<Setting> set;          ///< parameters in place of the file's
     std::vector<std::string> outputs;  ///< "-" is standard output
     std::string format;                ///< svg, png, pdf, json: for outputs whose name does not say; may be empty
@@ -37,6 +39,14 @@ struct SolveRequest {
     std::vector<std::string> with;  ///< figures on request: "joukowsky"
 };
 Status solve_command(const SolveRequest& request);
+
+/// batch: a filter, JSON Lines in and out, each line a request to solve.
+struct BatchRequest {
+    SolveRequest defaults;  ///< what a line does not say
+    int jobs = 1;           ///< lines worked on at a time
+    bool resume = false;    ///< what has been done before is not done again
+};
+Status batch_command(const BatchRequest& request);
 
 /// sweep FILE: the results in one position after another.
 struct SweepRequest {

@@ -10,8 +10,10 @@
 #include <climits>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace kinegraph::app {
@@ -268,6 +270,19 @@ Output Growing::finish() && {
     Output output{path_, {}, temporary_.empty() ? "-" : temporary_};
     temporary_.clear();
     return output;
+}
+
+std::optional<NotWritten> make_folder(const std::string& path) {
+    std::error_code refused;
+    std::filesystem::create_directories(path, refused);
+    if (!refused) return std::nullopt;
+    errno = refused.value();
+    return not_written(path);
+}
+
+std::optional<NotWritten> take_away(const std::string& path) {
+    if (::unlink(path.c_str()) == 0 || errno == ENOENT) return std::nullopt;
+    return not_written(path);
 }
 
 Status print(const std::string& text, Language language) {

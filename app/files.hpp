@@ -52,6 +52,10 @@ private:
 /// Writes all or none: first into temporary files beside the targets, then renamed; whatever fails, every target is as it was.
 /// What is no plain file (a device, a pipe, standard output) is written before the renaming, when all the rest is safe on disk.
 std::optional<NotWritten> write_all(const std::vector<Output>& outputs);
+/// A folder with those it lies in, unless it is there. What cannot be written, if it cannot.
+std::optional<NotWritten> make_folder(const std::string& path);
+/// Takes a file away, if it is there.
+std::optional<NotWritten> take_away(const std::string& path);
 /// A text on standard output, and how that ended; a failure is told.
 Status print(const std::string& text, Language language);
 /// Says what could not be written.

@@ -256,6 +256,29 @@ void add_solve(CLI::App& program, Action& action) {
     command->callback([&action, words] { action = [words] { return solve_command(words->meant()); }; });
 }
 
+void add_batch(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "batch",
+                                    "A filter: requests as JSON Lines on standard input, an answer for each, in their order, on "
+                                    "standard output (docs/format.md)");
+    auto request = std::make_shared<BatchRequest>();
+    auto words = std::make_shared<SolveWords>();
+    command->add_option("--jobs", request->jobs, "So many lines are worked on at a time, each on a processor of its own")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command->add_flag(
+        "--resume", request->resume,
+        "What the same line, the same files and the same options have made before is known by its hash and not made again");
+    add_settings(*command, words->request.set);
+    add_paper(*command, *words);
+    add_sheet(*command, *words);
+    add_look(*command, words->request);
+    command->callback([&action, request, words] {
+        request->defaults = words->meant();
+        action = [request] { return batch_command(*request); };
+    });
+}
+
 /// What is typed for a sheet that is no solution: the request, and what it says in words.
 template <class Request>
 struct WordsOf {
@@ -496,6 +519,7 @@ Status run(int count, char** arguments, Language language) {
     program.require_subcommand(1);
     Action action;
     add_solve(program, action);
+    add_batch(program, action);
     add_sweep(program, action);
     add_variants(program, action);
     add_cam(program, action);

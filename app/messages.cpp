@@ -2,8 +2,24 @@
 #include "app/messages.hpp"
 
 #include <cstdio>
+#include <utility>
+
+#include "engine/assert.hpp"
 
 namespace kinegraph::app {
+namespace {
+
+/// Who listens on this thread; null: standard error.
+thread_local Hearing* hearing = nullptr;
+
+}  // namespace
+
+Hearing::Hearing() {
+    KG_ASSERT(hearing == nullptr, "one listens at a time");
+    hearing = this;
+}
+Hearing::~Hearing() { hearing = nullptr; }
+std::vector<std::string> Hearing::take() { return std::exchange(lines_, {}); }
 
 std::string one_line(std::string_view text) {
     std::string line;
@@ -26,8 +42,13 @@ std::string one_line(std::string_view text) {
 }
 
 void say(const Words& subject, const Words& message, Language language) {
+    std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language));
+    if (hearing != nullptr) {
+        hearing->lines_.push_back(std::move(line));
+        return;
+    }
     // In one piece, so that the lines of two programs that write to one terminal do not mix.
-    const std::string line = one_line(in(subject, language)) + ": " + one_line(in(message, language)) + '\n';
+    line += '\n';
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

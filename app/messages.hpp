@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/error.hpp"
 #include "render/text/words.hpp"
@@ -24,6 +25,20 @@ std::string one_line(std::string_view text);
 using render::Language;
 /// "SUBJECT: MESSAGE" on standard error; the subject is a file's name, or the program's.
 void say(const Words& subject, const Words& message, Language language);
+/// While it lives, what is said on its thread is kept here in place of going to standard error. One at a time on a thread.
+class Hearing {
+public:
+    Hearing();
+    Hearing(const Hearing&) = delete;
+    Hearing& operator=(const Hearing&) = delete;
+    ~Hearing();
+    /// The lines so far, without their line feeds; from then on it hears anew.
+    std::vector<std::string> take();
+
+private:
+    friend void say(const Words& subject, const Words& message, Language language);
+    std::vector<std::string> lines_;
+};
 /// The same for a command line that cannot be carried out.
 Status refuse(const Words& message, Language language);
 /// Every error of a file, one a line, and the status they lead to.

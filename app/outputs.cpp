@@ -125,23 +125,35 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
 }
 
 tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language) {
+    std::optional<Press> press;
+    if (const auto opened = prepare(press, targets, language); !opened) return tl::unexpected(opened.error());
+    return *std::move(press);
+}
+
+tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language) {
     const auto fails = [&](const Words& why) {
         refuse(why, language);
         return tl::unexpected(Status::output);
     };
-    Press press;
-    press.language_ = language;
-    auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
-                         .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
-    if (!typefaces) return fails(typefaces.error());
-    press.fonts_.emplace(*std::move(typefaces));
-    if (std::any_of(targets.begin(), targets.end(),
-                    [](const Target& target) { return target.format == Format::png || target.format == Format::pdf; })) {
+    if (press) {
+        press->fonts_->start_anew();
+    } else {
+        auto typefaces = open_module_as<TypeFunctions>("kinegraph_type", {"Type is set", "I caratteri sono composti"})
+                             .and_then([](const TypeFunctions* functions) { return functions->open_typefaces(); });
+        if (!typefaces) return fails(typefaces.error());
+        press.emplace(Press());
+        press->fonts_.emplace(*std::move(typefaces));
+    }
+    press->language_ = language;
+    const bool paints = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+        return target.format == Format::png || target.format == Format::pdf;
+    });
+    if (paints && !press->painter_) {
         auto loaded = Painter::open();
         if (!loaded) return fails(loaded.error());
-        press.painter_.emplace(*std::move(loaded));
+        press->painter_.emplace(*std::move(loaded));
     }
-    return press;
+    return {};
 }
 
 void Press::print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,

@@ -40,6 +40,8 @@ class Press {
 public:
     /// What the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
     static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language);
+    /// The same of one that may be open already: for a further sheet, which does not remember the one before.
+    static tl::expected<void, Status> prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language);
     const render::Fonts& fonts() const { return *fonts_; }
     /// Adds the pages' bytes for a drawn target, and to `remarks` what standard output cannot carry.
     void print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,

@@ -1,4 +1,6 @@
 // solve FILE: reads, solves, draws what is asked and writes it, all or nothing.
+#include "app/solved.hpp"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -168,9 +170,16 @@ const char* asked_of_mechanisms(const SolveRequest& request) {
     return request.detail == render::SolutionDetail::brief ? "solve --detail" : nullptr;
 }
 
+tl::expected<Mechanism, Status> mechanism_of(const SolveRequest& request) {
+    if (!request.text) return app::mechanism_of(request.file, request.language, request.set);
+    auto mechanism = read_mechanism(*request.text, bare_name(request.file), request.set);
+    if (!mechanism) return tl::unexpected(say(spoken(request.file), mechanism.error(), request.language));
+    return *std::move(mechanism);
+}
+
 /// The file read and solved; else it has been said what is wrong.
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
-    auto mechanism = mechanism_of(request.file, request.language, request.set);
+    auto mechanism = mechanism_of(request);
     if (!mechanism) return tl::unexpected(mechanism.error());
     if (const char* const what = asked_of_mechanisms(request); mechanism->problem && what != nullptr) {
         say(spoken(request.file), no_mechanism(what), request.language);
@@ -268,7 +277,7 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
 tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions, const std::vector<Target>& targets,
                                                const render::Theme& theme, const SolveRequest& request,
-                                               std::vector<std::string>& remarks) {
+                                               std::optional<Press>& press, std::vector<std::string>& remarks) {
     std::vector<Output> outputs;
     if (targets.empty()) {
         std::string tables;
@@ -276,12 +285,10 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
             tables += (tables.empty() ? "" : "\n") + render::results_table(solution, request.language);
         return std::vector<Output>{{"-", std::move(tables)}};
     }
-    std::optional<Press> press;
     std::vector<render::Page> pages;
-    if (std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); })) {
-        auto opened = Press::open(targets, request.language);
-        if (!opened) return tl::unexpected(opened.error());
-        press.emplace(*std::move(opened));
+    const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+    if (draws) {
+        if (const auto ready = Press::prepare(press, targets, request.language); !ready) return tl::unexpected(ready.error());
         for (const Solution& solution : solutions) {
             auto more = pages_of(solution, theme, request, press->fonts());
             if (!more) return tl::unexpected(more.error());
@@ -301,51 +308,60 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
                                   "l’uscita standard porta solo la prima posizione; -o con un nome le scrive tutte"},
                                  request.language));
     }
-    if (press) press->remark_missing(remarks);
+    if (draws) press->remark_missing(remarks);
     return outputs;
 }
 
 }  // namespace
 
-Status solve_command(const SolveRequest& request) {
+tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vector<Target>& targets, const render::Theme& theme,
+                                    std::optional<Press>& press) {
     const Language language = request.language;
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
-    const auto targets = targets_of(request.outputs, request.format, request.file, formats);
-    if (!targets) return refuse(targets.error(), language);
-    if (const Words fault = meaningless(request); !fault.empty()) return refuse(fault, language);
-    const auto theme = theme_of(request.theme, request.file, language);
-    if (!theme) return theme.error();
+    if (const Words fault = meaningless(request); !fault.empty()) return tl::unexpected(refuse(fault, language));
     const auto solutions = solutions_of(request);
-    if (!solutions) return solutions.error();
+    if (!solutions) return tl::unexpected(solutions.error());
 
-    std::vector<std::string> remarks;
+    Solved found;
     const auto tell = [&](const Message& message) { return render::tell(message, language); };
     const auto add = [&](std::string remark) {
-        if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(std::move(remark));
+        if (std::find(found.remarks.begin(), found.remarks.end(), remark) == found.remarks.end())
+            found.remarks.push_back(std::move(remark));
     };
     for (const Solution& solution : *solutions) {
         for (const Message& remark : solution.remarks) add(tell(remark));
         if (solution.problem)
             for (const Words& remark : solution.problem->remarks) add(in(remark, language));
     }
-    const auto outputs = made(*solutions, *targets, *theme, request, remarks);
-    if (!outputs) return outputs.error();
-    remark_on_request(request, solutions->front(), *targets, remarks);
-    if (names_clash(*outputs, request.file, language)) return Status::bad_input;
-    if (const auto failure = write_all(*outputs)) return fail_to_write(*failure, language);
+    auto outputs = made(*solutions, targets, theme, request, press, found.remarks);
+    if (!outputs) return tl::unexpected(outputs.error());
+    found.outputs = *std::move(outputs);
+    remark_on_request(request, solutions->front(), targets, found.remarks);
+    if (names_clash(found.outputs, request.file, language)) return tl::unexpected(Status::bad_input);
+    for (const Solution& solution : *solutions) {
+        const Words where = request.at.empty() ? spoken(request.file) : solution.mechanism.title;
+        for (const Unsolved& unsolved : solution.unsolved)
+            found.unsolved.push_back({where, tell(unsolved.what) + ": " + tell(unsolved.why)});
+    }
+    return found;
+}
+
+Status solve_command(const SolveRequest& request) {
+    const Language language = request.language;
+    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
+    const auto targets = targets_of(request.outputs, request.format, request.file, formats);
+    if (!targets) return refuse(targets.error(), language);
+    const auto theme = theme_of(request.theme, request.file, language);
+    if (!theme) return theme.error();
+    std::optional<Press> press;
+    const auto found = solved(request, *targets, *theme, press);
+    if (!found) return found.error();
+    if (const auto failure = write_all(found->outputs)) return fail_to_write(*failure, language);
     const auto tell_of = [&](const Words& where, const char* kind, const std::string& line) {
         say(where, render::word(kind, language) + ": " + line, language);
     };
-    for (const std::string& remark : remarks) tell_of(spoken(request.file), "a remark", remark);
-    Status status = Status::done;
-    for (const Solution& solution : *solutions) {
-        const Words where = request.at.empty() ? spoken(request.file) : solution.mechanism.title;
-        for (const Unsolved& unsolved : solution.unsolved) {
-            tell_of(where, "one unsolved", tell(unsolved.what) + ": " + tell(unsolved.why));
-            status = Status::unsolved;
-        }
-    }
-    return status;
+    for (const std::string& remark : found->remarks) tell_of(spoken(request.file), "a remark", remark);
+    for (const Solved::Missing& missing : found->unsolved) tell_of(missing.where, "one unsolved", missing.line);
+    return found->status();
 }
 
 }  // namespace kinegraph::app

@@ -559,6 +559,16 @@ std::string_view Fonts::file(std::uint8_t face) const {
 
 std::vector<std::string> Fonts::missing() const { return state_->missing; }
 
+void Fonts::start_anew() {
+    constexpr std::size_t most_words = 20'000;
+    std::size_t words = 0;
+    for (const State::FaceOfFont& face : state_->faces) words += face.words.size();
+    // A word that is known already would not tell its missing characters again.
+    if (words > most_words || !state_->missing.empty())
+        for (State::FaceOfFont& face : state_->faces) face.words.clear();
+    state_->missing.clear();
+}
+
 ShapedLine shaped_within(const RichText& line, double size, const Fonts& fonts, double measure) {
     ShapedLine shaped = fonts.shape(line, size);
     if (shaped.width <= measure || line.empty()) return shaped;

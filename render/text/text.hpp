@@ -60,6 +60,8 @@ public:
     std::string_view file(std::uint8_t face) const override;
     /// Characters met so far that the font has not, in order ("U+4E2D").
     std::vector<std::string> missing() const;
+    /// For a further sheet of many: forgets the missing characters, and the words set so far where they have become very many.
+    void start_anew();
 
 private:
     struct State;

@@ -1,0 +1,86 @@
+// batch: lines from standard input through the workers to standard output, in their order. A line that is wrong has an answer
+// that says so; what ends a run is the end of its input, a signal, or answers that nobody takes.
+#include <csignal>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/batch_worker.hpp"
+#include "app/commands.hpp"
+#include "app/files.hpp"
+#include "app/in_order.hpp"
+#include "app/line_reader.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+constexpr const char* blanks = " \t\r";
+
+/// Feeds the workers until the input ends or no more answers are taken.
+LineReader::Event feed(LineReader& lines, InOrder& workers) {
+    std::string line;
+    while (true) {
+        const LineReader::Event event = lines.next(line);
+        if (event != LineReader::Event::line && event != LineReader::Event::too_long) return event;
+        if (line.find_first_not_of(blanks) == std::string::npos) continue;
+        if (!workers.add(std::move(line))) return LineReader::Event::end;
+        line.clear();
+    }
+}
+
+/// What there is to say of a run as a whole.
+void sum_up(const BatchTally& tally, Language language) {
+    const auto number = [](long count) { return std::to_string(count); };
+    if (tally.resumed > 0)
+        refuse({"of {0} lines {1} had been done before", "di {0} righe {1} erano già state svolte", number(tally.answered),
+                number(tally.resumed)},
+               language);
+    if (tally.refused > 0)
+        refuse({"of {0} lines {1} could not be carried out: see \"errors\" in their answers",
+                "di {0} righe {1} non si sono potute svolgere: vedere \"errors\" nelle loro risposte", number(tally.answered),
+                number(tally.refused)},
+               language);
+}
+
+}  // namespace
+
+Status batch_command(const BatchRequest& request) {
+    const Language language = request.defaults.language;
+    auto answers = Growing::open("-");
+    if (!answers) return fail_to_write(answers.error(), language);
+    BatchTally tally;
+    std::optional<NotWritten> failure;
+    std::vector<InOrder::Worker> workers;
+    for (int job = 0; job < request.jobs; ++job)
+        workers.push_back(
+            [worker = std::make_shared<BatchWorker>(request, tally)](const std::string& line) { return worker->answer(line); });
+    int signal = 0;
+    {
+        LineReader lines;
+        InOrder in_order(std::move(workers), [&](const std::string& answer) {
+            failure = answers->add(answer);
+            return !failure;
+        });
+        const LineReader::Event end = feed(lines, in_order);
+        in_order.finish();
+        if (end == LineReader::Event::stopped) signal = lines.signal();
+        if (end == LineReader::Event::failed) {
+            say({"standard input", "ingresso standard"}, lines.why(), language);
+            return Status::bad_input;
+        }
+    }
+    sum_up(tally, language);
+    if (failure) return fail_to_write(*failure, language);
+    if (signal != 0) {
+        refuse({"stopped after {0} lines; --resume goes on from there", "interrotto dopo {0} righe; --resume riprende da lì",
+                std::to_string(tally.answered)},
+               language);
+        std::raise(signal);
+    }
+    return Status::done;
+}
+
+}  // namespace kinegraph::app

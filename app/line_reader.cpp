@@ -1,0 +1,102 @@
+#include "app/line_reader.hpp"
+
+#include <poll.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace kinegraph::app {
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 16U;
+
+volatile std::sig_atomic_t stopped_by = 0;
+
+void stop(int signal) { stopped_by = signal; }
+
+sigset_t those_that_stop() {
+    sigset_t set;
+    ::sigemptyset(&set);
+    ::sigaddset(&set, SIGINT);
+    ::sigaddset(&set, SIGTERM);
+    return set;
+}
+
+}  // namespace
+
+LineReader::LineReader() {
+    // They are let through only while input is waited for: none can come between the question whether to go on and the waiting.
+    struct sigaction action {};
+    action.sa_handler = stop;
+    ::sigemptyset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
+    const sigset_t ours = those_that_stop();
+    ::pthread_sigmask(SIG_BLOCK, &ours, nullptr);
+}
+
+LineReader::~LineReader() {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+    const sigset_t ours = those_that_stop();
+    ::pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
+}
+
+int LineReader::signal() const { return stopped_by; }
+
+bool LineReader::fill() {
+    buffer_.erase(0, std::exchange(at_, 0));
+    sigset_t waiting;
+    ::pthread_sigmask(SIG_SETMASK, nullptr, &waiting);
+    ::sigdelset(&waiting, SIGINT);
+    ::sigdelset(&waiting, SIGTERM);
+    while (true) {
+        pollfd input{STDIN_FILENO, POLLIN, 0};
+        const int ready = ::ppoll(&input, 1, nullptr, &waiting);
+        if (stopped_by != 0) {
+            last_ = Event::stopped;
+            return false;
+        }
+        if (ready < 0) continue;
+        const std::size_t size = buffer_.size();
+        buffer_.resize(size + piece);
+        const ssize_t got = ::read(STDIN_FILENO, buffer_.data() + size, piece);
+        const int error = errno;
+        buffer_.resize(size + (got > 0 ? static_cast<std::size_t>(got) : 0));
+        if (got > 0) return true;
+        if (got < 0 && error == EINTR) continue;
+        if (got < 0) why_ = Words("cannot be read: {0}", "non si può leggere: {0}", std::string(std::strerror(error)));
+        last_ = got < 0 ? Event::failed : Event::end;
+        return false;
+    }
+}
+
+LineReader::Event LineReader::next(std::string& line) {
+    bool long_one = false;
+    std::size_t searched = at_;
+    while (!ended_) {
+        const std::size_t end = buffer_.find('\n', searched);
+        if (end != std::string::npos) {
+            if (!long_one) line.assign(buffer_, at_, end - at_);
+            at_ = end + 1;
+            return long_one ? Event::too_long : Event::line;
+        }
+        if (buffer_.size() - at_ > largest_input) {
+            if (!std::exchange(long_one, true)) line.assign(buffer_, at_, piece);
+            at_ = buffer_.size();
+        }
+        searched = buffer_.size() - at_;
+        if (!fill()) ended_ = true;
+    }
+    // The last line may lack its line feed; what was cut off by a signal or a failure is no line.
+    if (last_ == Event::end && (long_one || at_ < buffer_.size())) {
+        if (!long_one) line.assign(buffer_, at_);
+        at_ = buffer_.size();
+        return long_one ? Event::too_long : Event::line;
+    }
+    return last_;
+}
+
+}  // namespace kinegraph::app
