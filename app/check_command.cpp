@@ -54,7 +54,7 @@ Status check_command(const CheckRequest& request) {
     if (!mechanism) return mechanism.error();
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(name, pose.error(), language);
-    if (mechanism->problem) return check_problem(*mechanism, name, language);
+    if (stands_for_joints(*mechanism)) return check_problem(*mechanism, name, language);
     std::vector<Message> remarks = pose->remarks;
     for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose))) remarks.push_back(std::move(each));
     for (const Message& remark : remarks)

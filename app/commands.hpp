@@ -118,11 +118,14 @@ struct DiffRequest {
 };
 Status diff_command(const DiffRequest& request);
 
-/// pairs [FILE]: the catalogue of pairs, or the pairs of a mechanism.
+/// pairs [FILE]: the catalogue of pairs, printed or drawn, or the pairs of a mechanism.
 struct PairsRequest {
     std::string file;  ///< "-" is standard input; empty: the catalogue
-    Language language = Language::en;
-    render::TextForm form = render::TextForm::plain;
+    std::vector<std::string> outputs;
+    std::string format = "text";  ///< text, markdown, json; of drawings svg, png, pdf
+    render::SheetOptions sheet;
+    std::string theme = "colour";
+    double dpi = 150;
 };
 Status pairs_command(const PairsRequest& request);
 

@@ -493,21 +493,34 @@ void add_diff(CLI::App& program, Action& action) {
 }
 
 void add_pairs(CLI::App& program, Action& action) {
-    CLI::App* command =
-        add_command(program, "pairs", "The catalogue of pairs; with FILE, its pairs, freedoms counted, and the verdict");
-    auto request = std::make_shared<PairsRequest>();
-    auto language = std::make_shared<std::string>("en");
-    auto form = std::make_shared<std::string>("text");
-    command->add_option("FILE", request->file, "The mechanism file; - is standard input");
-    add_language(*command, *language, "Language: en or it");
-    command->add_option("--format", *form, "text or markdown")
-        ->check(CLI::IsMember({"text", "markdown"}))
+    CLI::App* command = add_command(
+        program, "pairs",
+        "The catalogue of pairs, printed or drawn; with FILE, its pairs, its chain, freedoms counted, and the verdict");
+    struct PairsWords {
+        PairsRequest request;
+        SolveWords sheet;  // language and paper
+    };
+    auto words = std::make_shared<PairsWords>();
+    PairsRequest& request = words->request;
+    command->add_option("FILE", request.file, "The mechanism file; - is standard input");
+    command
+        ->add_option("-o,--output", request.outputs,
+                     "The catalogue drawn, OUT.svg, .png or .pdf, or what is printed as .json; may be given again. Further pages "
+                     "are OUT-2.svg, OUT-3.svg")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    command->add_option("--format", request.format, "text, markdown or json; of what is drawn svg, png or pdf")
+        ->check(CLI::IsMember({"text", "markdown", "json", "svg", "png", "pdf"}))
         ->type_name("FORMAT")
         ->capture_default_str();
-    command->callback([&action, request, language, form] {
-        request->language = language_named(*language);
-        request->form = *form == "markdown" ? render::TextForm::markdown : render::TextForm::plain;
-        action = [request] { return pairs_command(*request); };
+    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_paper(*command, words->sheet);
+    command->callback([&action, words] {
+        const SolveRequest meant = words->sheet.meant();
+        words->request.sheet.language = meant.language;
+        words->request.sheet.paper = meant.paper;
+        words->request.sheet.orientation = meant.orientation;
+        action = [words] { return pairs_command(words->request); };
     });
 }
 

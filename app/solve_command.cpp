@@ -181,7 +181,7 @@ tl::expected<Mechanism, Status> mechanism_of(const SolveRequest& request) {
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
     auto mechanism = mechanism_of(request);
     if (!mechanism) return tl::unexpected(mechanism.error());
-    if (const char* const what = asked_of_mechanisms(request); mechanism->problem && what != nullptr) {
+    if (const char* const what = asked_of_mechanisms(request); stands_for_joints(*mechanism) && what != nullptr) {
         say(spoken(request.file), no_mechanism(what), request.language);
         return tl::unexpected(Status::bad_input);
     }

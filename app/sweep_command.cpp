@@ -14,6 +14,7 @@
 #include "app/sweep_parameter.hpp"
 #include "constructions/cycle.hpp"
 #include "constructions/solve.hpp"
+#include "engine/problem.hpp"
 #include "render/sheet/cycle_sheet.hpp"
 #include "render/text/words.hpp"
 
@@ -452,7 +453,7 @@ Status sweep_command(const SweepRequest& request) {
     if (targets->empty()) targets->push_back({"-", Format::csv});
     const auto mechanism = mechanism_of(request.file, language, request.set);
     if (!mechanism) return mechanism.error();
-    if (mechanism->problem) return wrong(no_mechanism("sweep"));
+    if (stands_for_joints(*mechanism)) return wrong(no_mechanism("sweep"));
     const auto asked = asked_of(request, *mechanism);
     if (!asked) return wrong(asked.error());
     const auto pose = draw_pose(*mechanism);

@@ -235,10 +235,10 @@ HertzSolution::Stress hertz_stress(const HertzSolution& contact, double poisson,
     return stress;
 }
 
-Result<ProblemSolution> solve_hertz(const HertzProblem& problem) {
+Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProblem& checked) {
     ProblemSolution solution;
     HertzSolution found = Contact(problem).solution();
-    solution.values = values_of(problem, found, check_hertz(problem));
+    solution.values = values_of(problem, found, check_hertz(checked));
     for (const ProblemValue& each : solution.values)
         if (!std::isfinite(each.value) || !std::isfinite(*each.numeric) || !(each.value > 0))
             return tl::unexpected(Errors{

@@ -15,8 +15,10 @@
 
 namespace kinegraph {
 
+/// `checked`: the same with the force of the numeric check, where the force itself was found.
 /// Errors: numbers so far apart that no double holds what comes of them.
-Result<ProblemSolution> solve_hertz(const HertzProblem& problem);
+Result<ProblemSolution> solve_hertz(const HertzProblem& problem, const HertzProblem& checked);
+inline Result<ProblemSolution> solve_hertz(const HertzProblem& problem) { return solve_hertz(problem, problem); }
 
 /// The stresses on the axis of a contact whose axes and pressure are known, in a material of Poisson's ratio ν, at a depth z ≥ 0
 /// (m). Shear is that in the plane across the shorter axis, ½|σ_y − σ_z| (of a line across it): of round contacts and lines the

@@ -5,12 +5,14 @@
 #include "constructions/hertz.hpp"
 #include "constructions/impact.hpp"
 #include "constructions/reye.hpp"
+#include "engine/assert.hpp"
 
 namespace kinegraph {
 
 Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& mechanism, const Pose& pose) {
     if (const auto* hertz = std::get_if<HertzProblem>(&problem.of)) return solve_hertz(*hertz);
     if (const auto* reye = std::get_if<ReyeProblem>(&problem.of)) return solve_reye(*reye);
+    KG_ASSERT(std::holds_alternative<ImpactProblem>(problem.of), "contacts at joints are no problem of their own");
     return solve_impact(std::get<ImpactProblem>(problem.of), mechanism, pose);
 }
 

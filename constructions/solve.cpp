@@ -6,6 +6,7 @@
 
 #include "constructions/act_of_motion.hpp"
 #include "constructions/check_rows.hpp"
+#include "constructions/contacts.hpp"
 #include "constructions/curvature.hpp"
 #include "constructions/degeneracy.hpp"
 #include "constructions/forces.hpp"
@@ -22,6 +23,7 @@
 #include "constructions/virtual_work.hpp"
 #include "constructions/workings.hpp"
 #include "engine/assert.hpp"
+#include "engine/problem.hpp"
 
 namespace kinegraph {
 namespace {
@@ -459,7 +461,7 @@ Result<Solution> solve(Mechanism mechanism) {
     Solution solution;
     solution.mechanism = std::move(mechanism);
     solution.pose = *std::move(pose);
-    if (solution.mechanism.problem) {
+    if (stands_for_joints(solution.mechanism)) {
         auto found = solve_problem(*solution.mechanism.problem, solution.mechanism, solution.pose);
         if (!found) return tl::unexpected(std::move(found.error()));
         solution.problem = std::make_shared<const ProblemSolution>(*std::move(found));
@@ -471,6 +473,7 @@ Result<Solution> solve(Mechanism mechanism) {
         KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
         return *std::move(finer);
     }).run();
+    find_contacts(solution);
     return solution;
 }
 
@@ -480,6 +483,7 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer) {
     solution.pose = std::move(pose);
     solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
     Solver(solution, finer).run();
+    find_contacts(solution);
     return solution;
 }
 

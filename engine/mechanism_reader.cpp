@@ -455,6 +455,7 @@ private:
         }
         joints_known_ = joints && joints.is_array();
         each(joints, {"an array of joints", "un array di coppie"}, [&](JsonValue v) { read_joint(v); });
+        if (!contacts_.empty()) mechanism_.problem = std::make_shared<const Problem>(Problem{std::move(contacts_)});
     }
 
     void read_joint(JsonValue value) {
@@ -517,6 +518,7 @@ private:
             }
         }
         if (!pair->has_guide() && !joint.name.empty()) other_joints_.emplace(joint.name, pair->key);
+        if (pair->touches()) read_contact(form, joint, JointIndex(mechanism_.joints.size()));
         mechanism_.joints.push_back(std::move(joint));
     }
 
@@ -537,6 +539,7 @@ private:
     static std::vector<std::string_view> keys_of(const PlanePair& pair) {
         std::vector<std::string_view> keys{pair.key, "bodies"};
         std::copy_if(pair.members.begin(), pair.members.end(), std::back_inserter(keys), [](auto key) { return !key.empty(); });
+        if (pair.touches()) keys.insert(keys.end(), contact_keys.begin(), contact_keys.end());
         keys.emplace_back("name");
         return keys;
     }

@@ -1,9 +1,10 @@
-// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, and what was found of them, as values in
-// SI units. Knows no method: those are constructions/hertz.hpp and its like, the numeric checks engine/check_hertz.hpp and its
-// like.
+// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact; contact at joints of a mechanism, whose
+// force is found first; and what was found of them, as values in SI units. Knows no method: those are constructions/hertz.hpp and
+// its like, the numeric checks engine/check_hertz.hpp and its like.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,13 +33,30 @@ struct HertzBody {
         return inside[plane] ? -(Exact(1) / radii[plane]) : Exact(1) / radii[plane];
     }
 };
+/// What a contact at a joint of a mechanism is made of: the force and the radii are found there.
+struct AtJoint {
+    std::string joint;    ///< its name
+    bool meshes = false;  ///< teeth touch at the pitch point: involutes of these pitch radii (m; 0: a rack)
+    std::array<double, 2> pitch_radii{};
+    double pressure_angle = 0;  ///< rad
+};
 struct HertzProblem {
     Exact force;  ///< N
     std::array<HertzBody, 2> bodies;
     bool line = false;
-    Exact length;  ///< of a line contact, m
-    Exact turn;    ///< between the first principal planes of the two bodies, rad
+    Exact length;                 ///< of a line contact, m
+    Exact turn;                   ///< between the first principal planes of the two bodies, rad
+    std::optional<AtJoint> at{};  ///< none: the file gives force and radii
 };
+/// At a joint of a mechanism, what its bodies are made of and how long they touch. The normal force found there is the load, and
+/// the radii are those of the profiles or of the teeth in the drawn position.
+struct LoadedContact {
+    JointIndex joint = none;
+    std::array<HertzBody, 2> bodies;  ///< as the joint's; without radii
+    Exact length;                     ///< m
+    std::string where;
+};
+using LoadedContacts = std::vector<LoadedContact>;
 
 /// One of two bodies that hit each other.
 struct ImpactBody {
@@ -81,8 +99,14 @@ struct ReyeProblem {
     std::string where;
 };
 struct Problem {
-    std::variant<HertzProblem, ImpactProblem, ReyeProblem> of;
+    std::variant<HertzProblem, ImpactProblem, ReyeProblem, LoadedContacts> of;
 };
+/// Whether a problem stands in place of joints; contacts stand at joints.
+inline bool stands_for_joints(const Mechanism& mechanism) {
+    return mechanism.problem && !std::holds_alternative<LoadedContacts>(mechanism.problem->of);
+}
+/// How sentences call a body: by its label, where the file gives one.
+inline Words called(const Body& body) { return body.label.empty() ? Words(body.name) : body.label; }
 
 /// One scalar result, as tables, results and checks say it.
 struct ProblemValue {
@@ -178,9 +202,18 @@ struct ReyeSolution {
     std::vector<At> pressures;  ///< along the face
 };
 
+struct ProblemSolution;
+/// What was found of the contact at one joint: the problem that it comes to, and its solution.
+struct SolvedContact {
+    JointIndex joint = none;
+    std::shared_ptr<const Problem> stated;
+    std::shared_ptr<const ProblemSolution> found;
+};
+using SolvedContacts = std::vector<SolvedContact>;
+
 struct ProblemSolution {
     Words subject;  ///< what the sheet is, for its title block
-    std::variant<HertzSolution, ImpactSolution, ReyeSolution> of;
+    std::variant<HertzSolution, ImpactSolution, ReyeSolution, SolvedContacts> of;
     std::vector<ProblemValue> values;
     std::vector<Words> remarks;
 };

@@ -178,19 +178,7 @@ void ProblemReader::read_material(const Members& form, HertzBody& body) {
             if (form[key])
                 fault(form[key], {"{0} and \"material\" do not go together; take one of them out",
                                   "{0} e \"material\" non stanno insieme; toglierne una", quoted(key)});
-        std::vector<std::string_view> names;
-        for (const Material& each : materials) names.push_back(each.name);
-        const auto* found =
-            std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name.text(); });
-        if (!name.is_string() || found == materials.end()) {
-            fault(name, {"no material is known as {0}{1}; known are {2} (or give \"young\" and \"poisson\")",
-                         "nessun materiale è noto come {0}{1}; sono noti {2} (o dare \"young\" e \"poisson\")",
-                         quoted(name.text()), did_you_mean(speller_.nearest(name.text(), names)), listed(names)});
-            return;
-        }
-        body.young = Exact::from_double(found->young);
-        body.poisson = *Exact::from_decimal(found->poisson);
-        return;
+        return read_named_material(name, body);
     }
     body.young = positive(
         required(form, "young", {"Young’s modulus (or give a \"material\")", "il modulo di Young (o dare un \"material\")"}),
@@ -201,6 +189,101 @@ void ProblemReader::read_material(const Members& form, HertzBody& body) {
     if (ratio && (body.poisson.sign() < 0 || body.poisson >= Exact::ratio(1, 2)))
         fault(ratio, {"Poisson’s ratio must lie from 0 to less than 0.5, where a body could not be compressed at all",
                       "il coefficiente di Poisson deve stare fra 0 e meno di 0.5, dove un corpo non sarebbe comprimibile"});
+}
+
+void ProblemReader::read_named_material(JsonValue name, HertzBody& body) {
+    std::vector<std::string_view> names;
+    for (const Material& each : materials) names.push_back(each.name);
+    const auto* found =
+        std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name.text(); });
+    if (!name.is_string() || found == materials.end()) {
+        fault(name, {"no material is known as {0}{1}; known are {2} (or give \"young\" and \"poisson\")",
+                     "nessun materiale è noto come {0}{1}; sono noti {2} (o dare \"young\" e \"poisson\")", quoted(name.text()),
+                     did_you_mean(speller_.nearest(name.text(), names)), listed(names)});
+        return;
+    }
+    body.young = Exact::from_double(found->young);
+    body.poisson = *Exact::from_decimal(found->poisson);
+}
+
+void ProblemReader::read_contact(const Members& form, const Joint& joint, JointIndex index) {
+    const JsonValue materials = form["materials"];
+    if (!materials) {
+        if (form["length"] && !form.has_or_misspells("materials"))
+            fault(form["length"], {"a contact has a \"length\" where it has \"materials\"; give them, or take it out",
+                                   "un contatto ha \"length\" dove ha \"materials\"; assegnarli, o toglierla"});
+        return;
+    }
+    LoadedContact contact;
+    contact.joint = index;
+    contact.where = materials.pointer();
+    read_bodies_of_contact(materials, joint, contact);
+    contact.length =
+        positive(required(form, "length", {"how long the line of contact is", "quanto è lunga la linea di contatto"}),
+                 QuantityKind::length, {"the length", "la lunghezza"});
+    check_profiles_of_contact(materials, form, joint);
+    contacts_.push_back(std::move(contact));
+}
+
+/// One material by name for both, or an object: by body a name or {"material" | "young", "poisson"}.
+void ProblemReader::read_bodies_of_contact(JsonValue materials, const Joint& joint, LoadedContact& contact) {
+    if (joint.bodies.size() != 2) return;
+    for (std::size_t i = 0; i < 2; ++i) {
+        contact.bodies.at(i).body = joint.bodies[i];
+        contact.bodies.at(i).young = 1;
+        contact.bodies.at(i).where = materials.pointer();
+        if (materials.is_string()) read_named_material(materials, contact.bodies.at(i));
+        if (materials.is_string() && contact.bodies.at(i).young == Exact(1)) return;  // once said is enough
+    }
+    if (materials.is_string() ||
+        !expect(materials, Kind::object,
+                {"a material, or an object of materials by body,", "un materiale, o un oggetto con i materiali per corpo,"}))
+        return;
+    std::array<bool, 2> given{};
+    for (const JsonValue member : materials) {
+        const BodyIndex on = look_up_body(member, member.key());
+        if (on == none) return;
+        if (!joint.connects(on)) {
+            fault(member, {"the body {0} is not in this joint", "il corpo {0} non è in questa coppia", quoted(member.key())});
+            return;
+        }
+        const std::size_t i = joint.bodies[0] == on ? 0 : 1;
+        given.at(i) = true;
+        HertzBody& body = contact.bodies.at(i);
+        body.where = member.pointer();
+        if (member.is_string())
+            read_named_material(member, body);
+        else if (expect(member, Kind::object, {"a material", "un materiale"})) {
+            const Members properties = members(member, {"material", "young", "poisson", "depth"}, {"a material", "un materiale"});
+            read_material(properties, body);
+            if (properties["depth"])
+                body.depth = positive(properties["depth"], QuantityKind::length, {"the depth", "la profondità"});
+        }
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+        if (!given.at(i) && joint.bodies[i] != none)
+            fault(materials, {"the material of body {0} is missing; both bodies yield",
+                              "manca il materiale del corpo {0}; cedono entrambi i corpi",
+                              quoted(body_names_.at(at_index(joint.bodies[i])))});
+}
+
+/// Hertz asks for curvatures: two smooth profiles, or teeth whose pressure angle is known.
+void ProblemReader::check_profiles_of_contact(JsonValue materials, const Members& form, const Joint& joint) {
+    if (form["tangent"]) {
+        fault(form["tangent"], {"contact with \"materials\" asks for radii; give \"profiles\" in place of a tangent",
+                                "un contatto con \"materials\" richiede i raggi; dare \"profiles\" al posto della tangente"});
+        return;
+    }
+    for (const auto& [body, profile] : joint.profiles)
+        if (std::holds_alternative<TipProfile>(profile)) {
+            fault(materials,
+                  {"a tip has no radius, and its pressure no bound; round it to a circle, or take \"materials\" out",
+                   "una punta non ha raggio, e la pressione non ha limite; arrotondarla a un cerchio, o togliere \"materials\""});
+            return;
+        }
+    if (joint.pair().meshes() && !form.has_or_misspells("pressure angle"))
+        fault(materials, {"the radii of teeth at the pitch point want a \"pressure angle\"; give it",
+                          "i raggi dei denti nel punto primitivo richiedono un \"pressure angle\"; assegnarlo"});
 }
 
 void ProblemReader::check_curvatures(const HertzProblem& problem, JsonValue bodies) {

@@ -1,5 +1,6 @@
-// The sections of a file that state a problem in place of joints: "hertz", "reye", "impact". Each fault where it stands; what
-// only numbers can tell (curvatures that leave no contact) is told here too, since these problems need no drawing.
+// The sections of a file that state a problem in place of joints: "hertz", "reye", "impact"; and the "materials" of a joint. Each
+// fault where it stands; what only numbers can tell (curvatures that leave no contact) is told here too, since these problems
+// need no drawing.
 #pragma once
 
 #include <memory>
@@ -17,8 +18,16 @@ protected:
     static bool states_problem(const Members& file);
     /// The section of the file, or null where it states none or one that cannot be read. Its bodies are added to `mechanism`.
     std::shared_ptr<const Problem> read_problem(const Members& file, Mechanism& mechanism);
+    /// The keys of a joint that say what its bodies are made of; of joints whose bodies touch.
+    static constexpr std::array<std::string_view, 2> contact_keys{"materials", "length"};
+    /// Of the joint that will have that index, where it has materials.
+    void read_contact(const Members& form, const Joint& joint, JointIndex index);
+    LoadedContacts contacts_;
 
 private:
+    void read_bodies_of_contact(JsonValue materials, const Joint& joint, LoadedContact& contact);
+    void check_profiles_of_contact(JsonValue materials, const Members& form, const Joint& joint);
+    void read_named_material(JsonValue name, HertzBody& body);
     /// The body of that name, added where the file has none.
     BodyIndex problem_body(JsonValue member, Mechanism& mechanism);
     /// The two members of "bodies", or "not there".

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/json_text.hpp"
 #include "engine/problem.hpp"
 #include "engine/solution.hpp"
 
@@ -18,24 +19,7 @@ namespace {
 /// Keys in order with values that are JSON already.
 using Members = std::vector<std::pair<std::string, std::string>>;
 
-std::string quoted(std::string_view text) {
-    std::string json = "\"";
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\') {
-            json += '\\';
-            json += letter;
-        } else if (code < 0x20 || code == 0x7f) {
-            constexpr const char* digits = "0123456789abcdef";
-            json += "\\u00";
-            json += digits[code >> 4];
-            json += digits[code & 15];
-        } else {
-            json += letter;
-        }
-    }
-    return json + '"';
-}
+std::string quoted(std::string_view text) { return json_text(text); }
 
 /// JSON has no infinities: what no double holds is null. −0 is 0.
 std::string number(double value) {
@@ -165,6 +149,23 @@ private:
     std::string leftover_;
 };
 
+/// All values of a problem that the file has under their names.
+Members values_of(const ProblemSolution& found) {
+    Members members;
+    for (const ProblemValue& each : found.values)
+        if (each.in_file) members.emplace_back(each.name.en, number(each.value));
+    return members;
+}
+
+/// A row of `checks`, of a value that has one.
+std::string check_row(const std::string& name, const ProblemValue& value) {
+    const double numeric = value.numeric.value_or(value.value);
+    return object({{"quantity", quoted(name)},
+                   {"graphical", number(value.value)},
+                   {"numeric", number(numeric)},
+                   {"difference", number(value.value - numeric)}});
+}
+
 /// The same for all sections.
 class Results {
 public:
@@ -187,9 +188,11 @@ public:
             file.emplace_back("forces", forces());
             file.emplace_back("effort", effort());
         }
+        if (solution_.problem) file.emplace_back("hertz", contacts());
         file.emplace_back("checks", checks());
         file.emplace_back("unsolved", unsolved());
-        if (!solution_.remarks.empty()) file.emplace_back("remarks", remarks());
+        if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
+            file.emplace_back("remarks", remarks());
         std::string text = "{";
         for (std::size_t i = 0; i < file.size(); ++i) {
             text += i == 0 ? "\n  " : ",\n  ";
@@ -467,7 +470,14 @@ private:
                                   {"graphical", number(row.graphical)},
                                   {"numeric", number(row.numeric)},
                                   {"difference", number(row.difference)}}));
+        if (solution_.problem) add_checks_of_contacts(all);
         return lines('[', all, ']');
+    }
+    /// "hertz P half width".
+    void add_checks_of_contacts(std::vector<std::string>& all) const {
+        for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of))
+            for (const ProblemValue& each : contact.found->values)
+                all.push_back(check_row("hertz " + mechanism_.joint(contact.joint).name + " " + each.name.en, each));
     }
 
     std::string unsolved() const {
@@ -477,9 +487,21 @@ private:
         return lines('[', all, ']');
     }
 
+    /// By the joint's name: the load, and what comes of it.
+    std::string contacts() const {
+        Members joints;
+        for (const SolvedContact& contact : std::get<SolvedContacts>(solution_.problem->of)) {
+            Members members{{"force", number(std::get<HertzProblem>(contact.stated->of).force)}};
+            for (auto& each : values_of(*contact.found)) members.push_back(std::move(each));
+            joints.emplace_back(mechanism_.joint(contact.joint).name, object(members));
+        }
+        return object_of_lines(joints);
+    }
     std::string remarks() const {
         std::vector<std::string> all;
         for (const Message& remark : solution_.remarks) all.push_back(quoted(tell_(remark)));
+        if (solution_.problem)
+            for (const Words& remark : solution_.problem->remarks) all.push_back(quoted(remark.en));
         return lines('[', all, ']');
     }
 
@@ -512,13 +534,6 @@ public:
     }
 
 private:
-    /// All values, by their names.
-    Members values() const {
-        Members members;
-        for (const ProblemValue& each : found_.values)
-            if (each.in_file) members.emplace_back(each.name.en, number(each.value));
-        return members;
-    }
     void add(const ImpactSolution& found, Members& file) const {
         Members members{{"kind", "[" + quoted(found.central ? "central" : "eccentric") + ", " +
                                      quoted(found.direct ? "direct" : "oblique") + "]"},
@@ -543,19 +558,16 @@ private:
     }
     void add(const ReyeSolution& found, Members& file) const {
         Members members{{"pressures", pair(number(found.first), number(found.second))}};
-        for (auto& each : values()) members.push_back(std::move(each));
+        for (auto& each : values_of(found_)) members.push_back(std::move(each));
         if (found.worn) members.emplace_back("worn", pair(number((*found.worn)[0]), number((*found.worn)[1])));
         file.emplace_back("reye", object_of_lines(members));
     }
-    void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values())); }
+    void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values_of(found_))); }
+    static void add(const SolvedContacts&, Members&) {}  // they go with the mechanism's own results
     std::string checks() const {
         std::vector<std::string> all;
         for (const ProblemValue& each : found_.values)
-            if (each.numeric)
-                all.push_back(object({{"quantity", quoted(each.name.en)},
-                                      {"graphical", number(each.value)},
-                                      {"numeric", number(*each.numeric)},
-                                      {"difference", number(each.value - *each.numeric)}}));
+            if (each.numeric) all.push_back(check_row(each.name.en, each));
         return lines('[', all, ']');
     }
 
@@ -567,7 +579,7 @@ private:
 }  // namespace
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
-    if (solution.problem) return ProblemResults(solution, exact).json();
+    if (stands_for_joints(solution.mechanism)) return ProblemResults(solution, exact).json();
     return Results(solution, exact, tell).json();
 }
 

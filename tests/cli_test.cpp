@@ -69,7 +69,7 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         {"check absent.json", "absent.json: cannot be read: No such file or directory"},
         {"pairs absent.json", "absent.json: cannot be read: No such file or directory"},
         {"pairs --lang de", "kinegraph: --lang.*"},
-        {"pairs --format pdf", "kinegraph: --format.*"},
+        {"pairs --format csv", "kinegraph: --format.*"},
     };
     for (const auto& row : rows) {
         const Outcome outcome = run(row.arguments);

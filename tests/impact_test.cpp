@@ -8,8 +8,7 @@
 #include <random>
 
 #include "constructions/solve.hpp"
-#include "engine/problem.hpp"
-#include "tests/solved.hpp"
+#include "tests/problem_tests.hpp"
 
 namespace kinegraph {
 namespace {
@@ -17,14 +16,11 @@ namespace {
 using tests::example;
 using tests::solved;
 
-const ImpactSolution& impact_of(const Solution& solution) { return std::get<ImpactSolution>(solution.problem->of); }
+const ImpactSolution& impact_of(const Solution& solution) { return tests::found_in<ImpactSolution>(solution); }
 const ImpactProblem& given_in(const Solution& solution) { return std::get<ImpactProblem>(solution.mechanism.problem->of); }
 
 void expect_near_check(const Solution& solution, double share) {
-    double largest = 0;
-    for (const ProblemValue& each : solution.problem->values) largest = std::max(largest, std::abs(each.value));
-    for (const ProblemValue& each : solution.problem->values)
-        EXPECT_NEAR(each.value, *each.numeric, share * largest) << each.name.en;
+    tests::expect_near_check(*solution.problem, share, tests::Against::largest);
 }
 
 /// The laws that hold exactly whatever the friction.
@@ -133,6 +129,31 @@ TEST(Impact, RouthAgreesWithNewtonWhereverTheContactSticksSlidesOrTurnsBack) {
     EXPECT_GT(stuck, 0);
     EXPECT_GT(reversed, 0);
     EXPECT_GT(slid, 0);
+}
+
+TEST(Impact, EveryClassIsToldFromTheOthers) {
+    // A disc of centre C that hits the floor at the origin with the velocity v, perfectly plastic and perfectly elastic.
+    const auto hit = [](const char* centre, const char* velocity, const char* restitution) {
+        return solved(std::string(R"({"kinegraph": 1, "impact": {"bodies": {"disc": {"mass": 2, "inertia": 0.5, "centre": )") +
+                      centre + R"(, "velocity": )" + velocity +
+                      R"(}, "floor": {"fixed": true}}, "at": [0, 0], "normal": 90, "restitution": )" + restitution + "}}");
+    };
+    for (const bool central : {true, false})
+        for (const bool direct : {true, false}) {
+            const char* const centre = central ? "[0, 1]" : "[1, 1]";
+            const char* const velocity = direct ? "[0, -3]" : "[4, -3]";
+            const Solution plastic = hit(centre, velocity, "0"), elastic = hit(centre, velocity, "1");
+            for (const Solution* each : {&plastic, &elastic}) {
+                expect_balance(*each);
+                EXPECT_EQ(impact_of(*each).central, central);
+                EXPECT_EQ(impact_of(*each).direct, direct);
+                EXPECT_NEAR(impact_of(*each).obliquity, direct ? 0 : std::atan2(4, 3), 1e-15);
+            }
+            EXPECT_TRUE(impact_of(plastic).separation.is_zero());
+            EXPECT_TRUE(impact_of(elastic).energy_lost.is_zero());
+            EXPECT_EQ(impact_of(elastic).separation, -impact_of(elastic).approach);
+            EXPECT_EQ(impact_of(elastic).normal_impulse, Exact(2) * impact_of(plastic).normal_impulse);
+        }
 }
 
 TEST(Impact, ThatIsNoneIsRefused) {

@@ -1,12 +1,15 @@
 // The catalogue of pairs: what it says is what the rank finds, its schemes are trees, its page is the program's own output.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
+#include "engine/chain.hpp"
 #include "engine/constraint_rows.hpp"
 #include "engine/mobility.hpp"
 #include "engine/pair_catalogue.hpp"
@@ -159,6 +162,68 @@ TEST(PairReport, CountsBothWaysAndListsTheSchemesOfAHinge) {
     EXPECT_NE(text.find("n = 3(m − 1) − 2c₁ − c₂ = 3·3 − 2·5 − 0 = −1"), std::string::npos) << text;
     EXPECT_NE(text.find("n = 3n_c − n₁ − 2n₂ − 3n₃ = 3·3 − 0 − 2·5 − 3·0 = −1"), std::string::npos) << text;
     EXPECT_NE(text.find("(2–3)(2–4), (2–3)(3–4), (2–4)(3–4)"), std::string::npos) << text;
+}
+
+TEST(Chains, AreOpenClosedOrMixed) {
+    Sketch arm;
+    arm.point("O", "0", "0").point("A", "1", "0").point("B", "2", "1");
+    arm.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"});
+    const Chain open = chain_of(arm.mechanism);
+    EXPECT_EQ(open.kind(), Chain::Kind::open);
+    EXPECT_EQ(open.loops, 0);
+    Sketch four_bar = arm;
+    four_bar.point("C", "3", "0").revolute("C", {"4", "1"});
+    const Chain closed = chain_of(four_bar.mechanism);
+    EXPECT_EQ(closed.kind(), Chain::Kind::closed);
+    EXPECT_EQ(closed.loops, 1);
+    Sketch with_tail = four_bar;
+    with_tail.point("D", "1", "1").revolute("D", {"3", "5"});
+    const Chain mixed = chain_of(with_tail.mechanism);
+    EXPECT_EQ(mixed.kind(), Chain::Kind::mixed);
+    EXPECT_EQ(mixed.loops, 1);
+}
+
+TEST(Chains, OfEveryExampleHaveTheLoopsOfEuler) {
+    // Watt's and Stephenson's six bodies make two loops; a hinge of three bodies counts as two pairs and once at each body.
+    const auto of = [](const char* name) { return chain_of(tests::solved(contents(tests::example_file(name))).mechanism); };
+    for (const char* name : {"watt_six_bar", "stephenson_1_driver_2", "whitworth"}) {
+        const Chain chain = of(name);
+        EXPECT_EQ(chain.loops, 2) << name;
+        EXPECT_EQ(chain.parts, 1) << name;
+        EXPECT_EQ(std::count(chain.pairs.begin(), chain.pairs.end(), 3), 2) << name;
+        EXPECT_EQ(std::count(chain.pairs.begin(), chain.pairs.end(), 2), 4) << name;
+    }
+    const Chain planetary = of("planetary_train");
+    EXPECT_EQ(planetary.joints, 5);
+    EXPECT_EQ(planetary.loops, 2);
+    EXPECT_EQ(planetary.pairs, (std::vector<int>{2, 2, 3, 2}));
+}
+
+TEST(PairReport, SaysTheChainInAllFormsAndLanguages) {
+    const Solution solution = tests::example("planetary_train");
+    const auto report = [&](Language language, TextForm form) {
+        return render::pair_report(solution.mechanism, solution.mobility, {}, language, form);
+    };
+    EXPECT_NE(report(Language::en, TextForm::plain).find("kind: closed"), std::string::npos);
+    EXPECT_NE(report(Language::en, TextForm::plain).find("ternary bodies: 1 (3)"), std::string::npos);
+    EXPECT_NE(report(Language::it, TextForm::markdown).find("- membri ternari: 1 (3)"), std::string::npos);
+    const auto json = nlohmann::json::parse(report(Language::it, TextForm::json));
+    EXPECT_EQ(json.at("chain").at("kind"), "closed");
+    EXPECT_EQ(json.at("chain").at("loops"), 2);
+    EXPECT_EQ(json.at("bodies by pairs"), nlohmann::json::parse(R"({"2": 3, "3": 1})"));
+    EXPECT_EQ(json.at("pairs").at(0).at("multiplicity"), 2);
+    EXPECT_EQ(json.at("pairs").at(0).at("schemes").size(), 3u);
+    EXPECT_EQ(json.at("mobility").at("gruebler"), solution.mobility.gruebler);
+}
+
+TEST(Catalogue, IsThereAsJson) {
+    const auto json = nlohmann::json::parse(render::pair_catalogue(Language::en, TextForm::json));
+    EXPECT_EQ(json.at("plane").size(), plane_pairs.size());
+    for (const auto& pair : json.at("space")) {
+        const int tied = pair.at("key") == "helical" ? 1 : 0;
+        EXPECT_EQ(static_cast<int>(pair.at("motions").size()) - tied, pair.at("freedoms")) << pair;
+        EXPECT_EQ(static_cast<int>(pair.at("reactions").size()), 6 - pair.at("freedoms").get<int>()) << pair;
+    }
 }
 
 }  // namespace

@@ -7,20 +7,16 @@
 #include <numbers>
 
 #include "constructions/solve.hpp"
-#include "engine/problem.hpp"
-#include "tests/solved.hpp"
+#include "tests/problem_tests.hpp"
 
 namespace kinegraph {
 namespace {
 
 using std::numbers::pi;
 using tests::example;
-using tests::solved;
 
-const ReyeSolution& reye_of(const Solution& solution) { return std::get<ReyeSolution>(solution.problem->of); }
-Solution worn(const std::string& members) {
-    return solved(R"({"kinegraph": 1, "units": {"length": "mm"}, "reye": {)" + members + "}}");
-}
+const ReyeSolution& reye_of(const Solution& solution) { return tests::found_in<ReyeSolution>(solution); }
+Solution worn(const std::string& members) { return tests::stated("reye", members); }
 
 TEST(Reye, PadHasThePublishedNumbers) {
     const Solution solution = example("contact/pad");
@@ -97,8 +93,7 @@ TEST(Reye, AgreesWithTheStripsOnEveryExample) {
     for (const char* name : {"pad", "pad_lifting", "clutch", "drum_shoe", "outer_shoe"}) {
         SCOPED_TRACE(name);
         const Solution solution = example(std::string("contact/") + name);
-        for (const ProblemValue& each : solution.problem->values)
-            EXPECT_NEAR(each.value, *each.numeric, 1e-6 * std::abs(each.value) + 1e-9) << each.name.en;
+        tests::expect_near_check(*solution.problem, 1e-6, tests::Against::itself);
     }
 }
 

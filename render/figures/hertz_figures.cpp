@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "engine/problem.hpp"
+#include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
-#include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/formula.hpp"
@@ -20,24 +20,6 @@ const HertzProblem& problem_of(const DrawingContext& context) {
     return std::get<HertzProblem>(context.solution.mechanism.problem->of);
 }
 const HertzSolution& solution_of(const DrawingContext& context) { return std::get<HertzSolution>(context.solution.problem->of); }
-
-Figure begun(const char* id, const RichText& caption, double scale) {
-    Figure figure;
-    figure.kind = figure.id = id;
-    figure.caption = caption;
-    figure.scale = scale;
-    figure.unit = "m";
-    figure.marks.emplace_back(GroupBegin{
-        "figure", id, plain(caption), {{"data-figure", id}, {"data-scale", shortest(scale)}, {"data-unit", "m"}}, none});
-    return figure;
-}
-Figure finished(Figure figure, const DrawingContext& context, Spot room) {
-    figure.marks.emplace_back(GroupEnd{});
-    figure.box = box_of(figure.marks);
-    place_labels(figure, context.fonts, room, Labelling::strict);
-    figure.move(-figure.box.min.x, -figure.box.min.y);
-    return figure;
-}
 
 /// One body's profile as it is drawn: its curvature in the plane of the figure (1/m, positive towards the other), and who it is.
 struct Profile2d {
@@ -65,7 +47,7 @@ public:
 
     Figure draw() {
         const Words caption("Bodies in contact", "Corpi a contatto");
-        Figure figure = begun("contact", one_piece(in(caption, context_.language)), scale_);
+        Figure figure = begun("contact", "contact", caption, scale_, "m", context_.language);
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, profiles_.at(i), i == 0 ? -1 : 1);
         figure.marks.emplace_back(line({0, -top_ - 4}, {0, bottom_ + 4}, {theme_.thin, theme_.secondary, dash_dot(), false}));
         figure.marks.emplace_back(disc({0, 0}, 0.7, theme_.text));
@@ -137,7 +119,8 @@ private:
         const BodyColour& colour = theme_.body(problem_.bodies.at(of.which).body);
         const std::string number = std::to_string(of.which + 1);
         const Spot aside = edge[edge.size() * (of.curvature > 0 ? 11 : 12) / 14];
-        figure.labels.push_back({.text = one_piece(name(of)),
+        const Words called_so = called(context_.solution.mechanism.body(problem_.bodies.at(of.which).body));
+        figure.labels.push_back({.text = one_piece(in(called_so, context_.language)),
                                  .size = theme_.label,
                                  .colour = colour.letter,
                                  .anchor = of.curvature == 0 ? Spot{0.7 * half_width_, down * 3.5} : aside,
@@ -201,7 +184,7 @@ public:
 
     Figure draw() {
         const Words caption("Pressure, and plan of the contact", "Pressione, e pianta del contatto");
-        Figure figure = begun("pressure", one_piece(in(caption, context_.language)), scale_);
+        Figure figure = begun("pressure", "pressure", caption, scale_, "m", context_.language);
         figure.further_scale = "1 mm ≙ " + shortest(pressure_scale_, context_.language) + " " + pressure_unit_.symbol;
         const double half = half_ / scale_, high = pressure(1);
         draw_arch(figure, half, high);

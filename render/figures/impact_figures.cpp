@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "engine/problem.hpp"
+#include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
-#include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/formula.hpp"
@@ -26,27 +26,6 @@ const ImpactSolution& solution_of(const DrawingContext& context) {
 /// y downwards.
 Spot spot_of(const Vector& v, double scale) { return {v.x.to_double() / scale, -v.y.to_double() / scale}; }
 
-Figure begun(const char* kind, const char* id, const Words& caption, double scale, const std::string& unit, Language language) {
-    Figure figure;
-    figure.kind = kind;
-    figure.id = id;
-    figure.caption = one_piece(in(caption, language));
-    figure.scale = scale;
-    figure.unit = unit;
-    figure.marks.emplace_back(GroupBegin{"figure",
-                                         id,
-                                         plain(figure.caption),
-                                         {{"data-figure", kind}, {"data-scale", shortest(scale)}, {"data-unit", unit}},
-                                         none});
-    return figure;
-}
-Figure finished(Figure figure, const DrawingContext& context, Spot room) {
-    figure.marks.emplace_back(GroupEnd{});
-    figure.box = box_of(figure.marks);
-    place_labels(figure, context.fonts, room, Labelling::strict);
-    figure.move(-figure.box.min.x, -figure.box.min.y);
-    return figure;
-}
 void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, double value, const std::string& unit,
                  Colour colour, const std::vector<double>& kind = {}) {
     figure.marks.emplace_back(GroupBegin{"vector",
@@ -59,10 +38,17 @@ void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, d
     figure.marks.emplace_back(GroupEnd{});
 }
 
+enum class Moment { before, after };
+
 class BodiesFigure {
 public:
-    BodiesFigure(const DrawingContext& context, Spot room)
-        : context_(context), theme_(context.theme), problem_(problem_of(context)), found_(solution_of(context)), room_(room) {
+    BodiesFigure(const DrawingContext& context, Moment moment, Spot room)
+        : context_(context),
+          theme_(context.theme),
+          problem_(problem_of(context)),
+          found_(solution_of(context)),
+          moment_(moment),
+          room_(room) {
         measure();
         scale_ = choose_scale(extent_.width(), extent_.height(), std::max(room.x - 46, 20.0), std::max(room.y - 34, 15.0),
                               std::nullopt);
@@ -76,8 +62,11 @@ public:
     }
 
     Figure draw() {
-        Figure figure = begun("contact", "contact", {"Bodies, and velocities before and after", "Corpi, e velocità prima e dopo"},
-                              scale_, "m", context_.language);
+        Figure figure = moment_ == Moment::before
+                            ? begun("contact", "contact", {"Bodies, and velocities before", "Corpi, e velocità prima"}, scale_,
+                                    "m", context_.language)
+                            : begun("contact", "contact-after", {"Velocities after the impact", "Velocità dopo l’urto"}, scale_,
+                                    "m", context_.language);
         const Unit& unit = context_.solution.mechanism.units.velocity;
         figure.further_scale = "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, i);
@@ -128,7 +117,7 @@ private:
         const ImpactSolution::Body& of = found_.bodies.at(i);
         const BodyColour& colour = theme_.body(problem_.bodies.at(i).body);
         const Pen outline{2 * theme_.outline, colour.line, {}, true};
-        figure.marks.emplace_back(GroupBegin{"link", legal_id("contact-" + body(i).name), body(i).name, {}, none});
+        figure.marks.emplace_back(GroupBegin{"link", legal_id(figure.id + "-" + body(i).name), body(i).name, {}, none});
         Spot aside = spot(of.centre);
         if (of.fixed) {
             draw_ground(figure, i == 0 ? normal_ : -1 * normal_);
@@ -151,8 +140,11 @@ private:
             aside = origin_ + 4 * (i == 0 ? normal_ : -1 * normal_);
         }
         figure.marks.emplace_back(GroupEnd{});
-        figure.labels.push_back(
-            {.text = one_piece(body(i).name), .size = theme_.label, .colour = colour.letter, .anchor = aside, .clearance = 2.5});
+        figure.labels.push_back({.text = one_piece(in(called(body(i)), context_.language)),
+                                 .size = theme_.label,
+                                 .colour = colour.letter,
+                                 .anchor = aside,
+                                 .clearance = 2.5});
         if (of.fixed) return;
         if (of.centre != found_.at) draw_centre(figure, i, colour);
         if (of.pivot) draw_pivot(figure, *of.pivot, colour);
@@ -232,18 +224,21 @@ private:
                                      .anchor = centre + 0.75 * reach,
                                      .toward = centre + reach});
         };
-        draw(of.before, "", theme_.secondary, theme_.secondary, {});
-        draw(of.after, "′", colour.line, colour.letter, {});
+        if (moment_ == Moment::before)
+            draw(of.before, "", colour.line, colour.letter, {});
+        else
+            draw(of.after, "′", colour.line, colour.letter, {});
         draw_turn(figure, i, centre, colour);
     }
     void draw_turn(Figure& figure, std::size_t i, Spot centre, const BodyColour& colour) {
         const ImpactSolution::Body& of = found_.bodies.at(i);
-        if (of.omega_after.is_zero()) return;
-        const bool left = of.omega_after.sign() > 0;
+        const Exact& omega = moment_ == Moment::before ? of.omega_before : of.omega_after;
+        if (omega.is_zero()) return;
+        const bool left = omega.sign() > 0;
         const double from = left ? 0.35 * pi : 0.65 * pi;
         const Spot about = of.pivot ? spot(*of.pivot) : centre;
         draw_arc_arrow(figure.marks, about, 5, from, left ? from - 0.7 * pi : from + 0.7 * pi, theme_.outline, colour.line);
-        figure.labels.push_back({.text = formula("{ω_" + std::to_string(i + 1) + "}′"),
+        figure.labels.push_back({.text = formula("{ω_" + std::to_string(i + 1) + (moment_ == Moment::before ? "}" : "}′")),
                                  .size = theme_.derived,
                                  .colour = colour.letter,
                                  .anchor = about + 5 * polar_spot(left ? 0 : pi),
@@ -255,6 +250,7 @@ private:
     const Theme& theme_;
     const ImpactProblem& problem_;
     const ImpactSolution& found_;
+    Moment moment_;
     Spot room_;
     Box extent_;
     bool first_ = true;
@@ -389,7 +385,10 @@ std::vector<Spot> clipped(double alpha, double beta, double gamma, const Box& bo
 }  // namespace
 
 Figure impact_bodies_figure(const DrawingContext& context, double room_x, double room_y) {
-    return BodiesFigure(context, {room_x, room_y}).draw();
+    return BodiesFigure(context, Moment::before, {room_x, room_y}).draw();
+}
+Figure impact_after_figure(const DrawingContext& context, double room_x, double room_y) {
+    return BodiesFigure(context, Moment::after, {room_x, room_y}).draw();
 }
 
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y) {

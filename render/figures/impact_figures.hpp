@@ -6,8 +6,10 @@
 
 namespace kinegraph::render {
 
-/// The bodies to scale with centres, line and plane of impact, velocities before (grey) and after. Kind and id "contact".
+/// The bodies to scale with centres, line and plane of impact, and their velocities before. Kind and id "contact".
 Figure impact_bodies_figure(const DrawingContext& context, double room_x, double room_y);
+/// The same with the velocities afterwards. Kind "contact", id "contact-after".
+Figure impact_after_figure(const DrawingContext& context, double room_x, double room_y);
 /// Velocities of the centres before and after from one pole: what they gain is parallel to the impulse. Kind "velocity", id
 /// "velocities".
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y);

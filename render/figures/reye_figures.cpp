@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "engine/problem.hpp"
+#include "render/figures/problem_figure.hpp"
 #include "render/figures/xy_plot.hpp"
-#include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
 #include "render/text/formula.hpp"
@@ -34,25 +34,13 @@ public:
             draw_shoe();
         else
             draw_pad();
-        figure_.marks.emplace_back(GroupEnd{});
-        figure_.box = box_of(figure_.marks);
-        place_labels(figure_, context_.fonts, room_, Labelling::strict);
-        figure_.move(-figure_.box.min.x, -figure_.box.min.y);
-        return std::move(figure_);
+        return finished(std::move(figure_), context_, room_);
     }
 
 private:
     void begin(const Words& caption, double scale) {
         scale_ = scale;
-        figure_.kind = figure_.id = "contact";
-        figure_.caption = one_piece(in(caption, context_.language));
-        figure_.scale = scale;
-        figure_.unit = "m";
-        figure_.marks.emplace_back(GroupBegin{"figure",
-                                              "contact",
-                                              plain(figure_.caption),
-                                              {{"data-figure", "contact"}, {"data-scale", shortest(scale)}, {"data-unit", "m"}},
-                                              none});
+        figure_ = begun("contact", "contact", caption, scale, "m", context_.language);
     }
     void press_to_scale(double greatest, double room) {
         const Unit unit = suitable_unit(greatest, QuantityKind::pressure, units_);
@@ -220,12 +208,20 @@ private:
         add(arc({0, 0}, found_.pressure_radius / scale_, angle - 0.35, angle + 0.35,
                 pen(theme_.thin, theme_.secondary, dashes())));
     }
-    void draw_shoe_force(Spot pin, double drum) {
+    /// At the arm's distance from the pivot: on the back of the shoe where that reaches so far, else on a lever past its toe.
+    Spot place_of_force(Spot pin, double drum, double arm) const {
+        const double back = drum + (problem_.inside ? -3 : 3), across = length(pin);
+        const double cosine = (across * across + back * back - arm * arm) / (2 * across * back);
+        if (std::abs(cosine) <= 1) return round(back, std::acos(cosine));
         const Spot toe = round(drum + (problem_.inside ? -1.5 : 1.5), found_.end);
-        const Spot towards = unit(toe - pin);
-        // A lever longer than the drawing is drawn as far as that goes.
-        const Spot place = pin + std::min(problem_.arm.to_double() / scale_, 2.2 * drum) * towards;
-        add(line(pin, place, pen(theme_.thin, theme_.secondary)));
+        return pin + arm * unit(toe - pin);
+    }
+    void draw_shoe_force(Spot pin, double drum) {
+        const double arm = problem_.arm.to_double() / scale_, longest = 2.2 * drum;
+        const Spot place = place_of_force(pin, drum, std::min(arm, longest));
+        const Spot towards = unit(place - pin);
+        // A lever longer than the drawing is drawn as far as that goes, and dashed.
+        add(line(pin, place, pen(theme_.thin, theme_.secondary, arm > longest ? dashes() : std::vector<double>{})));
         // Across the arm, away from the drum's centre for an inner shoe, towards it for an outer one.
         Spot across = turned(towards);
         if (dot(across, round(1, 0.5 * (found_.begin + found_.end))) < 0) across = -1 * across;

@@ -7,11 +7,13 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "engine/problem.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/answers.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
+#include "render/text/formula.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -143,6 +145,8 @@ private:
         std::vector<Block> rows;
         for (const auto& [figure, text] : on_figures) rows.push_back(paragraph(text));
         for (const Message& each : solution_.remarks) rows.push_back(paragraph(say(each, context_.language)));
+        if (solution_.problem)
+            for (const Words& each : solution_.problem->remarks) rows.push_back(paragraph(formula(in(each, context_.language))));
         return rows;
     }
 
@@ -262,7 +266,8 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
         deal_out_results();
     else
         add("answers", {}).parts.push_back({Kind::answers});
-    if (!solution_.unsolved.empty() || !solution_.remarks.empty()) add_remarks();
+    const bool contact_remarks = solution_.problem && !solution_.problem->remarks.empty();
+    if (!solution_.unsolved.empty() || !solution_.remarks.empty() || contact_remarks) add_remarks();
 }
 
 void Bands::add_remarks() {

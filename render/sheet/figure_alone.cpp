@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/problem.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
@@ -48,10 +50,11 @@ std::optional<Figure> mechanism_figure_named(const DrawingContext& context, cons
 
 std::vector<std::string> figure_names(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
-    if (solution.problem) return problem_figure_names(context);
+    if (stands_for_joints(solution.mechanism)) return problem_figure_names(context);
     WantedFigures wanted(context, options.joukowsky);
     std::vector<std::string> names;
     for (const Choice& each : choices(context, wanted)) names.push_back(each.name);
+    for (std::string& each : contact_figure_names(solution, options, fonts)) names.push_back(std::move(each));
     return names;
 }
 
@@ -59,8 +62,9 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
                                   const Fonts& fonts) {
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const SheetFormat format = format_of(options.paper, options.orientation);
-    auto drawn = solution.problem ? problem_figure(context, name, format.measure, tallest)
-                                  : mechanism_figure_named(context, options, format, name);
+    auto drawn = stands_for_joints(solution.mechanism) ? problem_figure(context, name, format.measure, tallest)
+                                                       : mechanism_figure_named(context, options, format, name);
+    if (!drawn) drawn = contact_figure(solution, options, fonts, name, {format.measure, tallest});
     if (!drawn) return std::nullopt;
     Figure figure = *std::move(drawn);
     const Box box = box_of(figure.marks);

@@ -18,10 +18,16 @@ public:
           problem_(std::get<HertzProblem>(mechanism_.problem->of)),
           found_(std::get<HertzSolution>(context.solution.problem->of)) {}
 
+    Words heading() const {
+        if (!problem_.at) return {"Given", "Dati"};
+        return {"Contact at {0}", "Contatto in {0}", problem_.at->joint};
+    }
     std::vector<Words> given() const {
         std::vector<Words> said;
+        if (problem_.at) said.push_back(at_joint(*problem_.at));
         said.emplace_back("The force {Q} = {0} presses the two bodies together{1}.",
-                          "La forza {Q} = {0} preme i due corpi l’uno sull’altro{1}.", given(problem_.force, QuantityKind::force),
+                          "La forza {Q} = {0} preme i due corpi l’uno sull’altro{1}.",
+                          amount(problem_.force.to_double(), QuantityKind::force, mechanism_.units, problem_.at ? 4 : as_given),
                           problem_.line ? Words(", along a line of length {l} = {0}", ", lungo una linea di lunghezza {l} = {0}",
                                                 given(problem_.length, QuantityKind::length))
                                         : Words());
@@ -29,7 +35,7 @@ public:
             const HertzBody& body = problem_.bodies.at(i);
             const std::string n = std::to_string(i + 1);
             said.emplace_back("{0}: {1}, {E_" + n + "} = {2}, {ν_" + n + "} = {3}.",
-                              "{0}: {1}, {E_" + n + "} = {2}, {ν_" + n + "} = {3}.", mechanism_.body(body.body).name,
+                              "{0}: {1}, {E_" + n + "} = {2}, {ν_" + n + "} = {3}.", called(mechanism_.body(body.body)),
                               shape(body, n), given(body.young, QuantityKind::pressure),
                               numeral(body.poisson.to_double(), as_given));
         }
@@ -103,7 +109,7 @@ public:
 
     std::vector<Words> stresses() const {
         std::vector<Words> said;
-        const Words body = mechanism_.body(problem_.bodies.at(found_.sheared).body).name;
+        const Words body = called(mechanism_.body(problem_.bodies.at(found_.sheared).body));
         if (problem_.line)
             said.emplace_back(
                 "On the axis, with {r} = √({b^2} + {z^2}):\n{σ_z} = −{p_0}{b}/{r},  {σ_y} = −{p_0}({r} − {z})²/{b}{r},  {σ_x} = {ν}({σ_y} + {σ_z}).",
@@ -142,10 +148,33 @@ private:
     Words given(const Exact& si, QuantityKind kind) const { return amount(si.to_double(), kind, mechanism_.units, as_given); }
     Words pressure(double si) const { return amount(si, QuantityKind::pressure, mechanism_.units); }
 
+    /// Where force and radii come from.
+    Words at_joint(const AtJoint& at) const {
+        if (!at.meshes)
+            return {
+                "At {0} the mechanism’s forces give the load: the part of the action along the common normal. The radii are those of the profiles.",
+                "In {0} il carico viene dalle forze del meccanismo: la componente dell’azione lungo la normale comune. I raggi sono quelli dei profili.",
+                at.joint};
+        std::string radii;
+        for (std::size_t i = 0; i < 2; ++i)
+            if (at.pitch_radii.at(i) > 0)
+                radii += (radii.empty() ? "" : ",  ") + std::string("{r_") + std::to_string(i + 1) + "} = {" + std::to_string(i) +
+                         "} sin {α}";
+        const auto pitch = [&](std::size_t i) { return amount(at.pitch_radii.at(i), QuantityKind::length, mechanism_.units, 5); };
+        return Words(
+                   "At the pitch point {0} the teeth press each other along the line of action. Involute flanks have there the radii",
+                   "Nel punto primitivo {0} i denti si premono lungo la retta d’azione. I fianchi a evolvente hanno lì i raggi",
+                   at.joint) +
+               Words("\n" + radii + ",  {α} = {2}.", "\n" + radii + ",  {α} = {2}.", pitch(0), pitch(1),
+                     amount(at.pressure_angle, QuantityKind::angle, mechanism_.units));
+    }
+
     Words shape(const HertzBody& body, const std::string& n) const {
         const auto radius = [&](std::size_t plane, const std::string& mark) {
-            const Words size =
-                body.radii.at(plane).is_zero() ? Words(std::string("∞")) : given(body.radii.at(plane), QuantityKind::length);
+            const double found = body.radii.at(plane).to_double();
+            const Words size = body.radii.at(plane).is_zero()
+                                   ? Words(std::string("∞"))
+                                   : amount(found, QuantityKind::length, mechanism_.units, problem_.at ? 4 : as_given);
             return Words("{r_" + n + "}" + mark + " = ", "{r_" + n + "}" + mark + " = ") + size +
                    (body.inside.at(plane) ? Words(" (concave)", " (concavo)") : Words());
         };
@@ -175,7 +204,7 @@ private:
         Words sum;
         for (std::size_t i = 0; i < 2; ++i) {
             const Datum datum = datum_of(problem_, i);
-            const Words name = mechanism_.body(problem_.bodies.at(i).body).name;
+            const Words name = called(mechanism_.body(problem_.bodies.at(i).body));
             if (i == 1) sum += std::string("; ");
             sum += datum.is_axis
                        ? Words("of {0} from its axis", "di {0} dal suo asse", name)
@@ -199,7 +228,7 @@ std::vector<ProblemSection> hertz_sections(const DrawingContext& context) {
     const auto figure = [&context](const char* id, auto draw, double height) {
         return ProblemFigure{id, [&context, draw](double x, double y) { return draw(context, x, y); }, height};
     };
-    return {{"given", {"Given", "Dati"}, {figure("contact", hertz_bodies_figure, 1)}, text.given()},
+    return {{"given", text.heading(), {figure("contact", hertz_bodies_figure, 1)}, text.given()},
             {"equivalent", {"Equivalent body", "Corpo equivalente"}, {}, text.equivalents()},
             {"pressure",
              {"Contact and pressure", "Contatto e pressione"},

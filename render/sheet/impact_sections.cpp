@@ -22,7 +22,7 @@ public:
         for (std::size_t i = 0; i < 2; ++i) {
             const ImpactBody& body = problem_.bodies.at(i);
             const std::string n = std::to_string(i + 1);
-            const Words name = mechanism_.body(body.body).name;
+            const Words name = called(mechanism_.body(body.body));
             if (body.fixed) {
                 said.emplace_back("{0} is fixed.", "{0} è fisso.", name);
                 continue;
@@ -189,7 +189,7 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
             {"phases", {"Course of the impact", "Corso dell’urto"}, routh, text.phases()},
             {"velocities",
              {"Velocities afterwards", "Velocità dopo l’urto"},
-             {figure("velocities", impact_velocities_figure, 0.75)},
+             {figure("velocities", impact_velocities_figure, 0.75), figure("contact-after", impact_after_figure, 0.8)},
              text.velocities()},
             {"restitution",
              {"Restitution and energy", "Restituzione ed energia"},

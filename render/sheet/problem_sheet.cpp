@@ -70,6 +70,9 @@ public:
         : context_{solution, options.theme, fonts, options.language, Dimensions::off},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
+          before_{options.pages_before},
+          after_{options.pages_after},
+          figures_before_{options.figures_before},
           sections_(sections_of_problem(context_)) {}
 
     std::vector<Page> pages() {
@@ -126,7 +129,8 @@ private:
     std::vector<Page> framed(const std::vector<std::vector<Mark>>& sheets) {
         std::vector<Page> pages;
         for (std::size_t i = 0; i < sheets.size(); ++i)
-            pages.push_back(framed_page(context_, format_, signature_, sheets[i], std::nullopt, i + 1, sheets.size(), i == 0));
+            pages.push_back(framed_page(context_, format_, signature_, sheets[i], std::nullopt, before_ + i + 1,
+                                        before_ + sheets.size() + after_, before_ + i == 0));
         return pages;
     }
     const std::string& say(const Words& words) const { return in(words, context_.language); }
@@ -137,7 +141,7 @@ private:
     // --- what stands there
     // ------------------------------------------------------------------------------------------------------
     std::vector<Item> items(double figure_height) {
-        figures_ = 0;
+        figures_ = figures_before_;
         std::vector<Item> all;
         for (std::size_t s = 0; s < sections_.size(); ++s) {
             // The results come before what is only assumed.
@@ -197,11 +201,16 @@ private:
         };
         const auto row = [&](const std::array<RichText, 4>& cells, Colour colour) {
             const std::array<double, 4> rights{0, 0.62 * width, 0.81 * width, width};
-            for (std::size_t i = 0; i < cells.size(); ++i) {
+            for (std::size_t i = 1; i < cells.size(); ++i) {
                 const ShapedLine shaped = context_.fonts.shape(cells.at(i), context_.theme.small);
-                set_text(table.marks, shaped, {i == 0 ? 0 : rights.at(i) - shaped.width, y + 3.2}, colour, "text");
+                set_text(table.marks, shaped, {rights.at(i) - shaped.width, y + 3.2}, colour, "text");
             }
-            y += 4.6;
+            // A long name goes on below.
+            constexpr double first_line = 4.6, further_line = 3.5;
+            const std::vector<ShapedLine> name = context_.fonts.wrap(cells[0], context_.theme.small, 0.42 * width);
+            for (std::size_t i = 0; i < name.size(); ++i)
+                set_text(table.marks, name[i], {0, y + 3.2 + static_cast<double>(i) * further_line}, colour, "text");
+            y += first_line + further_line * static_cast<double>(std::max<std::size_t>(name.size(), 1) - 1);
         };
         rule(context_.theme.outline);
         row({one_piece(say(head_of(0))), one_piece(say(head_of(1))), one_piece(say(head_of(2))), one_piece(say(head_of(3)))},
@@ -212,9 +221,7 @@ private:
             const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
             RichText name = symbol_of(each.symbol);
             append(name, one_piece("  " + say(each.name)));
-            row({shortened(name, 0.42 * width), with_powers(cells.found), with_powers(cells.numeric),
-                 with_powers(cells.difference)},
-                context_.theme.text);
+            row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)}, context_.theme.text);
         }
         rule(context_.theme.outline);
         table.width = width;
@@ -223,10 +230,6 @@ private:
         all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
         all.push_back({fitted(std::move(table)), section, 0, false});
         return all;
-    }
-    /// The symbol alone where its name is too long for the column.
-    RichText shortened(const RichText& name, double width) const {
-        return context_.fonts.shape(name, context_.theme.small).width <= width ? name : RichText{name.front()};
     }
     std::vector<Item> remarks(std::size_t section) const {
         std::vector<Item> all;
@@ -261,7 +264,8 @@ private:
             const Item& item = all[i];
             double needed = item.block.height;
             for (std::size_t k = i; all[k].holds_next && k + 1 < all.size(); ++k) needed += all[k + 1].block.height;
-            if (!begins && ((spread && item.spreads) || y + item.above + needed > bottom(column, sheets.size() == 1))) {
+            if (!begins &&
+                ((spread && item.spreads) || y + item.above + needed > bottom(column, before_ == 0 && sheets.size() == 1))) {
                 if (++column == format_.columns) {
                     close();
                     sheets.emplace_back();
@@ -292,7 +296,7 @@ private:
         // What has no figure of its own is seen in the last one before it.
         std::size_t shown = s;
         while (shown > 0 && sections_[shown].figures.empty()) --shown;
-        figures_ = 0;
+        figures_ = figures_before_;
         for (std::size_t before = 0; before < shown; ++before) figures_ += static_cast<int>(sections_[before].figures.size());
         const double width = format_.columns > 1 ? format_.span(format_.columns - 1, format_.columns) : format_.measure;
         const Spot corner = format_.content.min;
@@ -324,6 +328,8 @@ private:
     DrawingContext context_;
     SheetFormat format_;
     Signature signature_;
+    std::size_t before_, after_;  // pages of the same sheet
+    int figures_before_;
     std::vector<ProblemSection> sections_;
     int figures_ = 0;
 };

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/problem.hpp"
 #include "render/page/shapes.hpp"
+#include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/text/utf8.hpp"
@@ -211,7 +213,8 @@ private:
 }  // namespace
 
 std::string results_table(const Solution& solution, Language language) {
-    return solution.problem ? problem_table(solution, language) : Text(solution, language).write();
+    if (stands_for_joints(solution.mechanism)) return problem_table(solution, language);
+    return Text(solution, language).write() + contact_tables(solution, language);
 }
 
 }  // namespace kinegraph::render

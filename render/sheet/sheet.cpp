@@ -12,10 +12,12 @@
 #include <utility>
 
 #include "engine/assert.hpp"
+#include "engine/problem.hpp"
 #include "render/figures/caption.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/beside.hpp"
+#include "render/sheet/contact_pages.hpp"
 #include "render/sheet/drawn_sheet.hpp"
 #include "render/sheet/handout.hpp"
 #include "render/sheet/page_plan.hpp"
@@ -34,6 +36,7 @@ public:
         : context_{solution, options.theme, fonts, options.language, options.dimensions},
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
+          after_(options.pages_after),
           wanted_(context_, options.joukowsky, options.detail),
           bands_(context_, wanted_, options.detail),
           texts_(bands_, format_) {}
@@ -345,7 +348,8 @@ private:
             }
             y += heights[r] + row_gap + air;
         }
-        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, plan_.size(), index == 0);
+        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, plan_.size() + after_,
+                           index == 0);
     }
     BandLayout layout_of(const PlacedBand& placed) const {
         return layouts_[placed.band].in(placed.width, placed.room.height(), placed.notch);
@@ -394,6 +398,7 @@ private:
     DrawingContext context_;
     SheetFormat format_;
     Signature signature_;
+    std::size_t after_;  // pages bound with these
     WantedFigures wanted_;
     Bands bands_;
     BandTexts texts_;
@@ -432,9 +437,12 @@ DrawnSheet draw_solution(const Solution& solution, const SheetOptions& options, 
 }
 
 std::vector<Page> lay_out(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    if (solution.problem) return lay_out_problem(solution, options, fonts);
+    if (stands_for_joints(solution.mechanism)) return lay_out_problem(solution, options, fonts);
     if (options.kind != SheetKind::solution) return lay_out_handout(solution, options, fonts);
-    return draw_solution(solution, options, fonts).pages;
+    return with_contacts(solution, options, fonts, lay_out_problem, [&](const SheetOptions& numbered) {
+        DrawnSheet sheet = draw_solution(solution, numbered, fonts);
+        return BoundPages{std::move(sheet.pages), static_cast<int>(sheet.figures.size())};
+    });
 }
 
 }  // namespace kinegraph::render

@@ -25,6 +25,9 @@ struct SheetOptions {
     SolutionDetail detail = SolutionDetail::full;   ///< of a solution
     SheetKind kind = SheetKind::solution;
     bool grid = false;  ///< a question has blank rooms for its polygons, with pole and grid
+    // What is bound with these pages: how many come before and after them, and how many figures before.
+    std::size_t pages_before = 0, pages_after = 0;
+    int figures_before = 0;
 };
 
 /// The worked solution, the question or the key, as asked for, on one or more pages.

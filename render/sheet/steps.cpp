@@ -8,10 +8,12 @@
 #include <set>
 #include <string>
 
+#include "engine/problem.hpp"
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
+#include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/sheet/wanted_figures.hpp"
@@ -102,6 +104,7 @@ public:
           solution_(solution),
           format_(format_of(options.paper, options.orientation)),
           signature_{options.author, options.date},
+          after_(options.pages_after),
           wanted_(context_, false),
           prose_theme_(options.theme),
           prose_context_{solution, prose_theme_, fonts, options.language, options.dimensions},
@@ -133,6 +136,8 @@ public:
         for (std::size_t i = 0; i < steps_.size(); ++i) pages.push_back(page(i));
         return pages;
     }
+    /// How many have a number.
+    int figures() const { return static_cast<int>(large_figures_.size()); }
 
 private:
     /// What one page adds.
@@ -394,7 +399,7 @@ private:
                 y += row.height;
             }
         }
-        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, steps_.size());
+        return framed_page(context_, format_, signature_, marks, scale_of_mechanism, index + 1, steps_.size() + after_);
     }
     /// Lengths that a page reads off the mechanism.
     std::vector<Mark> segments_read(const Step& step, const Figure& mechanism) const {
@@ -451,6 +456,7 @@ private:
     const Solution& solution_;
     SheetFormat format_;
     Signature signature_;
+    std::size_t after_;  // pages bound with these
     WantedFigures wanted_;
     Theme prose_theme_;
     DrawingContext prose_context_, beside_context_;
@@ -513,8 +519,12 @@ std::vector<Mark> revealed(const std::vector<Mark>& marks, const std::vector<std
 }
 
 std::vector<Page> lay_out_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    if (solution.problem) return lay_out_problem_steps(solution, options, fonts);
-    return StepPages(solution, options, fonts).pages();
+    if (stands_for_joints(solution.mechanism)) return lay_out_problem_steps(solution, options, fonts);
+    return with_contacts(solution, options, fonts, lay_out_problem_steps, [&](const SheetOptions& numbered) {
+        StepPages steps(solution, numbered, fonts);
+        std::vector<Page> pages = steps.pages();
+        return BoundPages{std::move(pages), steps.figures()};
+    });
 }
 
 }  // namespace kinegraph::render

@@ -57,7 +57,7 @@ void set_title(std::vector<Mark>& marks, const DrawingContext& context, const Bo
 }
 
 std::string subtitle_of(const Solution& solution, Language language) {
-    if (solution.problem) return in(solution.problem->subject, language);
+    if (stands_for_joints(solution.mechanism)) return in(solution.problem->subject, language);
     const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
                                           [](const Polygon& p) { return p.plane == Plane::acceleration; });
     return word(is_mixed(solution)                   ? "subtitle mixed"
@@ -121,7 +121,7 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
 
     const Units& units = solution.mechanism.units;
     std::string units_text = units.length.symbol + (has_motion(solution) || !has_forces(solution) ? ", s" : "");
-    if (solution.problem) units_text = units.length.symbol + ", " + units.force.symbol;
+    if (stands_for_joints(solution.mechanism)) units_text = units.length.symbol + ", " + units.force.symbol;
     if (has_forces(solution)) units_text += ", " + units.force.symbol;
     const std::string scale = scale_of_mechanism ? ratio_words(*scale_of_mechanism, context.language) : "–";
     const std::array<std::pair<std::string, std::string>, 6> cells{
@@ -130,7 +130,8 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         {word("block sheet", context.language), std::to_string(index) + "/" + std::to_string(count)},
         {word("block units", context.language), units_text},
         {word("block readings", context.language), fixed(0.1, 1, context.language) + " mm"},
-        {word("block bodies", context.language), std::to_string(solution.problem ? 2 : solution.mechanism.bodies.size())}};
+        {word("block bodies", context.language),
+         std::to_string(stands_for_joints(solution.mechanism) ? 2 : solution.mechanism.bodies.size())}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;
         const double top = i < 3 ? format.block.min.y : half;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 
+#include "engine/chain.hpp"
 #include "engine/pair_catalogue.hpp"
 #include "render/text/utf8.hpp"
 
@@ -109,9 +111,43 @@ std::string schemes_of(int bodies) {
     return std::to_string(count);
 }
 
+/// "unary", "binary" …; of more than four the number alone.
+Words arity(int pairs) {
+    static const std::array<Words, 5> names{Words("bodies without pairs", "membri senza coppie"),
+                                            Words("unary bodies", "membri unari"), Words("binary bodies", "membri binari"),
+                                            Words("ternary bodies", "membri ternari"),
+                                            Words("quaternary bodies", "membri quaternari")};
+    if (pairs < static_cast<int>(names.size())) return names.at(static_cast<std::size_t>(pairs));
+    return {"bodies with {0} pairs", "membri con {0} coppie", std::to_string(pairs)};
+}
+
+/// The chain that they make, and its bodies by the number of their pairs.
+void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
+    const Chain chain = chain_of(mechanism);
+    const Words kind = chain.kind() == Chain::Kind::open     ? Words("open", "aperta")
+                       : chain.kind() == Chain::Kind::closed ? Words("closed", "chiusa")
+                                                             : Words("mixed", "mista");
+    page.heading(in({"Chain", "Catena"}, language));
+    page.line(in(Words("kind: {0}", "tipo: {0}", kind), language));
+    page.line(in(Words("independent loops: c − m + {0} = {1} − {2} + {0} = {3}, of c binary pairs and m bodies",
+                       "maglie indipendenti: c − m + {0} = {1} − {2} + {0} = {3}, con c coppie binarie e m membri",
+                       std::to_string(chain.parts), std::to_string(chain.joints), std::to_string(chain.pairs.size()),
+                       std::to_string(chain.loops)),
+                 language));
+    std::map<int, std::vector<std::string>> by_pairs;
+    for (const BodyIndex body : indices_of(mechanism.bodies))
+        by_pairs[chain.pairs[at_index(body)]].push_back(mechanism.body(body).name);
+    for (const auto& [pairs, bodies] : by_pairs) {
+        std::string names;
+        for (const std::string& name : bodies) names += (names.empty() ? "" : ", ") + name;
+        page.line(in(arity(pairs), language) + ": " + std::to_string(bodies.size()) + " (" + names + ")");
+    }
+}
+
 }  // namespace
 
 std::string pair_catalogue(Language language, TextForm form) {
+    if (form == TextForm::json) return pair_catalogue_json();
     const auto say_word = [&](std::string_view key) { return word(key, language); };
     Writer page(form);
     page.title(say_word("catalogue of pairs"));
@@ -155,6 +191,7 @@ std::string pair_catalogue(Language language, TextForm form) {
 
 std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
                         Language language, TextForm form) {
+    if (form == TextForm::json) return pair_report_json(mechanism, mobility, remarks);
     const auto say_word = [&](std::string_view key) { return word(key, language); };
     Writer page(form);
     page.title(in(mechanism.title, language));
@@ -189,6 +226,8 @@ std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, co
         page.heading(say_word("multiple hinges"));
         for (const std::string& line : multiple) page.line(line);
     }
+
+    write_chain(page, mechanism, language);
 
     const Mobility& m = mobility;
     const std::string moving = signed_text(m.bodies - 1), c1 = signed_text(m.class_1), c2 = signed_text(m.class_2),

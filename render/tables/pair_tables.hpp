@@ -1,4 +1,5 @@
-// Pair tables: the catalogue of pairs and the pairs of one mechanism, as plain text for the terminal or as Markdown for a page.
+// Pair tables: the catalogue of pairs and the pairs of one mechanism, as plain text for the terminal, as Markdown for a page, or
+// as JSON for a program (docs/format.md).
 #pragma once
 
 #include <string>
@@ -10,13 +11,18 @@
 
 namespace kinegraph::render {
 
-enum class TextForm { plain, markdown };
+enum class TextForm { plain, markdown, json };
 
 /// All pairs that a file may use, the lower pairs in space, and the binary schemes of a multiple hinge.
 std::string pair_catalogue(Language language, TextForm form);
 
-/// The pairs of a mechanism, Grübler's count both ways, the verdict of the rank, and what there is to remark.
+/// The pairs of a mechanism, its bodies by the number of their pairs and the chain they make, Grübler's count both ways, the
+/// verdict of the rank, and what there is to remark.
 std::string pair_report(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks,
                         Language language, TextForm form);
+
+/// The same as JSON, in English.
+std::string pair_catalogue_json();
+std::string pair_report_json(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks);
 
 }  // namespace kinegraph::render

@@ -1,0 +1,12 @@
+// A text as JSON writes it. Shared by all who print JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kinegraph {
+
+/// In quotation marks, with what JSON does not let stand escaped.
+std::string json_text(std::string_view text);
+
+}  // namespace kinegraph

@@ -1,0 +1,34 @@
+#include "render/figures/problem_figure.hpp"
+
+#include <utility>
+
+#include "render/page/labels.hpp"
+#include "render/page/scale.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+Figure begun(const char* kind, const char* id, const Words& caption, double scale, const std::string& unit, Language language) {
+    Figure figure;
+    figure.kind = kind;
+    figure.id = id;
+    figure.caption = one_piece(in(caption, language));
+    figure.scale = scale;
+    figure.unit = unit;
+    figure.marks.emplace_back(GroupBegin{"figure",
+                                         id,
+                                         plain(figure.caption),
+                                         {{"data-figure", kind}, {"data-scale", shortest(scale)}, {"data-unit", unit}},
+                                         none});
+    return figure;
+}
+
+Figure finished(Figure figure, const DrawingContext& context, Spot room) {
+    figure.marks.emplace_back(GroupEnd{});
+    figure.box = box_of(figure.marks);
+    place_labels(figure, context.fonts, room, Labelling::strict);
+    figure.move(-figure.box.min.x, -figure.box.min.y);
+    return figure;
+}
+
+}  // namespace kinegraph::render
