@@ -251,6 +251,10 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     if (!request.figure.empty() && !draws)
         remark({"--figure chooses what is drawn, and no drawing is asked for",
                 "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});
+    const auto can_live = [](const Target& target) { return target.format == Format::svg || target.format == Format::pdf; };
+    if (request.live_text && std::none_of(targets.begin(), targets.end(), can_live))
+        remark({"--text says how SVG and PDF carry their words, and neither is asked for",
+                "--text dice come SVG e PDF portano le loro parole, e nessuno dei due è richiesto"});
     if (request.steps && !draws)
         remark({"--steps adds pages to what is drawn, and no drawing is asked for",
                 "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"});
@@ -279,7 +283,7 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
     std::optional<Press> press;
     std::vector<render::Page> pages;
     if (std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); })) {
-        auto opened = Press::open(targets, request.language);
+        auto opened = Press::open(targets, request.language, request.live_text ? Lettering::live : Lettering::outlines);
         if (!opened) return tl::unexpected(opened.error());
         press.emplace(*std::move(opened));
         for (const Solution& solution : solutions) {
@@ -309,7 +313,7 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
 
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language;
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
+    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json};
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (const Words fault = meaningless(request); !fault.empty()) return refuse(fault, language);
