@@ -189,7 +189,7 @@ private:
             return wrong(value, {"an array of json, svg, png, pdf", "un array di json, svg, png, pdf"});
         for (const JsonValue each : value) {
             Format format = Format::json;
-            choice<Format>(each, {{"json", Format::json}, {"svg", Format::svg}, {"png", Format::png}, {"pdf", Format::pdf}},
+            choice<Format>(each, {{"json", Format::json}, {"svg", Format::svg}, {"png", Format::png}, {"pdf", Format::pdf}, {"tex", Format::tex}},
                            format);
             if (std::find(line_.want.begin(), line_.want.end(), format) == line_.want.end()) line_.want.push_back(format);
         }

@@ -264,7 +264,7 @@ private:
     std::optional<Status> draw(const std::vector<Target>& targets, const render::Theme& theme, std::vector<Output>& outputs) {
         auto drawn = drawn_at(cam_, geometry_, at_);
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
-        const auto press = Press::open(targets, language());
+        const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
@@ -304,7 +304,7 @@ tl::expected<double, Words> turn_asked(const CamRequest& request, const Cam& cam
 
 Status cam_command(const CamRequest& request) {
     const Language language = request.sheet.language;
-    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
+    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf, Format::tex};
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});

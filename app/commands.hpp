@@ -26,6 +26,7 @@ struct SolveRequest {
     render::Dimensions dimensions = render::Dimensions::automatic;
     std::string author, date;      ///< in the title block, where given
     std::string figure;            ///< this one alone; empty: the sheet
+    bool live_text = false;        ///< words of SVG and PDF can be selected, searched and read aloud
     std::string theme = "colour";  ///< a built-in theme, or the path of a theme file
     bool steps = false;            ///< the solution as a sequence of pages
     render::SolutionDetail detail = render::SolutionDetail::full;
@@ -66,6 +67,7 @@ struct SweepRequest {
     int poses = 0;
     render::SheetOptions sheet;
     std::string theme = "colour";
+    bool live_text = false;  ///< as a solution's
     double dpi = 150;
 };
 Status sweep_command(const SweepRequest& request);
@@ -95,6 +97,7 @@ struct CamRequest {
     long steps = 360;
     render::SheetOptions sheet;
     std::string theme = "colour";
+    bool live_text = false;  ///< as a solution's
     double dpi = 150;
 };
 Status cam_command(const CamRequest& request);

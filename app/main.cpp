@@ -152,12 +152,12 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
     command.add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
         .add_option("-o,--output", request.outputs,
-                    "OUT.svg, .png, .pdf or .json; may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+                    "OUT.svg, .png, .pdf, .tex or .json; may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
                     "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command.add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"svg", "png", "pdf", "json"}, CLI::ignore_case))
+        ->check(CLI::IsMember({"svg", "png", "pdf", "tex", "json"}, CLI::ignore_case))
         ->type_name("FORMAT");
 }
 
@@ -193,7 +193,7 @@ void add_sheet(CLI::App& command, SolveWords& words) {
 }
 
 /// What stands in the title block, and how a page looks.
-void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, double& dpi) {
+void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, bool& live_text, double& dpi) {
     command.add_option("--date", date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
     command
@@ -201,6 +201,13 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
         ->type_name("THEME")
         ->capture_default_str();
+    command
+        .add_option_function<std::string>(
+            "--text", [&live_text](const std::string& how) { live_text = how == "live"; },
+            "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)")
+        ->transform(CLI::IsMember({"outlines", "live"}, CLI::ignore_case))
+        ->type_name("HOW")
+        ->default_str("outlines");
     command.add_option("--dpi", dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")
@@ -209,7 +216,7 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
 
 /// How it looks, and what is added.
 void add_look(CLI::App& command, SolveRequest& request) {
-    add_print(command, request.date, request.author, request.theme, request.dpi);
+    add_print(command, request.date, request.author, request.theme, request.live_text, request.dpi);
     command
         .add_option("--with", request.with,
                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
@@ -347,7 +354,7 @@ void add_plots(CLI::App& command, SweepRequest& request) {
     command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
         ->check(CLI::Range(0, 360))
         ->type_name("N");
-    add_print(command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_print(command, request.sheet.date, request.sheet.author, request.theme, request.live_text, request.dpi);
 }
 
 void add_sweep(CLI::App& program, Action& action) {
@@ -357,13 +364,14 @@ void add_sweep(CLI::App& program, Action& action) {
     SweepRequest& request = words->request;
     command->add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
-        ->add_option("-o,--output", request.outputs,
-                     "OUT.csv or .json (SI units), .svg, .png or .pdf (the sheet with plots); may be given again. Without it CSV "
-                     "goes to standard output")
+        ->add_option(
+            "-o,--output", request.outputs,
+            "OUT.csv or .json (SI units), .svg, .png, .pdf or .tex (the sheet with plots); may be given again. Without it CSV "
+            "goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command->add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
+        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf", "tex"}, CLI::ignore_case))
         ->type_name("FORMAT");
     add_settings(*command, request.set);
     command
@@ -420,12 +428,12 @@ void add_cam(CLI::App& program, Action& action) {
     command
         ->add_option(
             "-o,--output", request.outputs,
-            "OUT.csv (SI units), .svg, .png or .pdf (the sheet), .json (the mechanism file of one position); may be given "
+            "OUT.csv (SI units), .svg, .png, .pdf or .tex (the sheet), .json (the mechanism file of one position); may be given "
             "again. Without it CSV goes to standard output")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command->add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
+        ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf", "tex"}, CLI::ignore_case))
         ->type_name("FORMAT");
     command
         ->add_option(
@@ -433,7 +441,7 @@ void add_cam(CLI::App& program, Action& action) {
             "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
         ->type_name("TURN");
     command->add_option("--steps", request.steps, "Rows over the whole turn")->type_name("N")->capture_default_str();
-    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.live_text, request.dpi);
     add_paper(*command, words->sheet);
     command->callback([&action, words] { action = [words] { return cam_command(words->meant()); }; });
 }

@@ -14,7 +14,7 @@ namespace kinegraph::app {
 namespace {
 
 /// In the order of Format.
-constexpr std::array<std::string_view, 5> names{"svg", "png", "pdf", "json", "csv"};
+constexpr std::array<std::string_view, 6> names{"svg", "png", "pdf", "tex", "json", "csv"};
 
 std::optional<Format> format_named(std::string name, std::span<const Format> formats) {
     std::transform(name.begin(), name.end(), name.begin(),
@@ -124,13 +124,14 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
     return false;
 }
 
-tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language) {
+tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
     std::optional<Press> press;
-    if (const auto opened = prepare(press, targets, language); !opened) return tl::unexpected(opened.error());
+    if (const auto opened = prepare(press, targets, language, lettering); !opened) return tl::unexpected(opened.error());
     return *std::move(press);
 }
 
-tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language) {
+tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language,
+                                          Lettering lettering) {
     const auto fails = [&](const Words& why) {
         refuse(why, language);
         return tl::unexpected(Status::output);
@@ -145,27 +146,44 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std
         press->fonts_.emplace(*std::move(typefaces));
     }
     press->language_ = language;
-    const bool paints = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
-        return target.format == Format::png || target.format == Format::pdf;
-    });
-    if (paints && !press->painter_) {
+    press->lettering_ = lettering;
+    const auto any_is = [&](Format one, Format other) {
+        return std::any_of(targets.begin(), targets.end(),
+                           [&](const Target& target) { return target.format == one || target.format == other; });
+    };
+    if (any_is(Format::png, Format::pdf) && !press->painter_) {
         auto loaded = Painter::open();
         if (!loaded) return fails(loaded.error());
         press->painter_.emplace(*std::move(loaded));
     }
+    if (lettering == Lettering::live && any_is(Format::svg, Format::svg) && press->subset_ == nullptr) {
+        const auto loaded = open_module_as<SubsetFunctions>("kinegraph_subset", {"Fonts are divided", "I font sono divisi"});
+        if (!loaded) return fails(loaded.error());
+        press->subset_ = *loaded;
+    }
     return {};
+}
+
+std::vector<std::string> Press::svg_of(std::span<const render::Page> pages) const {
+    if (lettering_ == Lettering::live) return render::to_live_svg(pages, *fonts_, subset_->font_subset);
+    if (pages.size() == 1) return {render::to_svg(pages.front(), *fonts_)};
+    return render::to_svg(pages, *fonts_);
 }
 
 void Press::print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,
                   std::vector<std::string>& remarks) const {
     if (target.format == Format::pdf) {
-        outputs.push_back({target.path, painter_->to_pdf(pages, *fonts_)});
+        const bool live = lettering_ == Lettering::live;
+        outputs.push_back({target.path, live ? painter_->to_live_pdf(pages, *fonts_) : painter_->to_pdf(pages, *fonts_)});
+        return;
+    }
+    if (target.format == Format::tex) {
+        outputs.push_back({target.path, render::to_tex(pages, *fonts_)});
         return;
     }
     const std::size_t count = target.standard() ? std::min<std::size_t>(pages.size(), 1) : pages.size();
     if (target.format == Format::svg) {
-        std::vector<std::string> texts =
-            count == 1 ? std::vector{render::to_svg(pages.front(), *fonts_)} : render::to_svg(pages, *fonts_);
+        std::vector<std::string> texts = svg_of(std::span(pages).first(count));
         for (std::size_t page = 0; page < count; ++page) outputs.push_back({target.path_of_page(page), std::move(texts[page])});
     } else {
         for (std::size_t page = 0; page < count; ++page)

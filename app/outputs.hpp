@@ -8,13 +8,17 @@
 #include <vector>
 
 #include "app/files.hpp"
+#include "app/modules/subset.hpp"
 #include "app/painter.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/text.hpp"
 
 namespace kinegraph::app {
 
-enum class Format { svg, png, pdf, json, csv };
+enum class Format { svg, png, pdf, tex, json, csv };
+
+/// How SVG and PDF carry their words: as outlines alone, or so that they can be selected, searched and read aloud.
+enum class Lettering { outlines, live };
 
 struct Target {
     std::string path;
@@ -35,13 +39,15 @@ tl::expected<render::Theme, Status> theme_of(const std::string& name, const std:
 /// The names of further pages are known only late; none may be another output's, or the mechanism file's. Says so where one is.
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 
-/// Type, and where PNG or PDF is asked for, cairo.
+/// Type; where PNG or PDF is asked for, cairo; for SVG with live text what divides fonts.
 class Press {
 public:
     /// What the targets need; else it has been said what is missing. `language`: of that, and of the remarks.
-    static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language);
+    static tl::expected<Press, Status> open(const std::vector<Target>& targets, Language language,
+                                            Lettering lettering = Lettering::outlines);
     /// The same of one that may be open already: for a further sheet, which does not remember the one before.
-    static tl::expected<void, Status> prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language);
+    static tl::expected<void, Status> prepare(std::optional<Press>& press, const std::vector<Target>& targets, Language language,
+                                              Lettering lettering = Lettering::outlines);
     const render::Fonts& fonts() const { return *fonts_; }
     /// Adds the pages' bytes for a drawn target, and to `remarks` what standard output cannot carry.
     void print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,
@@ -50,9 +56,13 @@ public:
     void remark_missing(std::vector<std::string>& remarks) const;
 
 private:
+    std::vector<std::string> svg_of(std::span<const render::Page> pages) const;
+
     Language language_ = Language::en;
     std::optional<render::Fonts> fonts_;
     std::optional<Painter> painter_;
+    Lettering lettering_ = Lettering::outlines;
+    const SubsetFunctions* subset_ = nullptr;
 };
 
 }  // namespace kinegraph::app

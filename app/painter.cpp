@@ -27,4 +27,8 @@ std::string Painter::to_pdf(const std::vector<render::Page>& pages, const render
     return bytes_of(functions_->to_pdf(pages, glyphs));
 }
 
+std::string Painter::to_live_pdf(const std::vector<render::Page>& pages, const render::Glyphs& glyphs) const {
+    return bytes_of(functions_->to_live_pdf(pages, glyphs));
+}
+
 }  // namespace kinegraph::app

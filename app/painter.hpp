@@ -19,6 +19,7 @@ public:
 
     std::string to_png(const render::Page& page, const render::Glyphs& glyphs, double dpi) const;
     std::string to_pdf(const std::vector<render::Page>& pages, const render::Glyphs& glyphs) const;
+    std::string to_live_pdf(const std::vector<render::Page>& pages, const render::Glyphs& glyphs) const;
 
 private:
     explicit Painter(const CairoFunctions& functions) : functions_(&functions) {}

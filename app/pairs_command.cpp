@@ -83,7 +83,7 @@ Status pairs_command(const PairsRequest& request) {
                                                                         : render::TextForm::plain);
         return text ? print(*text, language) : text.error();
     }
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
+    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json};
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     return targets ? write_targets(request, *targets) : refuse(targets.error(), language);
 }

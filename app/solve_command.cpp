@@ -260,6 +260,10 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     if (!request.figure.empty() && !draws)
         remark({"--figure chooses what is drawn, and no drawing is asked for",
                 "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});
+    const auto can_live = [](const Target& target) { return target.format == Format::svg || target.format == Format::pdf; };
+    if (request.live_text && std::none_of(targets.begin(), targets.end(), can_live))
+        remark({"--text says how SVG and PDF carry their words, and neither is asked for",
+                "--text dice come SVG e PDF portano le loro parole, e nessuno dei due è richiesto"});
     if (request.steps && !draws)
         remark({"--steps adds pages to what is drawn, and no drawing is asked for",
                 "--steps aggiunge pagine al disegno, e nessun disegno è richiesto"});
@@ -288,7 +292,8 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
     std::vector<render::Page> pages;
     const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     if (draws) {
-        if (const auto ready = Press::prepare(press, targets, request.language); !ready) return tl::unexpected(ready.error());
+        const auto ready = Press::prepare(press, targets, request.language, request.live_text ? Lettering::live : Lettering::outlines);
+        if (!ready) return tl::unexpected(ready.error());
         for (const Solution& solution : solutions) {
             auto more = pages_of(solution, theme, request, press->fonts());
             if (!more) return tl::unexpected(more.error());
@@ -347,7 +352,7 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
 
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language;
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::json};
+    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json};
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     const auto theme = theme_of(request.theme, request.file, language);

@@ -375,7 +375,7 @@ private:
         auto drawn = solve(std::move(plain));
         if (!drawn) return say(spoken(request_.file), drawn.error(), language());
         drawing_.table.transmission = transmission_of(mechanism_, cycle_.positions(), driver_, travel_);
-        const auto press = Press::open(targets, language());
+        const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
         if (!press) return press.error();
         render::SheetOptions options = request_.sheet;
         options.theme = theme;
@@ -447,7 +447,7 @@ Status sweep_command(const SweepRequest& request) {
         return Status::bad_input;
     };
     if (!request.over.empty()) return sweep_parameter(request);
-    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
+    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf, Format::tex};
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});

@@ -25,8 +25,12 @@ CairoFunctions::Bytes pdf(const std::vector<render::Page>& pages, const render::
     return bytes_or_fault([&] { return render::to_pdf(pages, glyphs); });
 }
 
+CairoFunctions::Bytes live_pdf(const std::vector<render::Page>& pages, const render::Glyphs& glyphs) {
+    return bytes_or_fault([&] { return render::to_live_pdf(pages, glyphs); });
+}
+
 }  // namespace
 }  // namespace kinegraph::app
 
-extern "C"
-    [[gnu::visibility("default")]] const kinegraph::app::CairoFunctions kinegraph_cairo{kinegraph::app::png, kinegraph::app::pdf};
+extern "C" [[gnu::visibility("default")]] const kinegraph::app::CairoFunctions kinegraph_cairo{
+    kinegraph::app::png, kinegraph::app::pdf, kinegraph::app::live_pdf};

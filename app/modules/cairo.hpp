@@ -18,6 +18,7 @@ struct CairoFunctions {
     using Bytes = tl::expected<std::string, std::string>;
     Bytes (*to_png)(const render::Page& page, const render::Glyphs& glyphs, double dpi);
     Bytes (*to_pdf)(const std::vector<render::Page>& pages, const render::Glyphs& glyphs);
+    Bytes (*to_live_pdf)(const std::vector<render::Page>& pages, const render::Glyphs& glyphs);
 };
 
 }  // namespace kinegraph::app

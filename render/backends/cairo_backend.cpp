@@ -14,9 +14,13 @@
 #include <cstring>
 #include <memory>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "engine/assert.hpp"
 #include "render/backends/backends.hpp"
+#include "render/backends/live_text.hpp"
+#include "render/backends/pdf_language.hpp"
 #include "render/backends/raster.hpp"
 #include "render/text/utf8.hpp"
 
@@ -87,22 +91,30 @@ void draw(cairo_t* cr, const Path& path) {
     cairo_stroke(cr);
 }
 
-/// Draws all marks, user space in mm. `type` fills the glyphs of a text in the colour that is set.
-template <class Type>
-void draw(cairo_t* cr, const Page& page, Type&& type) {
+/// Turns what is drawn as the text is.
+void turn(cairo_t* cr, const TextMark& text) {
+    if (text.angle == 0) return;
+    cairo_translate(cr, text.pivot.x, text.pivot.y);
+    cairo_rotate(cr, text.angle);
+    cairo_translate(cr, -text.pivot.x, -text.pivot.y);
+}
+
+void lay_paper(cairo_t* cr, const Page& page) {
     use(cr, page.paper);
     cairo_paint(cr);
     cairo_set_miter_limit(cr, miter_limit);
+}
+
+/// Draws all marks, user space in mm. `type` fills the glyphs of a text in the colour that is set.
+template <class Type>
+void draw(cairo_t* cr, const Page& page, Type&& type) {
+    lay_paper(cr, page);
     for (const Mark& mark : page.marks) {
         if (const auto* path = std::get_if<Path>(&mark)) {
             draw(cr, *path);
         } else if (const auto* text = std::get_if<TextMark>(&mark)) {
             cairo_save(cr);
-            if (text->angle != 0) {
-                cairo_translate(cr, text->pivot.x, text->pivot.y);
-                cairo_rotate(cr, text->angle);
-                cairo_translate(cr, -text->pivot.x, -text->pivot.y);
-            }
+            turn(cr, *text);
             use(cr, text->colour);
             type(*text);
             for (const Path& extra : text->extras) draw(cr, extra);
@@ -189,8 +201,13 @@ struct OpenFace {
 };
 const cairo_user_data_key_t open_face{};
 
+struct EmbeddedFace {
+    Owned<cairo_font_face_t> font;
+    unsigned long blank = 0;  // the glyph of the space
+};
+
 /// A face as a font of cairo's that it can put into a file; unhinted, as the sheet was laid out.
-Owned<cairo_font_face_t> embedded_face(const Glyphs& glyphs, std::uint8_t face) {
+EmbeddedFace embedded_face(const Glyphs& glyphs, std::uint8_t face) {
     auto own = std::make_unique<OpenFace>();
     const std::string_view file = glyphs.file(face);
     KG_ASSERT(FT_Init_FreeType(&own->library) == 0, "FreeType starts");
@@ -198,8 +215,9 @@ Owned<cairo_font_face_t> embedded_face(const Glyphs& glyphs, std::uint8_t face) 
                                  0, &own->face) == 0,
               "a face that HarfBuzz reads is read by FreeType");
     Owned<cairo_font_face_t> font{cairo_ft_font_face_create_for_ft_face(own->face, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)};
+    const unsigned long blank = FT_Get_Char_Index(own->face, U' ');
     cairo_font_face_set_user_data(font.get(), &open_face, own.release(), [](void* p) { delete static_cast<OpenFace*>(p); });
-    return font;
+    return {std::move(font), blank};
 }
 
 struct Free {
@@ -280,48 +298,209 @@ Picture to_picture(const Page& page, const Glyphs& glyphs, double dpi) {
     return picture;
 }
 
+namespace {
+
+/// A PDF that is drawn: no date of the day, type unhinted.
+class PdfDocument {
+public:
+    PdfDocument(const std::vector<Page>& pages, const Glyphs& glyphs)
+        : surface_{cairo_pdf_surface_create_for_stream(append, &bytes_, pages.front().width * points_of_mm,
+                                                       pages.front().height * points_of_mm)},
+          faces_{embedded_face(glyphs, 0), embedded_face(glyphs, 1), embedded_face(glyphs, 2), embedded_face(glyphs, 3)} {
+        cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+        cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_TITLE, well_formed(pages.front().title).c_str());
+        cr_.reset(cairo_create(surface_.get()));
+        const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
+        cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(unhinted.get(), CAIRO_HINT_METRICS_OFF);
+        cairo_set_font_options(cr_.get(), unhinted.get());
+    }
+
+    cairo_t* pen() const { return cr_.get(); }
+
+    /// Draws a page with what `draw_marks` does in mm.
+    template <class Draw>
+    void add(const Page& page, Draw&& draw_marks) {
+        cairo_pdf_surface_set_size(surface_.get(), page.width * points_of_mm, page.height * points_of_mm);
+        cairo_save(pen());
+        cairo_scale(pen(), points_of_mm, points_of_mm);
+        draw_marks();
+        cairo_restore(pen());
+        cairo_show_page(pen());
+    }
+
+    /// Every size is a font of its own to cairo: sizes that differ in the last bits are one.
+    static double snapped(double size) { return std::round(size * 1e6) * 1e-6; }
+
+    unsigned long blank(std::uint8_t face) const { return faces_.at(face).blank; }
+
+    void choose(const Glyph& glyph) {
+        cairo_set_font_face(pen(), faces_.at(glyph.face).font.get());
+        cairo_set_font_size(pen(), snapped(glyph.size));
+    }
+
+    std::string finish() {
+        cr_.reset();
+        cairo_surface_finish(surface_.get());
+        KG_ASSERT(cairo_surface_status(surface_.get()) == CAIRO_STATUS_SUCCESS, "the PDF is written");
+        return std::move(bytes_);
+    }
+
+private:
+    std::string bytes_;
+    Owned<cairo_surface_t> surface_;
+    std::array<EmbeddedFace, 4> faces_;
+    Owned<cairo_t> cr_;
+};
+
+/// The type of a document that is read: cairo is told what its glyphs say.
+class LiveType {
+public:
+    explicit LiveType(PdfDocument& pdf) : pdf_(pdf) {}
+
+    void write(const LiveLine& line) {
+        cairo_save(pdf_.pen());
+        turn(pdf_.pen(), *line.first);
+        for (std::size_t i = 0; i < line.runs.size(); ++i) {
+            const LiveRun& run = line.runs[i];
+            if (run.letters.empty()) {
+                (run.kind == LiveRun::Kind::blank ? blanks_ : unseen_) += run.text;
+                continue;
+            }
+            // The dots over a letter are read with it.
+            const bool dotted = i + 1 < line.runs.size() && line.runs[i + 1].kind == LiveRun::Kind::dots;
+            write(run, dotted ? line.runs[++i].text : std::string());
+        }
+        unseen_.clear();
+        blanks_.clear();
+        for (const TextMark* mark : line.marks)
+            for (const Path& extra : mark->extras) draw(pdf_.pen(), extra);
+        cairo_restore(pdf_.pen());
+    }
+
+private:
+    void write(const LiveRun& run, const std::string& dots) {
+        text_.clear();
+        glyphs_.clear();
+        clusters_.clear();
+        const Glyph& first = run.letters.front().glyph;
+        pdf_.choose(first);
+        if (!blanks_.empty()) {
+            // One glyph for all of them, where the last one would stand.
+            constexpr double width = 0.25;  // em
+            glyphs_.push_back({pdf_.blank(first.face), first.origin.x - width * first.size, first.origin.y});
+            clusters_.push_back({static_cast<int>(blanks_.size()), 1});
+            text_ += std::exchange(blanks_, std::string());
+        }
+        for (const Letter& letter : run.letters) {
+            const Glyph& glyph = letter.glyph;
+            glyphs_.push_back({glyph.index, glyph.origin.x, glyph.origin.y});
+            const std::string said = std::exchange(unseen_, std::string()) + letter.text;
+            text_ += said;
+            if (said.empty() && !clusters_.empty())
+                ++clusters_.back().num_glyphs;
+            else
+                clusters_.push_back({static_cast<int>(said.size()), 1});
+        }
+        text_ += dots;
+        clusters_.back().num_bytes += static_cast<int>(dots.size());
+        use(pdf_.pen(), run.colour);
+        cairo_show_text_glyphs(pdf_.pen(), text_.data(), static_cast<int>(text_.size()), glyphs_.data(),
+                               static_cast<int>(glyphs_.size()), clusters_.data(), static_cast<int>(clusters_.size()),
+                               cairo_text_cluster_flags_t{});
+    }
+
+    PdfDocument& pdf_;
+    std::string blanks_, unseen_;  // read before the next letter
+    std::string text_;
+    std::vector<cairo_glyph_t> glyphs_;
+    std::vector<cairo_text_cluster_t> clusters_;
+};
+
+/// What belongs together on a page, as tags: figures, and paragraphs outside of them.
+class Tags {
+public:
+    explicit Tags(cairo_t* cr) : cr_(cr) {}
+
+    void begin(const GroupBegin& group) {
+        const bool figure = figures_ == 0 && group.cls == "figure";
+        if (figure) {
+            end_paragraph();
+            cairo_tag_begin(cr_, "Figure", nullptr);
+        }
+        figures_ += figure || figures_ > 0 ? 1 : 0;
+    }
+    void end() {
+        if (figures_ == 0 || --figures_ > 0) return;
+        cairo_tag_end(cr_, "Figure");
+    }
+    void text() {
+        if (figures_ > 0 || in_paragraph_) return;
+        cairo_tag_begin(cr_, "P", nullptr);
+        in_paragraph_ = true;
+    }
+    void end_paragraph() {
+        if (in_paragraph_) cairo_tag_end(cr_, "P");
+        in_paragraph_ = false;
+    }
+
+private:
+    cairo_t* cr_;
+    int figures_ = 0;  // groups that are open, from the figure's own on
+    bool in_paragraph_ = false;
+};
+
+void draw_live(PdfDocument& pdf, const Page& page) {
+    lay_paper(pdf.pen(), page);
+    LiveType type(pdf);
+    Tags tags(pdf.pen());
+    const std::span<const Mark> marks(page.marks);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (const auto* path = std::get_if<Path>(&marks[i])) {
+            tags.end_paragraph();
+            draw(pdf.pen(), *path);
+        } else if (const auto* group = std::get_if<GroupBegin>(&marks[i])) {
+            tags.begin(*group);
+        } else if (std::holds_alternative<GroupEnd>(marks[i])) {
+            tags.end();
+        } else if (std::holds_alternative<TextMark>(marks[i])) {
+            const LiveLine line = live_line(marks.subspan(i));
+            tags.text();
+            type.write(line);
+            i += line.marks.size() - 1;
+        }
+    }
+    tags.end_paragraph();
+    KG_ASSERT(cairo_status(pdf.pen()) == CAIRO_STATUS_SUCCESS, cairo_status_to_string(cairo_status(pdf.pen())));
+}
+
+}  // namespace
+
 std::string to_pdf(const std::vector<Page>& pages, const Glyphs& glyphs) {
     KG_ASSERT(!pages.empty(), "a document has a page");
-    std::string out;
-    Owned<cairo_surface_t> surface{cairo_pdf_surface_create_for_stream(append, &out, pages.front().width * points_of_mm,
-                                                                       pages.front().height * points_of_mm)};
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, well_formed(pages.front().title).c_str());
-    const std::array faces = {embedded_face(glyphs, 0), embedded_face(glyphs, 1), embedded_face(glyphs, 2),
-                              embedded_face(glyphs, 3)};
-    Owned<cairo_t> cr{cairo_create(surface.get())};
-    const Owned<cairo_font_options_t> unhinted{cairo_font_options_create()};
-    cairo_font_options_set_hint_style(unhinted.get(), CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(unhinted.get(), CAIRO_HINT_METRICS_OFF);
-    cairo_set_font_options(cr.get(), unhinted.get());
+    PdfDocument pdf(pages, glyphs);
     std::vector<cairo_glyph_t> run;
-    // Every size is a font of its own to cairo: sizes that differ in the last bits are one.
-    const auto snapped = [](double size) { return std::round(size * 1e6) * 1e-6; };
     const auto type = [&](const TextMark& text) {
         for (auto g = text.glyphs.begin(); g != text.glyphs.end();) {
-            const std::uint8_t face = g->face;
-            const double size = snapped(g->size);
+            const Glyph& first = *g;
+            const double size = PdfDocument::snapped(first.size);
             run.clear();
-            for (; g != text.glyphs.end() && g->face == face && snapped(g->size) == size; ++g) {
+            for (; g != text.glyphs.end() && g->face == first.face && PdfDocument::snapped(g->size) == size; ++g) {
                 run.push_back({g->index, g->origin.x, g->origin.y});
             }
-            cairo_set_font_face(cr.get(), faces.at(face).get());
-            cairo_set_font_size(cr.get(), size);
-            cairo_show_glyphs(cr.get(), run.data(), static_cast<int>(run.size()));
+            pdf.choose(first);
+            cairo_show_glyphs(pdf.pen(), run.data(), static_cast<int>(run.size()));
         }
     };
-    for (const Page& page : pages) {
-        cairo_pdf_surface_set_size(surface.get(), page.width * points_of_mm, page.height * points_of_mm);
-        cairo_save(cr.get());
-        cairo_scale(cr.get(), points_of_mm, points_of_mm);
-        draw(cr.get(), page, type);
-        cairo_restore(cr.get());
-        cairo_show_page(cr.get());
-    }
-    cr.reset();
-    cairo_surface_finish(surface.get());
-    KG_ASSERT(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS, "the PDF is written");
-    return out;
+    for (const Page& page : pages) pdf.add(page, [&] { draw(pdf.pen(), page, type); });
+    return pdf.finish();
+}
+
+std::string to_live_pdf(const std::vector<Page>& pages, const Glyphs& glyphs) {
+    KG_ASSERT(!pages.empty(), "a document has a page");
+    PdfDocument pdf(pages, glyphs);
+    for (const Page& page : pages) pdf.add(page, [&] { draw_live(pdf, page); });
+    return with_language(pdf.finish(), pages.front().language);
 }
 
 }  // namespace kinegraph::render

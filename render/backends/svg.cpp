@@ -1,9 +1,11 @@
 // A Page as SVG 1.1, a tree built with pugixml, one item a line. Each outline stands once, in <defs>, under an id that names
-// face, glyph and size, so that sheets put into one HTML page do not mix theirs up. Decides nothing about the drawing.
+// face, glyph and size, so that sheets put into one HTML page do not mix theirs up; live text stands in <text>, with the faces it
+// needs in a style sheet. Decides nothing about the drawing.
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <pugixml.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -11,6 +13,7 @@
 
 #include "engine/assert.hpp"
 #include "render/backends/backends.hpp"
+#include "render/backends/live_text.hpp"
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
@@ -52,13 +55,16 @@ void append_number(std::string& out, double value, int digits) {
 constexpr int drawn_digits = 8;    // of what is measured
 constexpr int outline_digits = 4;  // of type: 0.1 µm
 constexpr double outline_units = 1e4;
+constexpr int font_digits = 6;  // of sizes
 
 /// Path data of glyphs, by face, index and size, for all pages.
 using Outlines = std::unordered_map<std::uint64_t, std::string>;
 
 class Writer {
 public:
-    Writer(const Page& page, const Fonts& fonts, Outlines& outlines) : page_(page), fonts_(fonts), outlines_(outlines) {}
+    /// `type`: that of live text; null: words are outlines.
+    Writer(const Page& page, const Glyphs& fonts, Outlines& outlines, const EmbeddedType* type = nullptr)
+        : page_(page), fonts_(fonts), outlines_(outlines), type_(type) {}
 
     std::string write() {
         pugi::xml_node declaration = document_.append_child(pugi::node_declaration);
@@ -78,14 +84,20 @@ public:
         const std::string language = well_formed(page_.language);
         set(at_, "lang", language.c_str());
         set(at_, "xml:lang", language.c_str());
+        if (type_ != nullptr) {
+            set(at_, "font-family", (type_->family + ", STIXGeneral, serif").c_str());
+            set(at_, "text-rendering", "geometricPrecision");
+        }
         title(at_, page_.title);
         defs_ = at_.append_child("defs");
+        if (type_ != nullptr && !type_->rules.empty())
+            defs_.append_child("style").append_child(pugi::node_pcdata).set_value(type_->rules.c_str());
         pugi::xml_node paper = at_.append_child("rect");
         set(paper, "class", "paper");
         length(paper, "width", page_.width);
         length(paper, "height", page_.height);
         colour(paper, "fill", page_.paper);
-        for (const Mark& mark : page_.marks) std::visit([this](const auto& m) { write(m); }, mark);
+        for (std::size_t i = 0; i < page_.marks.size();) i += write_from(i);
         KG_ASSERT(statements_.empty(), "groups of a page are closed");
         if (!defs_.first_child()) defs_.parent().remove_child(defs_);
         Sink sink;
@@ -222,11 +234,23 @@ private:
         set(node, "stroke", "none");
     }
 
-    void write(const TextMark& mark) {
+    /// The next mark, or of live text the next line; how many marks it was.
+    std::size_t write_from(std::size_t i) {
+        if (type_ != nullptr && std::holds_alternative<TextMark>(page_.marks[i])) {
+            const LiveLine line = live_line(std::span(page_.marks).subspan(i));
+            write(line);
+            return line.marks.size();
+        }
+        std::visit([this](const auto& m) { write(m); }, page_.marks[i]);
+        return 1;
+    }
+
+    /// The group of a text: what it says, its colour and how it is turned.
+    pugi::xml_node group_of(const TextMark& mark) {
         pugi::xml_node node = at_.append_child("g");
         if (!mark.cls.empty()) set(node, "class", well_formed(mark.cls).c_str());
         set(node, "aria-label", well_formed(mark.words).c_str());
-        set(node, "role", "img");
+        if (type_ == nullptr) set(node, "role", "img");
         colour(node, "fill", mark.colour);
         if (mark.angle != 0) {
             text_ = "rotate(";
@@ -239,16 +263,73 @@ private:
             set(node, "transform", text_.c_str());
         }
         statement(node, mark.statement, true);
+        return node;
+    }
+
+    pugi::xml_node use(const Glyph& glyph) {
+        pugi::xml_node node = at_.append_child("use");
+        set(node, "xlink:href", reference(glyph).c_str());
+        length(node, "x", glyph.origin.x, "", outline_digits);
+        length(node, "y", glyph.origin.y, "", outline_digits);
+        return node;
+    }
+
+    void write(const TextMark& mark) {
         const pugi::xml_node outside = at_;
-        at_ = node;
-        for (const Glyph& glyph : mark.glyphs) {
-            pugi::xml_node use = at_.append_child("use");
-            set(use, "xlink:href", reference(glyph).c_str());
-            length(use, "x", glyph.origin.x, "", outline_digits);
-            length(use, "y", glyph.origin.y, "", outline_digits);
-        }
+        at_ = group_of(mark);
+        for (const Glyph& glyph : mark.glyphs) use(glyph);
         for (const Path& path : mark.extras) write(path);
         at_ = outside;
+    }
+
+    void write(const LiveLine& line) {
+        const pugi::xml_node outside = at_;
+        at_ = group_of(*line.first);
+        pugi::xml_node text = at_.append_child("text");
+        set(text, "xml:space", "preserve");
+        const Glyph* last = nullptr;
+        for (const LiveRun& run : line.runs) {
+            if (run.kind == LiveRun::Kind::set) {
+                write(run, line.first->colour, text, last);
+            } else {
+                // Blanks stand where letters leave them room; what is read and not seen has no colour.
+                const bool hidden = run.kind != LiveRun::Kind::blank;
+                pugi::xml_node node = hidden ? child(text) : text;
+                if (hidden) set(node, "fill", "none");
+                node.append_child(pugi::node_pcdata).set_value(run.text.c_str());
+                if (run.kind != LiveRun::Kind::coded) continue;
+                for (const Letter& letter : run.letters) colour(use(letter.glyph), "fill", run.colour);
+            }
+        }
+        text.append_child(pugi::node_pcdata);
+        for (const TextMark* mark : line.marks)
+            for (const Path& path : mark->extras) write(path);
+        at_ = outside;
+    }
+
+    /// No white space between what is said: pugixml indents what follows an element, unless it is text.
+    static pugi::xml_node child(pugi::xml_node text) {
+        text.append_child(pugi::node_pcdata);
+        return text.append_child("tspan");
+    }
+
+    /// One stretch of letters at its place; `last`: the first letter of the stretch before it.
+    void write(const LiveRun& run, Colour ink, pugi::xml_node text, const Glyph*& last) {
+        const Glyph& first = run.letters.front().glyph;
+        pugi::xml_node node = child(text);
+        length(node, "x", first.origin.x, "", outline_digits);
+        if (last == nullptr || last->origin.y != first.origin.y) length(node, "y", first.origin.y, "", outline_digits);
+        if (last == nullptr) {
+            base_size_ = first.size;
+            length(text, "font-size", first.size, "", font_digits);
+        } else if (first.size != base_size_) {
+            length(node, "font-size", first.size, "", font_digits);
+        }
+        if (first.face % 2 == 1) set(node, "font-style", "italic");
+        if (first.face >= 2) set(node, "font-weight", "bold");
+        if (!(run.colour == ink)) colour(node, "fill", run.colour);
+        node.append_child(pugi::node_pcdata).set_value(run.text.c_str());
+        last = &first;
     }
 
     void write(const GroupBegin& group) {
@@ -331,8 +412,10 @@ private:
     }
 
     const Page& page_;
-    const Fonts& fonts_;
+    const Glyphs& fonts_;
     Outlines& outlines_;
+    const EmbeddedType* type_;
+    double base_size_ = 0;  // of the live line at hand
     pugi::xml_document document_;
     pugi::xml_node at_, defs_;
     std::vector<StatementIndex> statements_;  // of the open groups, their own or that round them
@@ -347,10 +430,20 @@ std::string to_svg(const Page& page, const Fonts& fonts) {
     return Writer(page, fonts, outlines).write();
 }
 
-std::vector<std::string> to_svg(const std::vector<Page>& pages, const Fonts& fonts) {
+std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts) {
     Outlines outlines;
     std::vector<std::string> texts;
     for (const Page& page : pages) texts.push_back(Writer(page, fonts, outlines).write());
+    return texts;
+}
+
+std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs, const Subsetter& subset) {
+    Outlines outlines;
+    std::vector<std::string> texts;
+    for (const Page& page : pages) {
+        const EmbeddedType type = embedded_type(page.marks, glyphs, subset);
+        texts.push_back(Writer(page, glyphs, outlines, &type).write());
+    }
     return texts;
 }
 

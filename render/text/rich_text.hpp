@@ -41,5 +41,7 @@ inline void append(RichText& to, const std::string& more) { append(to, one_piece
 RichText with_powers(const std::string& text);
 /// What the rich text says without its setting: "v_B", "a_BA^t".
 std::string plain(const RichText& text);
+/// The text as it is set: digits raised by their characters, which the font has only for 1, 2 and 3, are superscripts.
+RichText as_set(const RichText& text);
 
 }  // namespace kinegraph::render

@@ -46,6 +46,8 @@ struct Word {
         std::uint32_t index;
         double scale;
         double x, y;
+        std::uint32_t at;  // of its character in the word, bytes
+        bool coded;
     };
     std::vector<Placed> glyphs;
     std::vector<Ink> boxes;  // round the codes of missing characters
@@ -123,6 +125,7 @@ struct Fonts::State {
     std::array<FaceOfFont, std::tuple_size_v<Typefaces>> faces;
     std::vector<std::string> missing;
     std::vector<char32_t> characters;
+    std::vector<std::uint32_t> begins;  // of each character in the word, bytes
     std::vector<std::uint8_t> faces_of;
     std::vector<Typeface::Placed> placed;
 
@@ -130,8 +133,13 @@ struct Fonts::State {
     bool has(std::uint8_t face, char32_t c) const { return faces[face].typeface->has(c); }
     const Word& word(std::string_view text, Face face);
     Word set_word(std::string_view text, std::uint8_t face);
-    void shape_run(std::span<const char32_t> run, std::uint8_t face, double scale, double y, Word& into);
-    void draw_code(char32_t c, Word& into);
+    struct Form {
+        double scale = 1, y = 0;
+        bool coded = false;
+    };
+    void shape_run(std::span<const char32_t> run, std::span<const std::uint32_t> from, std::uint8_t face, const Form& form,
+                   Word& into);
+    void draw_code(char32_t c, std::uint32_t from, Word& into);
 };
 
 const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
@@ -146,8 +154,10 @@ const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
     return *drawn;
 }
 
-/// Shapes characters that one face has and appends them to the word.
-void Fonts::State::shape_run(std::span<const char32_t> run, std::uint8_t face, double scale, double y, Word& into) {
+/// Shapes characters that one face has and appends them to the word; `from`: where each begins in it.
+void Fonts::State::shape_run(std::span<const char32_t> run, std::span<const std::uint32_t> from, std::uint8_t face,
+                             const Form& form, Word& into) {
+    const double scale = form.scale, y = form.y;
     const Typeface& typeface = *faces[face].typeface;
     typeface.shape(run, placed);
     const double unit = typeface.unit() * scale;
@@ -159,7 +169,7 @@ void Fonts::State::shape_run(std::span<const char32_t> run, std::uint8_t face, d
         const Ink ink = drawing(face, glyph.glyph).ink;
         pen += glyph.advance;
         if (ink.blank()) continue;
-        into.glyphs.push_back({face, glyph.glyph, scale, x, lift});
+        into.glyphs.push_back({face, glyph.glyph, scale, x, lift, from[glyph.from], form.coded});
         into.last = {x + ink.left * scale, lift + ink.bottom * scale, x + ink.right * scale, lift + ink.top * scale};
         into.top = std::max(into.top, into.last.top);
         into.bottom = std::min(into.bottom, into.last.bottom);
@@ -168,7 +178,7 @@ void Fonts::State::shape_run(std::span<const char32_t> run, std::uint8_t face, d
 }
 
 /// A character that no face has: its code in a box.
-void Fonts::State::draw_code(char32_t c, Word& into) {
+void Fonts::State::draw_code(char32_t c, std::uint32_t from, Word& into) {
     const std::string name = code_name(c);
     if (std::find(missing.begin(), missing.end(), name) == missing.end()) missing.push_back(name);
     const std::u32string code(name.begin(), name.end());
@@ -176,7 +186,7 @@ void Fonts::State::draw_code(char32_t c, Word& into) {
     box.left = into.advance + code_side;
     box.bottom = 0;
     into.advance = box.left + code_padding;
-    shape_run(code, regular, code_scale, code_padding + code_line, into);
+    shape_run(code, std::vector(code.size(), from), regular, {code_scale, code_padding + code_line, true}, into);
     box.right = into.advance + code_padding;
     box.top = into.last.top + code_padding + code_line;
     into.advance = box.right + code_side;
@@ -188,9 +198,11 @@ void Fonts::State::draw_code(char32_t c, Word& into) {
 
 Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
     characters.clear();
+    begins.clear();
     faces_of.clear();
     for (std::size_t at = 0; at < text.size();) {
-        char32_t c = next_code_point(text, at);
+        const auto begin = static_cast<std::uint32_t>(at);
+        const char32_t c = next_code_point(text, at);
         // An accent written apart joins its letter where Unicode has the whole (file names from some systems come so).
         if (c >= 0x300 && c < 0x370 && !characters.empty()) {
             if (const char32_t whole = faces[face].typeface->composed(characters.back(), c)) {
@@ -199,6 +211,7 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
             }
         }
         characters.push_back(c);
+        begins.push_back(begin);
     }
     constexpr std::uint8_t blank = 254, nowhere = 255;
     const double space = faces[face].space;
@@ -216,10 +229,11 @@ Word Fonts::State::set_word(std::string_view text, std::uint8_t face) {
         if (of == blank) {
             word.advance += blank_advance(characters[begin], space);
         } else if (of == nowhere) {
-            draw_code(characters[begin], word);
+            draw_code(characters[begin], begins[begin], word);
         } else {
             while (end < characters.size() && faces_of[end] == of) ++end;
-            shape_run(std::span(characters).subspan(begin, end - begin), of, 1, 0, word);
+            const std::size_t count = end - begin;
+            shape_run(std::span(characters).subspan(begin, count), std::span(begins).subspan(begin, count), of, {}, word);
         }
     }
     return word;
@@ -234,6 +248,17 @@ const Word& Fonts::State::word(std::string_view text, Face face) {
 
 namespace {
 
+/// The dots of a derivative, as characters that stand over the one before them.
+std::string dots_said(const Piece& piece) {
+    std::string dots;
+    if (piece.dots == 2) {
+        append_utf8(dots, 0x308);
+    } else {
+        for (int i = 0; i < piece.dots; ++i) append_utf8(dots, 0x307);
+    }
+    return dots;
+}
+
 /// One piece of text after the other on a line; lengths in mm, y downwards.
 template <class State>
 class Setter {
@@ -245,7 +270,8 @@ public:
         Ink last;  // mm, y upwards, of the last letter
     };
 
-    Run set(std::string_view text, Face face, double size, double x, double y, std::size_t part) {
+    /// `said`: where the text begins in what the line says.
+    Run set(std::string_view text, std::size_t said, Face face, double size, Spot from, std::size_t part) {
         Run run;
         for (std::size_t at = 0; at < text.size();) {
             if (breaks(text[at])) {
@@ -255,7 +281,7 @@ public:
             }
             const auto stop = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), breaks);
             const auto length = static_cast<std::size_t>(stop - text.begin()) - at;
-            place(state_.word(text.substr(at, length), face), size, x, y, part, run);
+            place(state_.word(text.substr(at, length), face), said + at, size, from, part, run);
             at += length;
         }
         return run;
@@ -263,16 +289,20 @@ public:
 
     void set(const Piece& piece, double size) {
         const std::size_t part = part_of(piece);
-        const Run base = set(piece.text, piece.face, size, x_, 0, part);
+        const Run base = set(piece.text, said_, piece.face, size, {x_, 0}, part);
+        const std::size_t sub_said = said_ + piece.text.size() + dots_said(piece).size() + 1;  // behind "_"
+        const std::size_t sup_said = sub_said + (piece.sub.empty() ? 0 : piece.sub.size() + 1);
+        said_ = piece.sup.empty() ? sup_said - 1 : sup_said + piece.sup.size();
         if (piece.dots > 0 && !base.last.blank()) dot(piece, base.last, size, part);
         x_ += base.advance;
         if (piece.sub.empty() && piece.sup.empty()) return;
-        const Run sub = set(piece.sub, piece.sub_face, size * script_scale, x_, subscript_drop * size, part);
+        const Run sub = set(piece.sub, sub_said, piece.sub_face, size * script_scale, {x_, subscript_drop * size}, part);
         double lean = 0;
         if (italic(piece.face) && !base.last.blank()) {
             lean = size * std::clamp((base.last.right - x_) / size, least_italic_correction, most_italic_correction);
         }
-        const Run sup = set(piece.sup, piece.sup_face, size * script_scale, x_ + lean, -superscript_rise * size, part);
+        const Run sup =
+            set(piece.sup, sup_said, piece.sup_face, size * script_scale, {x_ + lean, -superscript_rise * size}, part);
         const double wide = piece.sup.empty() ? sub.advance : std::max(sub.advance, lean + sup.advance);
         x_ += wide + space_after_scripts * size;
     }
@@ -294,11 +324,16 @@ private:
         return line_.parts.size() - 1;
     }
 
-    void place(const Word& word, double size, double x, double y, std::size_t part, Run& run) {
-        const double at = x + run.advance;
+    void place(const Word& word, std::size_t said, double size, Spot from, std::size_t part, Run& run) {
+        const double at = from.x + run.advance, y = from.y;
         auto& to = line_.parts[part];
         for (const auto& g : word.glyphs) {
-            to.glyphs.push_back({g.face, g.index, g.scale * size, {at + g.x * size, y - g.y * size}});
+            to.glyphs.push_back({g.face,
+                                 g.index,
+                                 g.scale * size,
+                                 {at + g.x * size, y - g.y * size},
+                                 static_cast<std::uint32_t>(said + g.at),
+                                 g.coded});
         }
         for (const Ink& box : word.boxes) {
             Path path;
@@ -342,6 +377,7 @@ private:
     State& state_;
     ShapedLine line_;
     double x_ = 0;
+    std::size_t said_ = 0;  // what the line says so far, bytes
 };
 
 bool has_scripts(const Piece& piece) { return !piece.sub.empty() || !piece.sup.empty() || piece.dots > 0; }
@@ -417,15 +453,15 @@ RichText with_powers(const std::string& text) {
     return rich;
 }
 
+RichText as_set(const RichText& text) {
+    RichText changed;
+    return with_raised_digits(text, changed);
+}
+
 std::string plain(const RichText& text) {
     std::string words;
     for (const Piece& piece : text) {
-        words += piece.text;
-        if (piece.dots == 2) {
-            append_utf8(words, 0x308);
-        } else {
-            for (int i = 0; i < piece.dots; ++i) append_utf8(words, 0x307);
-        }
+        words += piece.text + dots_said(piece);
         if (!piece.sub.empty()) words += "_" + piece.sub;
         if (!piece.sup.empty()) words += "^" + piece.sup;
     }

@@ -22,6 +22,8 @@ struct Glyph {
     std::uint32_t index = 0;
     double size = 0;
     Spot origin;
+    std::uint32_t at = 0;  ///< where its character begins in plain(as_set(text)) of its line's text; a ligature: its first one
+    bool coded = false;    ///< of the code in a box that stands for a character which the font has not
 };
 
 /// A shaped line, its origin at the left of the baseline, mm, y downwards.

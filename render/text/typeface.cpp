@@ -97,7 +97,7 @@ public:
         const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(b, &count);
         placed.clear();
         for (unsigned i = 0; i < count; ++i)
-            placed.push_back({infos[i].codepoint, places[i].x_offset, places[i].y_offset, places[i].x_advance});
+            placed.push_back({infos[i].codepoint, places[i].x_offset, places[i].y_offset, places[i].x_advance, infos[i].cluster});
     }
     std::optional<Drawn> draw(std::uint32_t glyph) const override {
         if (!outlines_ && !open_outlines()) return std::nullopt;

@@ -36,10 +36,12 @@ struct Drawn {
 /// it.
 class Typeface {
 public:
-    /// A glyph in its place in a run, in units of the font: its offset from the pen, and how far it moves the pen.
+    /// A glyph in its place in a run, in units of the font: its offset from the pen, and how far it moves the pen. `from` counts
+    /// the characters of the run that stand before it.
     struct Placed {
         std::uint32_t glyph = 0;
         int x = 0, y = 0, advance = 0;
+        std::uint32_t from = 0;
     };
 
     virtual ~Typeface() = default;

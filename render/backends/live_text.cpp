@@ -1,0 +1,146 @@
+#include "render/backends/live_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+bool is_blank(char32_t c) {
+    return c <= 0x20 || (c >= 0x7F && c <= 0xA0) || (c >= 0x2000 && c <= 0x200A) || c == 0x2028 || c == 0x2029 || c == 0x202F ||
+           c == 0x205F || c == 0x3000;
+}
+
+/// Without width: joiners, marks of direction, variants.
+bool is_without_width(char32_t c) {
+    return c == 0xAD || c == 0x34F || c == 0x61C || c == 0xFEFF || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) ||
+           (c >= 0x2060 && c <= 0x206F) || (c >= 0xFE00 && c <= 0xFE0F) || (c >= 0xE0000 && c <= 0xE0FFF);
+}
+
+/// A white space as files may hold it.
+char32_t written_blank(char32_t c) {
+    const bool control = c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029;
+    return control ? U' ' : c;
+}
+
+struct Coloured {
+    Glyph glyph;
+    Colour colour;
+};
+
+/// Goes through what a line says and its glyphs side by side.
+class Reader {
+public:
+    Reader(std::string_view words, std::vector<Coloured> glyphs, std::vector<LiveRun>& runs)
+        : words_(words), glyphs_(std::move(glyphs)), runs_(runs) {}
+
+    void read(const RichText& text) {
+        for (const Piece& piece : text) {
+            read(piece.text.size());
+            const std::size_t dots = piece.dots == 2 ? 2 : 2 * static_cast<std::size_t>(std::max(piece.dots, 0));
+            say(dots, LiveRun::Kind::dots);
+            for (const std::string* script : {&piece.sub, &piece.sup}) {
+                if (script->empty()) continue;
+                say(1, LiveRun::Kind::said);
+                read(script->size());
+            }
+        }
+        while (next_ < glyphs_.size()) take_letter({}, true);
+    }
+
+private:
+    void say(std::size_t bytes, LiveRun::Kind kind) {
+        is_open_ = false;
+        if (bytes > 0) runs_.push_back({kind, std::string(words_.substr(at_, bytes)), {}, {}});
+        at_ += bytes;
+    }
+
+    /// The next bytes, which glyphs may stand for.
+    void read(std::size_t bytes) {
+        is_open_ = false;
+        const std::size_t end = at_ + bytes;
+        while (at_ < end) {
+            const std::size_t begin = at_;
+            // An index may end within what is no character: the bytes of the next piece are not its own.
+            const char32_t c = next_code_point(words_.substr(0, end), at_);
+            std::string text;
+            append_utf8(text, c);
+            text = well_formed(text);
+            if (next_ < glyphs_.size() && glyphs_[next_].glyph.at == begin) {
+                for (bool first = true; next_ < glyphs_.size() && glyphs_[next_].glyph.at == begin; first = false)
+                    take_letter(first ? text : std::string(), false);
+            } else if (is_blank(c)) {
+                blank(written_blank(c));
+            } else if (!is_without_width(c)) {
+                if (is_open_ && runs_.back().kind == LiveRun::Kind::set) {
+                    // The rest of a ligature, or an accent that its letter has taken in.
+                    runs_.back().letters.back().text += text;
+                    runs_.back().text += text;
+                } else {
+                    runs_.push_back({LiveRun::Kind::said, text, {}, {}});
+                }
+            }
+        }
+        is_open_ = false;
+    }
+
+    void blank(char32_t c) {
+        is_open_ = false;
+        if (runs_.empty() || runs_.back().kind != LiveRun::Kind::blank) runs_.push_back({LiveRun::Kind::blank, {}, {}, {}});
+        append_utf8(runs_.back().text, c);
+    }
+
+    void take_letter(const std::string& text, bool lost) {
+        const auto& [glyph, colour] = glyphs_[next_++];
+        const LiveRun::Kind kind = glyph.coded || lost ? LiveRun::Kind::coded : LiveRun::Kind::set;
+        const auto goes_on = [&](const LiveRun& run) {
+            constexpr double joined = 1e-6;  // mm
+            const Glyph& last = run.letters.back().glyph;
+            return run.kind == kind && last.face == glyph.face && std::abs(last.size - glyph.size) < joined &&
+                   std::abs(last.origin.y - glyph.origin.y) < joined && run.colour == colour;
+        };
+        const bool within = is_open_ && goes_on(runs_.back()) && (kind == LiveRun::Kind::set || text.empty());
+        if (!within) runs_.push_back({kind, {}, {}, colour});
+        is_open_ = true;
+        runs_.back().letters.push_back({glyph, text});
+        runs_.back().text += text;
+    }
+
+    std::string_view words_;
+    std::vector<Coloured> glyphs_;
+    std::vector<LiveRun>& runs_;
+    std::size_t at_ = 0, next_ = 0;
+    bool is_open_ = false;  // the last run is one of letters, and what comes next may belong to it
+};
+
+}  // namespace
+
+RichText text_of(const TextMark& mark) { return as_set(mark.text.empty() ? one_piece(mark.words) : mark.text); }
+
+LiveLine live_line(std::span<const Mark> marks) {
+    LiveLine line;
+    std::vector<Coloured> glyphs;
+    for (const Mark& mark : marks) {
+        const auto* text = std::get_if<TextMark>(&mark);
+        if (text == nullptr || (line.first != nullptr && !(text->words.empty() && text->text.empty()))) break;
+        if (line.first == nullptr) line.first = text;
+        line.marks.push_back(text);
+        for (const Glyph& glyph : text->glyphs) glyphs.push_back({glyph, text->colour});
+    }
+    if (line.first == nullptr) return line;
+    std::stable_sort(glyphs.begin(), glyphs.end(), [](const Coloured& a, const Coloured& b) { return a.glyph.at < b.glyph.at; });
+    const RichText text = text_of(*line.first);
+    const std::string words = plain(text);
+    Reader(words, std::move(glyphs), line.runs).read(text);
+    return line;
+}
+
+std::string reading_of(const LiveLine& line) {
+    std::string text;
+    for (const LiveRun& run : line.runs) text += run.text;
+    return text;
+}
+
+}  // namespace kinegraph::render

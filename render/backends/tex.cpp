@@ -1,0 +1,404 @@
+// A Page as TikZ, for pdflatex: colours and kinds of line as styles on top, each picture's named points before its strokes, words
+// set by TeX in its own fonts, each line within the width that it has on our page. Decides nothing about the drawing.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "render/backends/backends.hpp"
+#include "render/backends/live_text.hpp"
+#include "render/backends/tex_words.hpp"
+#include "render/text/utf8.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+constexpr int digits = 4;            // of mm and degrees: 0.1 µm
+constexpr double farthest = 4000;    // mm; TeX's longest length is 5.7 m
+constexpr double largest_arc = 500;  // mm; TikZ turns by its own sines, which are good to five digits
+
+std::string number(double value, int decimals = digits) {
+    double power = 1;
+    for (int i = 0; i < decimals; ++i) power *= 10;
+    double rounded = std::round(value * power) / power;
+    if (rounded == 0) rounded = 0;  // no −0
+    char text[64];
+    std::string written(text, std::to_chars(text, text + sizeof text, rounded, std::chars_format::fixed, decimals).ptr);
+    if (written.find('.') != std::string::npos) {
+        written.erase(written.find_last_not_of('0') + 1);
+        if (written.ends_with('.')) written.pop_back();
+    }
+    return written;
+}
+
+double within_reach(double value) { return std::clamp(value, -farthest, farthest); }
+
+/// Text of any file as a comment of one line.
+std::string comment(std::string_view words) {
+    std::string text = well_formed(words);
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+    return text;
+}
+
+/// "A", "B", … "Z", "AA" …
+std::string letters_for(std::size_t index) {
+    std::string name;
+    for (++index; index > 0; index = (index - 1) / 26) name.insert(name.begin(), static_cast<char>('A' + (index - 1) % 26));
+    return name;
+}
+
+/// The colours and the kinds of line of a document, by name, in the order in which they are met.
+class Styles {
+public:
+    std::string colour(Colour c) {
+        const std::uint32_t key = (std::uint32_t{c.red} << 16) | (std::uint32_t{c.green} << 8) | c.blue;
+        const auto [entry, is_new] = colours_.try_emplace(key);
+        if (is_new) {
+            entry->second = "kg" + letters_for(colours_.size() - 1);
+            definitions_ += "\\definecolor{" + entry->second + "}{RGB}{" + std::to_string(c.red) + "," + std::to_string(c.green) +
+                            "," + std::to_string(c.blue) + "}\n";
+        }
+        return entry->second;
+    }
+
+    /// A kind of line: its width, dashes and ends.
+    std::string line(const Path& path) {
+        std::string options = "line width=" + number(path.pen.width) + "mm";
+        for (std::size_t i = 0; i + 1 < path.pen.dashes.size(); i += 2)
+            options += (i == 0 ? ", dash pattern=on " : " on ") + number(path.pen.dashes[i]) + "mm off " +
+                       number(path.pen.dashes[i + 1]) + "mm";
+        if (path.pen.round_ends) options += ", line cap=round";
+        if (has_round_corners(path)) options += ", line join=round";
+        const auto [entry, is_new] = lines_.try_emplace(options);
+        if (is_new) {
+            const std::size_t parts = path.pen.dashes.size();
+            entry->second = std::string("kg ") +
+                            (parts == 0   ? "full"
+                             : parts == 2 ? "dashed"
+                                          : "chain") +
+                            " " + letters_for(lines_.size() - 1);
+            definitions_ += "\\tikzset{" + entry->second + "/.style={" + options + "}}\n";
+        }
+        return entry->second;
+    }
+
+    const std::string& definitions() const { return definitions_; }
+
+private:
+    std::map<std::uint32_t, std::string> colours_;
+    std::map<std::string, std::string> lines_;
+    std::string definitions_;
+};
+
+/// Points with a name: joints, centres, and the ends of vectors.
+class NamedPoints {
+public:
+    explicit NamedPoints(const std::vector<Mark>& marks) {
+        std::vector<const GroupBegin*> groups;
+        for (const Mark& mark : marks) {
+            if (const auto* group = std::get_if<GroupBegin>(&mark)) {
+                groups.push_back(group);
+            } else if (std::holds_alternative<GroupEnd>(mark)) {
+                groups.pop_back();
+            } else if (groups.empty() || groups.back()->id.empty()) {
+                continue;
+            } else if (const auto* axis = std::get_if<Axis>(&mark)) {
+                add(axis->tail, groups.back()->id + "-tail");
+                add(axis->tip, groups.back()->id + "-tip");
+            } else if (const auto* path = std::get_if<Path>(&mark)) {
+                const bool marked = groups.back()->cls == "joint" || groups.back()->cls == "centre";
+                if (const ArcTo* circle = marked ? whole_circle(*path) : nullptr) add(circle->centre, groups.back()->id);
+            }
+        }
+    }
+
+    /// The circle that the path is, if it is one.
+    static const ArcTo* whole_circle(const Path& path) {
+        const ArcTo* found = nullptr;
+        for (const Segment& segment : path.segments) {
+            const auto* arc = std::get_if<ArcTo>(&segment);
+            if (arc == nullptr && !std::holds_alternative<MoveTo>(segment) && !std::holds_alternative<Close>(segment))
+                return nullptr;
+            if (arc != nullptr && std::exchange(found, arc) != nullptr) return nullptr;
+        }
+        const bool whole = found != nullptr && std::abs(found->to - found->from) > 2 * std::numbers::pi - 1e-9;
+        return whole ? found : nullptr;
+    }
+
+    /// A point as TikZ takes it: its name, where it has one.
+    std::string at(Spot spot) {
+        const auto found = names_.find(key(spot));
+        if (found == names_.end()) return "(" + number(within_reach(spot.x)) + "," + number(within_reach(spot.y)) + ")";
+        found->second.is_used = true;
+        return "(" + found->second.name + ")";
+    }
+
+    /// Those that are used, in the order of the drawing.
+    std::string definitions() const {
+        std::string text;
+        for (const auto& [where, spot] : order_) {
+            const Named& named = names_.at(where);
+            if (named.is_used) text += "\\coordinate (" + named.name + ") at (" + number(spot.x) + "," + number(spot.y) + ");\n";
+        }
+        return text;
+    }
+
+private:
+    using Key = std::pair<std::int64_t, std::int64_t>;
+    struct Named {
+        std::string name;
+        bool is_used = false;
+    };
+
+    static Key key(Spot spot) {
+        constexpr double grid = 1e6;  // for each mm
+        return {std::llround(within_reach(spot.x) * grid), std::llround(within_reach(spot.y) * grid)};
+    }
+
+    /// The first name of a point counts.
+    void add(Spot spot, std::string name) {
+        if (std::abs(spot.x) > farthest || std::abs(spot.y) > farthest) return;
+        // An id has letters, digits, "-", "." and "_"; a full stop would mean an anchor.
+        std::replace(name.begin(), name.end(), '.', '-');
+        if (names_.try_emplace(key(spot), Named{std::move(name)}).second) order_.emplace_back(key(spot), spot);
+    }
+
+    std::map<Key, Named> names_;
+    std::vector<std::pair<Key, Spot>> order_;
+};
+
+Spot on_arc(const ArcTo& arc, double angle) { return arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}; }
+
+/// Where a mark is turned: a spot of the unturned text on the page.
+Spot turned(const TextMark& mark, Spot spot) {
+    const double c = std::cos(mark.angle), s = std::sin(mark.angle);
+    const Spot from = spot - mark.pivot;
+    return mark.pivot + Spot{from.x * c - from.y * s, from.x * s + from.y * c};
+}
+
+/// How far to the right the ink of a glyph reaches from its origin, em.
+double right_of(const Outline& outline) {
+    double right = 0;
+    const auto take = [&right](Spot spot) { right = std::max(right, spot.x); };
+    for (const Segment& segment : outline.segments) {
+        if (const auto* m = std::get_if<MoveTo>(&segment)) take(m->to);
+        if (const auto* l = std::get_if<LineTo>(&segment)) take(l->to);
+        if (const auto* c = std::get_if<CurveTo>(&segment)) take(c->to);
+    }
+    return right;
+}
+
+class Picture {
+public:
+    Picture(const Page& page, const Glyphs& glyphs, Styles& styles)
+        : page_(page), glyphs_(glyphs), styles_(styles), points_(page.marks) {}
+
+    std::string write() {
+        const std::string width = number(page_.width), height = number(page_.height);
+        std::string head = "\\kgbegin{" + width + "}{" + height + "}%\n\\begin{tikzpicture}[kg]\n";
+        if (!page_.title.empty()) head = "% " + comment(page_.title) + "\n" + head;
+        const std::string paper = "(0,0) rectangle (" + width + "," + height + ");\n";
+        head += "\\useasboundingbox " + paper;
+        if (!(page_.paper == Colour{255, 255, 255})) head += "\\fill[" + styles_.colour(page_.paper) + "] " + paper;
+        const std::span<const Mark> marks(page_.marks);
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            if (const auto* path = std::get_if<Path>(&marks[i])) {
+                write(*path);
+            } else if (const auto* group = std::get_if<GroupBegin>(&marks[i])) {
+                const std::string& name = group->title.empty() ? group->id : group->title;
+                if (!name.empty()) text_ += "% " + group->cls + (group->cls.empty() ? "" : ": ") + comment(name) + "\n";
+            } else if (std::holds_alternative<TextMark>(marks[i])) {
+                const LiveLine line = live_line(marks.subspan(i));
+                write(line);
+                i += line.marks.size() - 1;
+            }
+        }
+        return head + points_.definitions() + text_ + "\\end{tikzpicture}%\n\\kgend\n";
+    }
+
+private:
+    void write(const Path& path) {
+        const std::string course = course_of(path);
+        if (course.empty() || (!path.filled && !path.stroked)) return;
+        std::string options;
+        if (path.filled) options = "fill=" + styles_.colour(path.fill);
+        if (path.stroked)
+            options += (path.filled ? ", draw=" : "draw=") + styles_.colour(path.pen.colour) + ", " + styles_.line(path);
+        text_ += "\\path[" + options + "] " + course + ";\n";
+    }
+
+    /// The path as TikZ's operations.
+    std::string course_of(const Path& path) {
+        if (const ArcTo* circle = NamedPoints::whole_circle(path); circle != nullptr && circle->radius < largest_arc)
+            return points_.at(circle->centre) + " circle[radius=" + number(circle->radius) + "]";
+        std::string course;
+        bool begun = false;
+        Spot pen;
+        const auto go = [&](Spot to, const char* how) {
+            course += begun ? how : "";
+            course += points_.at(to);
+            begun = true;
+            pen = to;
+        };
+        for (const Segment& segment : path.segments) {
+            if (const auto* m = std::get_if<MoveTo>(&segment)) {
+                if (begun) course += ' ';
+                begun = false;
+                go(m->to, "");
+            } else if (const auto* l = std::get_if<LineTo>(&segment)) {
+                go(l->to, " -- ");
+            } else if (const auto* c = std::get_if<CurveTo>(&segment)) {
+                course += " .. controls " + points_.at(c->control_1) + " and " + points_.at(c->control_2);
+                go(c->to, " .. ");
+            } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
+                const Spot start = on_arc(*a, a->from);
+                constexpr double joined = 1e-6;
+                if (!begun || length(pen - start) > joined) go(start, " -- ");
+                arc(*a, course);
+                pen = on_arc(*a, a->to);
+            } else if (begun) {
+                course += " -- cycle";
+            }
+        }
+        return course;
+    }
+
+    /// Behind its start. Large arcs are curves, calculated here.
+    void arc(const ArcTo& a, std::string& course) {
+        const double whole = 2 * std::numbers::pi;
+        const double sweep = std::clamp(a.to - a.from, -whole, whole);
+        if (a.radius < largest_arc) {
+            const double degrees = 180 / std::numbers::pi;
+            course += " arc[start angle=" + number(a.from * degrees) + ", end angle=" + number((a.from + sweep) * degrees) +
+                      ", radius=" + number(a.radius) + "]";
+            return;
+        }
+        const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.5)));
+        const double step = sweep / parts, reach = 4.0 / 3 * std::tan(step / 4);
+        for (int i = 0; i < parts; ++i) {
+            const double from = a.from + i * step, to = from + step;
+            const auto along = [&](double angle) { return a.radius * reach * Spot{-std::sin(angle), std::cos(angle)}; };
+            course += " .. controls " + points_.at(on_arc(a, from) + along(from)) + " and " +
+                      points_.at(on_arc(a, to) - along(to)) + " .. " + points_.at(on_arc(a, to));
+        }
+    }
+
+    void write(const LiveLine& line) {
+        const bool coded =
+            std::any_of(line.runs.begin(), line.runs.end(), [](const LiveRun& run) { return run.kind == LiveRun::Kind::coded; });
+        const auto tex = tex_of(text_of(*line.first), [this](Colour c) { return styles_.colour(c); });
+        if (coded || !tex) {
+            outline(line);
+            return;
+        }
+        const Glyph* base = nullptr;
+        double left = 0, right = 0;
+        for (const LiveRun& run : line.runs) {
+            for (const Letter& letter : run.letters) {
+                const Glyph& glyph = letter.glyph;
+                const double end = glyph.origin.x + glyph.size * right_of(glyphs_.outline(glyph.face, glyph.index));
+                left = base == nullptr ? glyph.origin.x : std::min(left, glyph.origin.x);
+                right = base == nullptr ? end : std::max(right, end);
+                if (base == nullptr || glyph.size > base->size + 1e-9) base = &glyph;
+            }
+        }
+        if (base == nullptr || tex->empty()) return;
+        const Spot at = turned(*line.first, {left, base->origin.y});
+        std::string options = "kg text, text=" + styles_.colour(line.first->colour);
+        if (line.first->angle != 0) options += ", rotate=" + number(-line.first->angle * 180 / std::numbers::pi);
+        // A line of several words fills its width; one word stands in the middle of it.
+        const bool words =
+            std::any_of(line.runs.begin(), line.runs.end(), [](const LiveRun& run) { return run.kind == LiveRun::Kind::blank; });
+        text_ += "\\node[" + options + "] at (" + number(within_reach(at.x)) + "," + number(within_reach(at.y)) + ") {" +
+                 (words ? "\\kgline{" : "\\kgword{") + number(right - left) + "}{" + number(base->size * 72 / 25.4, 2) + "}{" +
+                 *tex + "}};\n";
+    }
+
+    /// What TeX has no letters for, as it looks.
+    void outline(const LiveLine& line) {
+        text_ += "% " + comment(reading_of(line)) + "\n";
+        for (const LiveRun& run : line.runs) {
+            for (const Letter& letter : run.letters) {
+                const Glyph& glyph = letter.glyph;
+                Path path;
+                path.filled = true;
+                path.fill = run.colour;
+                const auto at = [&](Spot em) { return turned(*line.first, glyph.origin + glyph.size * Spot{em.x, -em.y}); };
+                for (const Segment& segment : glyphs_.outline(glyph.face, glyph.index).segments) {
+                    if (const auto* m = std::get_if<MoveTo>(&segment)) path.segments.emplace_back(MoveTo{at(m->to)});
+                    if (const auto* l = std::get_if<LineTo>(&segment)) path.segments.emplace_back(LineTo{at(l->to)});
+                    if (const auto* c = std::get_if<CurveTo>(&segment))
+                        path.segments.emplace_back(CurveTo{at(c->control_1), at(c->control_2), at(c->to)});
+                    if (std::holds_alternative<Close>(segment)) path.segments.emplace_back(Close{});
+                }
+                write(path);
+            }
+        }
+        for (const TextMark* mark : line.marks) {
+            for (Path extra : mark->extras) {
+                for (Segment& segment : extra.segments) {
+                    if (auto* m = std::get_if<MoveTo>(&segment)) m->to = turned(*mark, m->to);
+                    if (auto* l = std::get_if<LineTo>(&segment)) l->to = turned(*mark, l->to);
+                    if (auto* a = std::get_if<ArcTo>(&segment)) a->centre = turned(*mark, a->centre);
+                }
+                write(extra);
+            }
+        }
+    }
+
+    const Page& page_;
+    const Glyphs& glyphs_;
+    Styles& styles_;
+    NamedPoints points_;
+    std::string text_;
+};
+
+/// A document of its own, or a part of one: in the body of a document \@nodocument means nothing any more.
+constexpr std::string_view document_head =
+    R"(% pdflatex makes a document of this file, a picture on each page; in another document that has
+% \usepackage{tikz}, \input gives the pictures alone.
+\expandafter\ifx\csname @nodocument\endcsname\relax
+  \def\kgbegin#1#2{\par\noindent}
+  \def\kgend{\par}
+  \let\kgfinish\relax
+\else
+  \RequirePackage{fix-cm}
+  \documentclass{article}
+  \usepackage{tikz}
+  \pdfhorigin=0pt \pdfvorigin=0pt \hoffset=0pt \voffset=0pt
+  \def\kgbegin#1#2{\pdfpagewidth=#1mm \pdfpageheight=#2mm \setbox0=\hbox\bgroup\ignorespaces}
+  \def\kgend{\egroup\shipout\box0 }
+  \def\kgfinish{\end{document}}
+  \begin{document}
+\fi
+% Lengths are mm, y downwards. Words have the width that they are given: what is wider is set narrower; of what is not, a line
+% begins there, a single word stands in the middle.
+\tikzset{kg/.style={x=1mm,y=-1mm,line cap=butt,line join=miter,miter limit=4},
+  kg text/.style={anchor=base west,inner sep=0pt,outer sep=0pt}}
+\def\kgsize#1{\fontsize{#1bp}{#1bp}\selectfont}
+\def\kgset#1#2#3{\setbox1=\hbox{\kgsize{#2}\spaceskip=.25em\relax#3}%
+  \ifdim\wd1>#1mm \resizebox{#1mm}{\height}{\box1}\else\box1 \fi}
+\def\kgline#1#2#3{\hbox to #1mm{\kgset{#1}{#2}{#3}\hss}}
+\def\kgword#1#2#3{\hbox to #1mm{\hss\kgset{#1}{#2}{#3}\hss}}
+\def\kgscript{\dimen0=\csname f@size\endcsname pt\fontsize{.7\dimen0}{.7\dimen0}\selectfont}
+)";
+
+}  // namespace
+
+std::string to_tex(const std::vector<Page>& pages, const Glyphs& glyphs) {
+    Styles styles;
+    std::string pictures;
+    for (const Page& page : pages) pictures += Picture(page, glyphs, styles).write();
+    return std::string(document_head) + styles.definitions() + pictures + "\\kgfinish\n";
+}
+
+}  // namespace kinegraph::render
