@@ -213,9 +213,9 @@ void add_look(CLI::App& command, SolveRequest& request) {
     command
         .add_option("--with", request.with,
                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
-                    "moments about the pole of the velocities")
+                    "moments about the pole of the velocities; equations: the closure equations with their Jacobian")
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"joukowsky"}))
+        ->check(CLI::IsMember({"joukowsky", "equations"}))
         ->type_name("FIGURE");
     command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
 }
