@@ -608,11 +608,34 @@ private:
                 found.push_back(middle - std::sqrt(inside));
             }
         }
+        if (turning && solved.kind == Solved::Kind::turn_and_slide) find_standstills(loop, driver, rest, own, length);
         std::sort(found.begin(), found.end());
         const double near = 1e-9 * (turning ? 1 : length + 1e-30);
         found.erase(std::unique(found.begin(), found.end(), [&](double a, double b) { return std::abs(a - b) < near; }),
                     found.end());
         solved.dead_points = std::move(found);
+    }
+
+    /// A crank of length r and direction `own`, a rod b: e^{iα} r − b e^{iβ} = ± s u − rest is r ± b long where they lie in one
+    /// line.
+    void find_standstills(Equations::Loop& loop, LetterIndex driver, const std::array<double, 2>& rest, double own,
+                          double r) const {
+        Solved& solved = loop.solved;
+        const Side &rod = loop.sides[at_index(solved.first)], &slide = loop.sides[at_index(solved.second)];
+        const double b = e_.letter(rod.length).value, along = value_of(e_, slide.angle);
+        const double sign = rod.on_the_right == slide.on_the_right ? 1 : -1;
+        const double ux = std::cos(along), uy = std::sin(along);
+        // lead: b e^{iβ} + sign s u = rest + r e^{iα}.
+        const double ahead = sign * (rest[0] * ux + rest[1] * uy), across = rest[1] * ux - rest[0] * uy;
+        const double side = e_.letter(slide.length).value - ahead < 0 ? -1 : 1;
+        for (const double reach : {r + b, std::abs(r - b)}) {
+            if (reach * reach < across * across || reach < 1e-12 * (r + b)) continue;
+            const double s = ahead + side * std::sqrt(reach * reach - across * across);
+            const double x = sign * s * ux - rest[0], y = sign * s * uy - rest[1];
+            const bool against = reach < r + b && r < b;  // the crank points away from where the rod's end is
+            const double direction = std::atan2(y, x) + (against ? std::numbers::pi : 0);
+            solved.standstills.emplace_back(std::remainder(direction - own + e_.letter(driver).value, 2 * std::numbers::pi), s);
+        }
     }
 
     Equations& e_;
