@@ -186,7 +186,7 @@ private:
     void read_wanted(JsonValue value) {
         line_.want.clear();
         if (!value.is_array() || value.size() == 0)
-            return wrong(value, {"an array of json, svg, png, pdf", "un array di json, svg, png, pdf"});
+            return wrong(value, {"an array of json, svg, png, pdf, tex", "un array di json, svg, png, pdf, tex"});
         for (const JsonValue each : value) {
             Format format = Format::json;
             choice<Format>(each, {{"json", Format::json}, {"svg", Format::svg}, {"png", Format::png}, {"pdf", Format::pdf}, {"tex", Format::tex}},

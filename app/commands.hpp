@@ -132,6 +132,15 @@ struct PairsRequest {
 };
 Status pairs_command(const PairsRequest& request);
 
+/// equations FILE: the closure equations with their derivatives and values.
+struct EquationsRequest {
+    std::string file;          ///< "-" is standard input
+    std::vector<Setting> set;  ///< parameters in place of the file's
+    Language language = Language::en;
+    std::string format = "text";  ///< or "latex", "json"
+};
+Status equations_command(const EquationsRequest& request);
+
 /// How messages call a file: its path as given, or "standard input".
 Words spoken(const std::string& file);
 /// A mechanism file read; else it has been said what is wrong.

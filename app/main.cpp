@@ -220,9 +220,9 @@ void add_look(CLI::App& command, SolveRequest& request) {
     command
         .add_option("--with", request.with,
                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
-                    "moments about the pole of the velocities")
+                    "moments about the pole of the velocities; equations: the closure equations with their Jacobian")
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"joukowsky"}))
+        ->check(CLI::IsMember({"joukowsky", "equations"}))
         ->type_name("FIGURE");
     command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
 }
@@ -532,6 +532,22 @@ void add_pairs(CLI::App& program, Action& action) {
     });
 }
 
+void add_equations(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "equations",
+                                    "The closure equations in complex form, their Jacobian, velocity ratios, accelerations");
+    auto request = std::make_shared<EquationsRequest>();
+    auto language = std::make_shared<std::string>("en");
+    command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();
+    add_settings(*command, request->set);
+    add_language(*command, *language, "Language: en or it");
+    add_choice(*command, "--format", request->format, "text, latex (a document) or json (matrices and unknowns by name)",
+               {"text", "latex", "json"}, "FORMAT");
+    command->callback([&action, request, language] {
+        request->language = language_named(*language);
+        action = [request] { return equations_command(*request); };
+    });
+}
+
 Status run(int count, char** arguments, Language language) {
     CLI::App program("Planar mechanisms solved as at the drawing board, exactly.", "kinegraph");
     program.set_help_flag("-h,--help", "Print this help; after a command, its own");
@@ -547,6 +563,7 @@ Status run(int count, char** arguments, Language language) {
     add_check(program, action);
     add_diff(program, action);
     add_pairs(program, action);
+    add_equations(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {

@@ -177,6 +177,9 @@ tl::expected<Mechanism, Status> mechanism_of(const SolveRequest& request) {
     return *std::move(mechanism);
 }
 
+bool wants(const SolveRequest& request, const char* what) {
+    return std::find(request.with.begin(), request.with.end(), what) != request.with.end();
+}
 /// The file read and solved; else it has been said what is wrong.
 tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
     auto mechanism = mechanism_of(request);
@@ -185,6 +188,7 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
         say(spoken(request.file), no_mechanism(what), request.language);
         return tl::unexpected(Status::bad_input);
     }
+    if (wants(request, "equations")) mechanism->find.equations = true;
     if (!request.at.empty()) return solved_at(*mechanism, request);
     auto solution = solve(*std::move(mechanism));
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
@@ -193,9 +197,7 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
     return solutions;
 }
 
-bool wants_lever(const SolveRequest& request) {
-    return std::find(request.with.begin(), request.with.end(), "joukowsky") != request.with.end();
-}
+bool wants_lever(const SolveRequest& request) { return wants(request, "joukowsky"); }
 
 /// The sheet, its steps or one figure; else it has been said that there is no such figure.
 tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,

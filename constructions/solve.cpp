@@ -23,6 +23,7 @@
 #include "constructions/virtual_work.hpp"
 #include "constructions/workings.hpp"
 #include "engine/assert.hpp"
+#include "engine/equations.hpp"
 #include "engine/problem.hpp"
 
 namespace kinegraph {
@@ -44,7 +45,8 @@ Wanted wanted_of(const Mechanism& mechanism) {
     if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
     if (!find.stated) return {true, driven, driven, loaded, false};
     Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
-    if (find.curvature) wanted.velocities = wanted.accelerations = true;
+    // The equations' values stand beside the polygons'.
+    if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
         wanted.velocities = true;
         wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
@@ -453,6 +455,12 @@ private:
     Motion motion_;
 };
 
+/// What is asked for beside the constructions, which know nothing of it.
+void add_equations(Solution& solution) {
+    if (!solution.mechanism.find.equations) return;
+    solution.equations = std::make_shared<const Equations>(equations_of(solution.mechanism, solution.pose));
+}
+
 }  // namespace
 
 Result<Solution> solve(Mechanism mechanism) {
@@ -474,6 +482,7 @@ Result<Solution> solve(Mechanism mechanism) {
         return *std::move(finer);
     }).run();
     find_contacts(solution);
+    add_equations(solution);
     return solution;
 }
 
@@ -484,6 +493,7 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer) {
     solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
     Solver(solution, finer).run();
     find_contacts(solution);
+    add_equations(solution);
     return solution;
 }
 

@@ -220,6 +220,7 @@ struct RelativeMotionQuery {
 struct Find {
     bool stated = false;  ///< false: all that the data allow
     bool instant_centres = false, velocity = false, acceleration = false, forces = false, curvature = false;
+    bool equations = false;  ///< the closure equations: of a file that states nothing else, too
     std::vector<RelativeMotionQuery> relative_motion;
 };
 

@@ -1029,10 +1029,11 @@ private:
     }
 
     void read_wish(JsonValue value) {
-        constexpr std::array<std::string_view, 5> wishes{"instant centres", "velocity", "acceleration", "forces", "curvature"};
+        constexpr std::array<std::string_view, 6> wishes{"instant centres", "velocity",  "acceleration",
+                                                         "forces",          "curvature", "equations"};
         Find& find = mechanism_.find;
-        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity, &find.acceleration, &find.forces,
-                                                     &find.curvature};
+        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity,  &find.acceleration,
+                                                     &find.forces,          &find.curvature, &find.equations};
         if (value.is_string()) {
             const auto* const known = std::find(wishes.begin(), wishes.end(), value.text());
             if (known != wishes.end()) {

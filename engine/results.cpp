@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/equations.hpp"
 #include "engine/json_text.hpp"
 #include "engine/problem.hpp"
 #include "engine/solution.hpp"
@@ -189,6 +190,8 @@ public:
             file.emplace_back("effort", effort());
         }
         if (solution_.problem) file.emplace_back("hertz", contacts());
+        if (solution_.equations && solution_.equations->why_not.empty())
+            file.emplace_back("equations", equations_json(*solution_.equations));
         file.emplace_back("checks", checks());
         file.emplace_back("unsolved", unsolved());
         if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
@@ -576,7 +579,98 @@ private:
     bool exact_;
 };
 
+std::string number(const std::optional<double>& value) { return value ? number(*value) : "null"; }
+
+std::string list(const std::vector<std::string>& entries) {
+    std::string json = "[";
+    for (const std::string& entry : entries) json += (json.size() > 1 ? ", " : "") + entry;
+    return json + "]";
+}
+
+/// The equations by name: what varies is called by body or joint, what the loops are written in by letters.
+class EquationResults {
+public:
+    explicit EquationResults(const Equations& equations) : e_(equations) {}
+
+    std::string json() const {
+        std::vector<std::string> loops, laws;
+        for (const Equations::Loop& loop : e_.loops) loops.push_back(quoted(spelt(e_, loop)));
+        for (const Equations::Law& law : e_.laws) laws.push_back(quoted(spelt(e_, law)));
+        Members members{{"unknowns", names(e_.unknowns)},
+                        {"free", names(e_.free)},
+                        {"jacobian", matrix(e_.jacobian)},
+                        {"drive", matrix(e_.drive)},
+                        {"rank", std::to_string(e_.rank)},
+                        {"determinant", number(e_.determinant)},
+                        {"velocity ratios", ratios([&](std::size_t j, std::size_t k) { return number(e_.ratios[j][k]); })}};
+        if (!e_.second_ratios.empty()) members.emplace_back("second ratios", second_ratios());
+        if (!e_.cannot_be_driven.empty()) members.emplace_back("cannot be driven", names(e_.cannot_be_driven));
+        members.emplace_back("loops", list(loops));
+        if (!laws.empty()) members.emplace_back("laws", list(laws));
+        members.emplace_back("letters", letters());
+        return object_of_lines(members);
+    }
+
+private:
+    std::string names(const std::vector<Equations::LetterIndex>& which) const {
+        std::vector<std::string> all;
+        for (const auto index : which) all.push_back(quoted(e_.letter(index).name));
+        return list(all);
+    }
+    static std::string matrix(const std::vector<std::vector<double>>& rows) {
+        std::vector<std::string> all;
+        for (const auto& row : rows) {
+            std::vector<std::string> entries;
+            for (const double entry : row) entries.push_back(number(entry));
+            all.push_back(list(entries));
+        }
+        return list(all);
+    }
+    template <class Value>
+    std::string ratios(Value value) const {
+        Members all;
+        for (std::size_t j = 0; j < e_.unknowns.size(); ++j) {
+            Members own;
+            for (std::size_t k = 0; k < e_.free.size(); ++k) own.emplace_back(e_.letter(e_.free[k]).name, value(j, k));
+            all.emplace_back(e_.letter(e_.unknowns[j]).name, object(own));
+        }
+        return object(all);
+    }
+    /// By the drivers' names; of two, joined with a comma.
+    std::string second_ratios() const {
+        Members all;
+        for (std::size_t j = 0; j < e_.unknowns.size(); ++j) {
+            Members own;
+            for (std::size_t k = 0; k < e_.free.size(); ++k)
+                for (std::size_t l = k; l < e_.free.size(); ++l) {
+                    const std::string& first = e_.letter(e_.free[k]).name;
+                    own.emplace_back(l == k ? first : first + ", " + e_.letter(e_.free[l]).name,
+                                     number(e_.second_ratios[j][k][l]));
+                }
+            all.emplace_back(e_.letter(e_.unknowns[j]).name, object(own));
+        }
+        return object(all);
+    }
+    std::string letters() const {
+        Members all;
+        for (const Equations::Letter& letter : e_.letters) {
+            Members own{{"value", number(letter.value)}};
+            if (!letter.name.empty()) own.insert(own.begin(), {"of", quoted(letter.name)});
+            if (letter.role != Equations::Letter::Role::given) {
+                own.emplace_back("rate", number(letter.rate));
+                own.emplace_back("second rate", number(letter.acceleration));
+            }
+            all.emplace_back(spelt(letter), object(own));
+        }
+        return object(all);
+    }
+
+    const Equations& e_;
+};
+
 }  // namespace
+
+std::string equations_json(const Equations& equations) { return EquationResults(equations).json(); }
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
     if (stands_for_joints(solution.mechanism)) return ProblemResults(solution, exact).json();

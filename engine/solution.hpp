@@ -226,6 +226,8 @@ struct Unsolved {
 
 /// What was found of contact, wear or impact (engine/problem.hpp).
 struct ProblemSolution;
+/// The closure equations (engine/equations.hpp).
+struct Equations;
 
 struct Solution {
     Mechanism mechanism;
@@ -251,6 +253,7 @@ struct Solution {
     std::optional<VirtualWork> virtual_work;         ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;          ///< where the file gives one body's act of motion
     std::shared_ptr<const ProblemSolution> problem;  ///< where the file states one; all of motion and forces is empty then
+    std::shared_ptr<const Equations> equations;      ///< where they are asked for
     std::vector<CheckRow> checks;
     /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not determine it.
     std::vector<std::optional<double>> numeric_moduli;

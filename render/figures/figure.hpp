@@ -35,6 +35,12 @@ Figure curvature_figure(const DrawingContext& context, std::size_t index, double
 bool has_curvature_figure(const Curvature& found);
 /// What the figure spans, m.
 Box extent_of_curvature(const Solution& solution, std::size_t index);
+/// The vector loops of the closure equations, drawn on the mechanism in grey (kind and id "loops"; each side is a group of class
+/// "side"). Only where the solution has equations with sides.
+Figure loops_figure(const DrawingContext& context, double room_x, double room_y);
+bool has_loops_figure(const Solution& solution);
+/// What it spans, m.
+Box extent_of_loops(const Solution& solution);
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
 /// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.

@@ -11,6 +11,7 @@
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/answers.hpp"
+#include "render/tables/equation_block.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
 #include "render/text/formula.hpp"
@@ -25,14 +26,15 @@ class BandText {
 public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
-             const Likewise& likewise, bool with_centres)
+             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
           equations_apart_(equations_apart),
           steps_(steps),
           likewise_(likewise),
-          with_centres_(with_centres) {}
+          with_centres_(with_centres),
+          equations_(equations) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
                        const std::map<std::string, RichText>& on_figures) const {
@@ -54,6 +56,8 @@ public:
                 return under("forces", reaction_lines(context_, measure_));
             case Kind::lever:
                 return under("lever", {joukowsky_block(context_, measure_)});
+            case Kind::equations:
+                return equations(part.which);
             case Kind::answers:
                 return answers();
             case Kind::unsolved:
@@ -119,6 +123,17 @@ private:
         passage.head = std::move(lines.front());
         passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
         return passage;
+    }
+
+    /// A section of the equations: its heading, and what stands under it.
+    Passage equations(const std::vector<std::size_t>& which) const {
+        const auto first = equations_.begin() + static_cast<std::ptrdiff_t>(which.front());
+        const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
+        const std::string& words = first->words;
+        return {heading_block(context_, measure_, words),
+                heading_block(context_, measure_, words + ", " + word("continued", context_.language)),
+                {},
+                equation_blocks(context_, {first + 1, end}, measure_)};
     }
 
     Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results) const {
@@ -228,6 +243,7 @@ private:
     const std::map<std::size_t, int>& steps_;
     const Likewise& likewise_;
     bool with_centres_;
+    const std::vector<EquationItem>& equations_;
 };
 
 /// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
@@ -258,6 +274,7 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
+    if (solution_.equations) collect_equations();
     if (has_forces(solution_)) collect_forces();
     Band& given = list.front();
     if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
@@ -398,6 +415,16 @@ void Bands::collect_forces() {
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
 }
 
+/// The loops drawn, and their sections under or beside them.
+void Bands::collect_equations() {
+    equations_ = equation_items(solution_, context_.language);
+    Band& band = add("equations", {"loops"});
+    for (std::size_t i = 0; i < equations_.size(); ++i) {
+        if (equations_[i].kind == EquationItem::Kind::heading) band.parts.push_back({Kind::equations, {i, i}});
+        band.parts.back().which.back() = i + 1;
+    }
+}
+
 /// In the order of solving: free body and polygon; those that carry two forces share a row.
 void Bands::collect_bodies() {
     constexpr std::size_t most_in_a_row = 4;
@@ -505,7 +532,7 @@ Block Bands::equations(const Band& band, double most) const {
 
 std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
                                  const std::vector<ResultRow>& results) const {
-    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres());
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_);
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         all.push_back(writer.passage_of(part, results, remarks_));

@@ -9,6 +9,7 @@
 
 #include "render/page/block.hpp"
 #include "render/sheet/wanted_figures.hpp"
+#include "render/tables/equation_text.hpp"
 #include "render/tables/tables.hpp"
 
 namespace kinegraph::render {
@@ -24,8 +25,21 @@ struct Passage {
 struct Band {
     /// What its text is made of, in order.
     struct Part {
-        enum class Kind { bodies, mobility, centres, steps, results, reactions, lever, answers, unsolved, remarks } kind;
-        std::vector<std::size_t> which{};  ///< steps: statements; results: rows of the table
+        enum class Kind {
+            bodies,
+            mobility,
+            centres,
+            steps,
+            results,
+            reactions,
+            lever,
+            equations,
+            answers,
+            unsolved,
+            remarks
+        } kind;
+        std::vector<std::size_t>
+            which{};  ///< steps: statements; results: rows of the table; equations: a section's first and last item
     };
     std::string question;
     std::vector<std::size_t> figures{};  ///< of WantedFigures::list, left to right
@@ -62,6 +76,7 @@ private:
     void collect_curvature();
     void collect_forces();
     void collect_bodies();
+    void collect_equations();
     Band& add(const std::string& question, const std::vector<std::string>& figures);
     void add_step(Band& band, std::size_t statement);
     void number_steps();
@@ -76,6 +91,7 @@ private:
     std::map<std::size_t, std::vector<std::size_t>> likewise_;  // statements that say the same of others, by the first
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
+    std::vector<EquationItem> equations_;
 };
 
 }  // namespace kinegraph::render

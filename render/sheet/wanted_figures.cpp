@@ -48,6 +48,7 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
     : context_(context), detail_(detail) {
     if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
     if (has_forces(context.solution)) collect_forces(joukowsky);
+    if (has_loops_figure(context.solution)) add_loops();
     add_small();
     // Who is brief wants fewer pages rather than larger figures.
     constexpr double smaller = 0.8;
@@ -235,6 +236,20 @@ void WantedFigures::add_curvature() {
         wanted.draw = [this, i](double x, double y) { return curvature_figure(context_, i, x, y); };
         add(std::move(wanted));
     }
+}
+
+void WantedFigures::add_loops() {
+    const Box extent = extent_of_loops(context_.solution);
+    Wanted wanted;
+    wanted.name = "loops";
+    wanted.extent_x = extent.width();
+    wanted.extent_y = extent.height();
+    wanted.rim_x = 22;
+    wanted.rim_y = 28;
+    wanted.least = 45;
+    wanted.weight = 1.2;
+    wanted.draw = [this](double x, double y) { return loops_figure(context_, x, y); };
+    add(std::move(wanted));
 }
 
 void WantedFigures::add_mechanism() {

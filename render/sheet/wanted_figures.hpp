@@ -72,6 +72,7 @@ private:
     void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
     void add_free_bodies();
     void add_curvature();
+    void add_loops();
     void add_small();
     Wanted mechanism(const std::string& name, bool with_centres) const;
     std::optional<double> asked(const std::string& figure, double si) const;

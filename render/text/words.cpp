@@ -536,6 +536,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
     FixedWords{"acceleration polygon", "Acceleration polygon", "Poligono delle accelerazioni"},
     FixedWords{"velocities on the mechanism", "Velocities on the mechanism", "Velocità sul meccanismo"},
+    FixedWords{"loops on the mechanism", "Vector loops on the mechanism", "Maglie vettoriali sul meccanismo"},
     FixedWords{"curvature of body", "Curvature, body", "Curvatura, corpo"},
     FixedWords{"steps curvature", "Steps: curvature", "Procedimento: curvatura"},
     FixedWords{"curvature", "Curvature", "Curvatura"},

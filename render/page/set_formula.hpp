@@ -1,0 +1,14 @@
+// Formulas set in type: boxes with a baseline, put together from the inside out. Knows no equation.
+#pragma once
+
+#include "render/page/block.hpp"
+#include "render/text/math.hpp"
+#include "render/text/text.hpp"
+
+namespace kinegraph::render {
+
+/// A formula at `size` points, broken before its signs where it is wider than `measure` mm; what cannot be broken (a matrix) is
+/// set smaller, at most to three fifths, so that it stands within.
+Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour);
+
+}  // namespace kinegraph::render

@@ -1,0 +1,252 @@
+#include "render/text/math.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kinegraph::render {
+namespace {
+
+struct Greek {
+    std::string_view name, unicode, latex;
+};
+constexpr auto greek =
+    std::to_array<Greek>({{"alpha", "α", "\\alpha"}, {"beta", "β", "\\beta"},     {"gamma", "γ", "\\gamma"},
+                          {"delta", "δ", "\\delta"}, {"phi", "φ", "\\varphi"},    {"epsilon", "ε", "\\varepsilon"},
+                          {"eta", "η", "\\eta"},     {"kappa", "κ", "\\kappa"},   {"mu", "μ", "\\mu"},
+                          {"nu", "ν", "\\nu"},       {"chi", "χ", "\\chi"},       {"rho", "ρ", "\\rho"},
+                          {"tau", "τ", "\\tau"},     {"zeta", "ζ", "\\zeta"},     {"xi", "ξ", "\\xi"},
+                          {"sigma", "σ", "\\sigma"}, {"lambda", "λ", "\\lambda"}, {"Lambda", "Λ", "\\Lambda"},
+                          {"omega", "ω", "\\omega"}, {"theta", "θ", "\\theta"},   {"Delta", "Δ", "\\Delta"}});
+
+const Greek* greek_named(std::string_view name) {
+    const auto* const found = std::find_if(greek.begin(), greek.end(), [&](const Greek& each) { return each.name == name; });
+    return found == greek.end() ? nullptr : &*found;
+}
+
+/// Characters of any name, safe in text of LaTeX.
+std::string escaped(const std::string& text) {
+    constexpr auto special = std::to_array<std::pair<std::string_view, std::string_view>>({{"\\", "\\backslash "},
+                                                                                           {"{", "\\{"},
+                                                                                           {"}", "\\}"},
+                                                                                           {"_", "\\_"},
+                                                                                           {"^", "\\hat{\\ }"},
+                                                                                           {"%", "\\%"},
+                                                                                           {"$", "\\$"},
+                                                                                           {"#", "\\#"},
+                                                                                           {"&", "\\&"},
+                                                                                           {"~", "\\sim "}});
+    std::string safe;
+    for (const char c : text) {
+        const auto* const found =
+            std::find_if(special.begin(), special.end(), [&](const auto& each) { return each.first[0] == c; });
+        if (found == special.end())
+            safe += c;
+        else
+            safe += found->second;
+    }
+    return safe;
+}
+
+/// A number or a unit in math mode.
+std::string latex_of_upright(const std::string& text) {
+    constexpr auto known = std::to_array<std::pair<std::string_view, std::string_view>>({{"−", "-"},
+                                                                                         {"°", "^{\\circ}"},
+                                                                                         {"²", "^{2}"},
+                                                                                         {"³", "^{3}"},
+                                                                                         {"×", "\\times "},
+                                                                                         {"·", "\\cdot "},
+                                                                                         {"⁻", "^{-}"},
+                                                                                         {"–", "\\text{--}"},
+                                                                                         {"′", "'"},
+                                                                                         {"±", "\\pm "},
+                                                                                         {"µ", "\\mu "}});
+    std::string own, out;
+    const auto flush = [&] {
+        if (!own.empty()) out += "\\mathrm{" + escaped(own) + "}";
+        own.clear();
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        const auto* const found = std::find_if(known.begin(), known.end(), [&](const auto& each) {
+            return std::string_view(text).substr(i).starts_with(each.first);
+        });
+        if (found != known.end()) {
+            flush();
+            out += found->second;
+            i += found->first.size();
+        } else if (text[i] == ' ') {
+            flush();
+            out += "\\,";
+            ++i;
+        } else {
+            own += text[i++];
+        }
+    }
+    flush();
+    return out;
+}
+
+}  // namespace
+
+std::string unicode_letter(std::string_view name) {
+    const Greek* const found = greek_named(name);
+    return std::string(found == nullptr ? name : found->unicode);
+}
+
+Formula Formula::letter(std::string_view name, const std::string& sub, int dots) {
+    Formula made;
+    made.kind = Kind::text;
+    Piece piece;
+    piece.text = unicode_letter(name);
+    piece.face = name == "Lambda" || name == "Delta" ? Face::regular : Face::italic;
+    piece.sub = sub;
+    piece.sub_face = Face::regular;
+    piece.dots = dots;
+    made.text = {piece};
+    const Greek* const found = greek_named(name);
+    made.as_latex = found == nullptr ? std::string(name) : std::string(found->latex);
+    if (dots == 1) made.as_latex = "\\dot{" + made.as_latex + "}";
+    if (dots == 2) made.as_latex = "\\ddot{" + made.as_latex + "}";
+    if (!sub.empty()) made.as_latex += "_{\\mathrm{" + escaped(sub) + "}}";
+    made.as_latex += " ";
+    // Combining dots above.
+    constexpr std::array<const char*, 3> accents{"", "\u0307", "\u0308"};
+    made.as_plain = piece.text + accents.at(static_cast<std::size_t>(dots)) + (sub.empty() ? "" : "_" + sub);
+    return made;
+}
+
+Formula Formula::upright(const std::string& text) {
+    Formula made;
+    made.kind = Kind::text;
+    made.text = with_powers(text);
+    made.as_latex = latex_of_upright(text);
+    made.as_plain = text;
+    return made;
+}
+
+Formula Formula::function(const std::string& name) {
+    Formula made = upright(name);
+    // A little air, as before a factor.
+    made.text.front().text += "\u200A";
+    made.as_latex = "\\" + name + " ";
+    made.as_plain = name + " ";
+    return made;
+}
+
+Formula Formula::sign(const std::string& text) {
+    Formula made;
+    made.kind = Kind::sign;
+    made.text = one_piece("\u2009" + text + "\u2009");
+    made.as_latex = text == "−" ? " - " : text == "±" ? " \\pm " : text == "→" ? " \\to " : " " + text + " ";
+    made.as_plain = " " + text + " ";
+    return made;
+}
+
+Formula Formula::fraction(Formula above, Formula below) {
+    Formula made;
+    made.kind = Kind::fraction;
+    made.parts = {std::move(above), std::move(below)};
+    return made;
+}
+Formula Formula::root(Formula of) {
+    Formula made;
+    made.kind = Kind::root;
+    made.parts = {std::move(of)};
+    return made;
+}
+Formula Formula::power(Formula base, Formula exponent) {
+    Formula made;
+    made.kind = Kind::power;
+    made.parts = {std::move(base), std::move(exponent)};
+    return made;
+}
+Formula Formula::fenced(Formula inside) {
+    Formula made;
+    made.kind = Kind::fence;
+    made.parts = {std::move(inside)};
+    return made;
+}
+Formula Formula::matrix(std::vector<Formula> entries, std::size_t columns) {
+    Formula made;
+    made.kind = Kind::matrix;
+    made.parts = std::move(entries);
+    made.columns = columns;
+    return made;
+}
+
+Formula& Formula::operator+=(Formula more) {
+    if (kind != Kind::row) {
+        Formula own = std::move(*this);
+        *this = Formula();
+        parts.push_back(std::move(own));
+    }
+    if (more.kind == Kind::row)
+        parts.insert(parts.end(), std::make_move_iterator(more.parts.begin()), std::make_move_iterator(more.parts.end()));
+    else
+        parts.push_back(std::move(more));
+    return *this;
+}
+
+std::string Formula::plain() const {
+    const auto inner = [](const Formula& part) {
+        const std::string text = part.plain();
+        return part.kind == Kind::row && part.parts.size() > 1 ? "(" + text + ")" : text;
+    };
+    switch (kind) {
+        case Kind::row: {
+            std::string all;
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                const bool close = i == 0 || parts[i].kind == Kind::sign || parts[i - 1].kind == Kind::sign || all.ends_with(' ');
+                all += (close ? "" : " ") + parts[i].plain();
+            }
+            return all;
+        }
+        case Kind::text:
+        case Kind::sign:
+            return as_plain;
+        case Kind::fraction:
+            return inner(parts[0]) + "/" + inner(parts[1]);
+        case Kind::root:
+            return "√(" + parts[0].plain() + ")";
+        case Kind::power:
+            return inner(parts[0]) + "^" + (parts[1].kind == Kind::row ? "{" + parts[1].plain() + "}" : parts[1].plain());
+        case Kind::fence:
+            return "(" + parts[0].plain() + ")";
+        case Kind::matrix: {
+            std::string all = "[";
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                all += (i == 0 ? "" : i % columns == 0 ? "; " : ", ") + parts[i].plain();
+            return all + "]";
+        }
+    }
+    return {};
+}
+
+std::string Formula::latex() const {
+    switch (kind) {
+        case Kind::row: {
+            std::string all;
+            for (const Formula& part : parts) all += part.latex();
+            return all;
+        }
+        case Kind::text:
+        case Kind::sign:
+            return as_latex;
+        case Kind::fraction:
+            return "\\frac{" + parts[0].latex() + "}{" + parts[1].latex() + "}";
+        case Kind::root:
+            return "\\sqrt{" + parts[0].latex() + "}";
+        case Kind::power:
+            return "{" + parts[0].latex() + "}^{" + parts[1].latex() + "}";
+        case Kind::fence:
+            return "\\left(" + parts[0].latex() + "\\right)";
+        case Kind::matrix: {
+            std::string all = "\\left[\\begin{array}{" + std::string(columns, 'c') + "}";
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                all += (i == 0 ? "" : i % columns == 0 ? " \\\\ " : " & ") + parts[i].latex();
+            return all + "\\end{array}\\right]";
+        }
+    }
+    return {};
+}
+
+}  // namespace kinegraph::render
