@@ -758,7 +758,11 @@ private:
 
     /// A driver, with the rates of its law.
     void add(Driver driver) {
-        if (const Law* law = law_of(driver)) driver = with_rates(std::move(driver), *rates_at(*law, 0));
+        if (const Law* law = law_of(driver)) {
+            const auto rates = rates_at(*law, 0);
+            KG_ASSERT(rates.has_value(), "a law passes through where it is drawn");
+            driver = with_rates(std::move(driver), *rates);
+        }
         mechanism_.drivers.push_back(std::move(driver));
     }
 

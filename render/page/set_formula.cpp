@@ -212,7 +212,7 @@ Block formula_block(const Formula& formula, const Fonts& fonts, double size, dou
         block.width = std::max(block.width, box.width);
         block.height = baseline + box.descent + leading;
     }
-    if (block.width > measure) block = scaled(std::move(block), measure / block.width);
+    if (const double factor = measure / block.width; factor < 1) block = scaled(std::move(block), factor);
     return block;
 }
 
