@@ -61,14 +61,21 @@ void vector_mark(Figure& figure, const std::string& name, Spot tail, Spot tip, d
 
 class BodiesFigure {
 public:
-    BodiesFigure(const DrawingContext& context, Spot room)
-        : context_(context), theme_(context.theme), problem_(problem_of(context)), found_(solution_of(context)), room_(room) {
+    /// `as_question`: with nothing that is found.
+    BodiesFigure(const DrawingContext& context, Spot room, bool as_question)
+        : context_(context),
+          theme_(context.theme),
+          problem_(problem_of(context)),
+          found_(solution_of(context)),
+          room_(room),
+          as_question_(as_question) {
         measure();
         scale_ = choose_scale(extent_.width(), extent_.height(), std::max(room.x - 46, 20.0), std::max(room.y - 34, 15.0),
                               std::nullopt);
         double fastest = 0;
         for (const ImpactSolution::Body& body : found_.bodies)
-            for (const Vector& v : {body.before, body.after}) fastest = std::max(fastest, kinegraph::length(v));
+            for (const Vector& v : {body.before, as_question ? body.before : body.after})
+                fastest = std::max(fastest, kinegraph::length(v));
         const Unit& unit = context.solution.mechanism.units.velocity;
         speed_scale_ = choose_scale(fastest / unit.si.to_double(), 0, longest_, 1, std::nullopt) * unit.si.to_double();
         origin_ = spot_of(found_.at, scale_);
@@ -76,8 +83,9 @@ public:
     }
 
     Figure draw() {
-        Figure figure = begun("contact", "contact", {"Bodies, and velocities before and after", "Corpi, e velocità prima e dopo"},
-                              scale_, "m", context_.language);
+        const Words caption = as_question_ ? Words("Bodies, and velocities before", "Corpi, e velocità prima")
+                                           : Words("Bodies, and velocities before and after", "Corpi, e velocità prima e dopo");
+        Figure figure = begun("contact", "contact", caption, scale_, "m", context_.language);
         const Unit& unit = context_.solution.mechanism.units.velocity;
         figure.further_scale = "1 mm ≙ " + shortest(speed_scale_ / unit.si.to_double(), context_.language) + " " + unit.symbol;
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, i);
@@ -165,7 +173,7 @@ private:
                                  .size = theme_.label,
                                  .colour = colour.letter,
                                  .anchor = centre});
-        if (const auto& percussion = found_.bodies.at(i).percussion) {
+        if (const auto& percussion = found_.bodies.at(i).percussion; percussion && !as_question_) {
             const Spot there = spot(*percussion);
             if (render::length(there - centre) > room_.x) return;  // too far to be drawn
             const Pen pen{theme_.outline, theme_.secondary, {}, false};
@@ -233,6 +241,7 @@ private:
                                      .toward = centre + reach});
         };
         draw(of.before, "", theme_.secondary, theme_.secondary, {});
+        if (as_question_) return;
         draw(of.after, "′", colour.line, colour.letter, {});
         draw_turn(figure, i, centre, colour);
     }
@@ -256,6 +265,7 @@ private:
     const ImpactProblem& problem_;
     const ImpactSolution& found_;
     Spot room_;
+    bool as_question_;
     Box extent_;
     bool first_ = true;
     double scale_ = 1, speed_scale_ = 1;
@@ -389,7 +399,10 @@ std::vector<Spot> clipped(double alpha, double beta, double gamma, const Box& bo
 }  // namespace
 
 Figure impact_bodies_figure(const DrawingContext& context, double room_x, double room_y) {
-    return BodiesFigure(context, {room_x, room_y}).draw();
+    return BodiesFigure(context, {room_x, room_y}, false).draw();
+}
+Figure impact_question_figure(const DrawingContext& context, double room_x, double room_y) {
+    return BodiesFigure(context, {room_x, room_y}, true).draw();
 }
 
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y) {

@@ -8,6 +8,8 @@ namespace kinegraph::render {
 
 /// The bodies to scale with centres, line and plane of impact, velocities before (grey) and after. Kind and id "contact".
 Figure impact_bodies_figure(const DrawingContext& context, double room_x, double room_y);
+/// The same as a question has it: velocities before only.
+Figure impact_question_figure(const DrawingContext& context, double room_x, double room_y);
 /// Velocities of the centres before and after from one pole: what they gain is parallel to the impulse. Kind "velocity", id
 /// "velocities".
 Figure impact_velocities_figure(const DrawingContext& context, double room_x, double room_y);

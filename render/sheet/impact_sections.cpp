@@ -182,9 +182,11 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
     const auto figure = [&context](const char* id, auto draw, double height) {
         return ProblemFigure{id, [&context, draw](double x, double y) { return draw(context, x, y); }, height};
     };
+    ProblemFigure bodies = figure("contact", impact_bodies_figure, 1);
+    bodies.as_question = [&context](double x, double y) { return impact_question_figure(context, x, y); };
     std::vector<ProblemFigure> routh;
     if (has_routh_figure(context)) routh.push_back(figure("routh", impact_routh_figure, 0.8));
-    return {{"given", {"Given", "Dati"}, {figure("contact", impact_bodies_figure, 1)}, text.given(), 1},
+    return {{"given", {"Given", "Dati"}, {std::move(bodies)}, text.given(), 1},
             {"impulse", {"Impulses and velocities", "Impulsi e velocità"}, {}, text.equations()},
             {"phases", {"Course of the impact", "Corso dell’urto"}, routh, text.phases()},
             {"velocities",
