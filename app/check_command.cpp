@@ -1,6 +1,7 @@
 // check FILE: reads and validates a mechanism file, curves that cannot meet included, and says what was probably forgotten.
 #include "app/commands.hpp"
 #include "app/files.hpp"
+#include "constructions/conditions.hpp"
 #include "constructions/oversights.hpp"
 #include "constructions/solve.hpp"
 #include "engine/mechanism.hpp"
@@ -35,6 +36,31 @@ Words no_mechanism(const char* command) {
 
 namespace {
 
+/// What an exercise asks for and requires, held against its own values: a fault where there is no such result, a remark where a
+/// condition does not hold. Polygons are not drawn for it.
+std::optional<Status> check_exercise(const Mechanism& mechanism, const Words& name, Language language) {
+    if (!mechanism.exercise) return std::nullopt;
+    const auto solution = solve(mechanism);
+    if (!solution) return say(name, solution.error(), language);
+    const std::vector<NamedResult> results = results_for(*mechanism.exercise, *solution);
+    if (const auto asked = asked_of_results(*solution, results); !asked) return say(name, asked.error(), language);
+    for (const Condition& each : mechanism.exercise->require) {
+        Result<bool> fits = true;
+        if (each.kind == Condition::Kind::crank_turns_fully)
+            fits = crank_turns_fully(mechanism, solution->pose);
+        else if (each.kind != Condition::Kind::polygon_readable)
+            fits = each.holds ? *each.holds : holds(each, *solution, results);
+        if (!fits) return say(name, fits.error(), language);
+        if (!*fits)
+            say(name,
+                Words(render::word("a remark", language) + ": ") + Words("{0} does not hold with the file’s own values",
+                                                                         "{0} non vale con i valori propri del file",
+                                                                         quoted(each.text)),
+                language);
+    }
+    return std::nullopt;
+}
+
 /// What only the solution tells: numbers too far apart, bodies that part.
 Status check_problem(const Mechanism& mechanism, const Words& name, Language language) {
     const auto solution = solve(mechanism);
@@ -54,6 +80,7 @@ Status check_command(const CheckRequest& request) {
     if (!mechanism) return mechanism.error();
     const auto pose = draw_pose(*mechanism);
     if (!pose) return say(name, pose.error(), language);
+    if (const auto status = check_exercise(*mechanism, name, language)) return *status;
     if (stands_for_joints(*mechanism)) return check_problem(*mechanism, name, language);
     std::vector<Message> remarks = pose->remarks;
     for (Message& each : oversights(*mechanism, *pose, mobility_of(*mechanism, *pose))) remarks.push_back(std::move(each));

@@ -170,6 +170,15 @@ private:
     Errors fault_;  ///< of the first value that has one
 };
 
+/// Why the values cannot be the parameter's; empty where they can, or where a formula says what it is.
+Words of_another_kind(const Variation& values, JsonValue parameter) {
+    if (is_formula(parameter.text())) return {};
+    const auto own = read_measured(parameter.text(), {}), given = read_measured(values.value(0), {});
+    if (own->is_bare == given->is_bare && own->dimension == given->dimension) return {};
+    return {"--from is {0}; the parameter {1} is {2}", "--from è {0}; il parametro {1} è {2}", described(*given),
+            values.parameter, described(*own)};
+}
+
 /// Why a parameter cannot be swept so; empty where it can.
 Words meaningless(const SweepRequest& request, JsonValue parameters) {
     if (!request.drivers.empty() || request.branch != 0 || !request.plots.empty() || !request.traces.empty() ||
@@ -205,6 +214,8 @@ Status sweep_parameter(const SweepRequest& request) {
     if (const Words why = meaningless(request, source->root()["parameters"]); !why.empty()) return refuse(why, language);
     auto values = values_of(request);
     if (!values) return refuse(values.error(), language);
+    if (const Words why = of_another_kind(*values, source->root()["parameters"][request.over]); !why.empty())
+        return refuse(why, language);
     return ParameterSweep(request, *std::move(text), *std::move(values)).run(*targets);
 }
 

@@ -32,7 +32,8 @@ public:
         if (kin == nullptr) return fails(missing_result(solution_, results_, other_name(), condition_.where));
         const QuantityKind kind = kin->column.unit;
         const Unit unit = unit_of(kind, solution_.mechanism.units);
-        const auto read = as_quantity(*side.measured, kind, KnownUnit{kind, unit.symbol, unit.si});
+        const KnownUnit bare_unit{kind, unit.symbol, unit.si};  // what is read refers to it
+        const auto read = as_quantity(*side.measured, kind, bare_unit);
         if (!read)
             return fails({ErrorCode::bad_input,
                           condition_.where,

@@ -55,10 +55,10 @@ double angle_of(const Body& body, const Pose& pose) {
 /// The values of a solution in its own position.
 class Reading {
 public:
-    explicit Reading(const Solution& solution) : solution_(solution), found_(found_values(solution)) {}
+    explicit Reading(const Solution& solution) : solution_(solution), found_(found_values(solution, true)) {}
 
     std::vector<NamedResult> all() {
-        for (Column& column : columns_found(solution_)) {
+        for (Column& column : columns_found(solution_, true)) {
             if (column.kind == Column::Kind::slid) continue;
             const double value = value_of(column);
             results_.push_back({std::move(column), value});
@@ -124,7 +124,7 @@ std::optional<NamedResult> transmission_result(const Solution& solution) {
 
 }  // namespace
 
-std::vector<FoundValue> found_values(const Solution& solution) {
+std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions) {
     std::vector<FoundValue> values;
     const auto add = [&](const Quantity& quantity, const auto& found) {
         if (!found) return;
@@ -155,8 +155,7 @@ std::vector<FoundValue> found_values(const Solution& solution) {
     }
     std::vector<const JointForce*> told;
     for (const JointForce& force : solution.forces) {
-        // Of action and reaction the one that the results name first.
-        if (std::any_of(told.begin(), told.end(), [&](const JointForce* other) {
+        if (!with_reactions && std::any_of(told.begin(), told.end(), [&](const JointForce* other) {
                 return other->joint == force.joint && other->on == force.from && other->from == force.on;
             }))
             continue;
@@ -171,9 +170,9 @@ std::vector<FoundValue> found_values(const Solution& solution) {
     return values;
 }
 
-std::vector<Column> columns_found(const Solution& solution) {
+std::vector<Column> columns_found(const Solution& solution, bool with_reactions) {
     std::vector<Column> columns;
-    for (const FoundValue& each : found_values(solution))
+    for (const FoundValue& each : found_values(solution, with_reactions))
         add_columns(each.quantity, solution.mechanism, subject_of(each.quantity, solution), columns);
     return columns;
 }

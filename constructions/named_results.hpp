@@ -19,10 +19,10 @@ struct FoundValue {
     VectorOf<double> vector;  ///< of a component: the whole vector
     double scalar = 0;
 };
-/// In the order of the columns of a sweep.
-std::vector<FoundValue> found_values(const Solution& solution);
+/// In the order of the columns of a sweep. Of action and reaction the one that the results name first, or both.
+std::vector<FoundValue> found_values(const Solution& solution, bool with_reactions = false);
 /// The columns that these give rise to, angles, places and slides with them.
-std::vector<Column> columns_found(const Solution& solution);
+std::vector<Column> columns_found(const Solution& solution, bool with_reactions = false);
 
 /// X of a slide, or the common tangent of a contact or a curved slot, as a unit vector: along it relative velocities are counted.
 VectorOf<double> direction_of_sliding(const VectorOf<double>& guide, const VectorOf<double>& tangent,

@@ -11,6 +11,7 @@
 #include "engine/closure.hpp"
 #include "engine/equations_values.hpp"
 #include "engine/loops.hpp"
+#include "engine/problem.hpp"
 
 namespace kinegraph {
 namespace {
@@ -80,7 +81,7 @@ public:
     }
 
     Equations write() {
-        if (mechanism_.problem)
+        if (stands_for_joints(mechanism_))
             return refused(
                 {"a problem of contact, wear or impact has no joints", "un problema di contatto, usura o urto non ha coppie"});
         if (mechanism_.joints.empty() || mechanism_.motion)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/problem.hpp"
 #include "engine/result_names.hpp"
 #include "engine/variation.hpp"
 
@@ -62,7 +63,7 @@ bool holds_by(Condition::Relation relation, int order) {
 void ExerciseReader::read_exercise(const Members& file, Mechanism& mechanism) {
     if (!file["ask"] && !file["vary"] && !file["require"]) return;
     // What results go by is known only where all that has them could be read.
-    knows_results_ = faults_.empty() && !mechanism.problem;
+    knows_results_ = faults_.empty() && !stands_for_joints(mechanism);
     if (knows_results_) results_ = possible_results(mechanism);
     Exercise exercise;
     if (file["ask"]) read_ask(file["ask"], exercise);
@@ -256,7 +257,7 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
     if (text == crank_phrase) {
         read.kind = Condition::Kind::crank_turns_fully;
         const auto* spin = mechanism.drivers.empty() ? nullptr : std::get_if<SpinDriver>(&mechanism.drivers.front());
-        if (spin == nullptr && (knows_results_ || mechanism.problem)) {
+        if (spin == nullptr && (knows_results_ || stands_for_joints(mechanism))) {
             fault(value, {"no body is driven that could turn fully", "nessun corpo comandato può compiere un giro"});
             return std::nullopt;
         }
@@ -266,7 +267,7 @@ std::optional<Condition> ExerciseReader::phrase(JsonValue value, std::string_vie
         if (text != spelt) continue;
         read.kind = Condition::Kind::polygon_readable;
         read.polygon = polygon;
-        if (mechanism.problem) {
+        if (stands_for_joints(mechanism)) {
             fault(value, {"this problem has no such polygon", "questo problema non ha un tale poligono"});
             return std::nullopt;
         }
@@ -314,7 +315,7 @@ std::optional<Condition> ExerciseReader::condition(JsonValue value, const Mechan
     if (!read) return std::nullopt;
     read->text = text;
     read->where = value.pointer();
-    const bool is_problem = mechanism.problem != nullptr;
+    const bool is_problem = stands_for_joints(mechanism);
     const std::size_t wanted = read->kind == Condition::Kind::compares ? 2 : read->kind == Condition::Kind::lies_between ? 3 : 0;
     const std::array<Operand*, 3> operands{&read->left, &read->right, &read->upper};
     bool whole = true;

@@ -54,7 +54,8 @@ public:
                               std::nullopt);
         double fastest = 0;
         for (const ImpactSolution::Body& body : found_.bodies)
-            for (const Vector& v : {body.before, body.after}) fastest = std::max(fastest, kinegraph::length(v));
+            for (const Vector& v : {body.before, body.after})
+                fastest = std::max(fastest, kinegraph::length(v));
         const Unit& unit = context.solution.mechanism.units.velocity;
         speed_scale_ = choose_scale(fastest / unit.si.to_double(), 0, longest_, 1, std::nullopt) * unit.si.to_double();
         origin_ = spot_of(found_.at, scale_);
@@ -157,7 +158,7 @@ private:
                                  .size = theme_.label,
                                  .colour = colour.letter,
                                  .anchor = centre});
-        if (const auto& percussion = found_.bodies.at(i).percussion) {
+        if (const auto& percussion = found_.bodies.at(i).percussion; percussion && moment_ == Moment::after) {
             const Spot there = spot(*percussion);
             if (render::length(there - centre) > room_.x) return;  // too far to be drawn
             const Pen pen{theme_.outline, theme_.secondary, {}, false};

@@ -1,0 +1,181 @@
+// variants, and sweep --over, as a user meets them.
+#include <cmath>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "tests/command_line.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+using Json = nlohmann::json;
+
+class VariantsCommand : public CommandLine {
+protected:
+    void SetUp() override {
+        CommandLine::SetUp();
+        fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "planetary_train.json", folder_ / "train.json");
+    }
+    std::map<std::string, std::string> files_of(const std::string& folder) const {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::directory_iterator(folder_ / folder))
+            files[entry.path().filename().string()] = contents(entry.path());
+        return files;
+    }
+};
+class SweepOver : public CommandLine {};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST_F(VariantsCommand, WritesSheetsResultsFilesAndKeys) {
+    write("students.csv", "name,surname\nAnna,Rossi\n\"Bruno\",\"De \"\"Santis\"\"\"\n");
+    const Outcome made = run("variants train.json --seed 7 --roster students.csv -o out/ --format svg --date 2026-11-23");
+    ASSERT_EQ(made.status, 0) << made.err;
+    const auto files = files_of("out");
+    for (const char* name : {"001.json", "001-question.svg", "001-solution.svg", "001-results.json", "002.json",
+                             "002-question.svg", "002-solution.svg", "002-results.json", "key.csv", "key.pdf"})
+        EXPECT_TRUE(files.contains(name)) << name;
+    EXPECT_NE(files.at("001-question.svg").find("Anna Rossi"), std::string::npos) << "in the title block";
+    EXPECT_EQ(files.at("001-question.svg").find("De \"Santis\""), std::string::npos);
+    EXPECT_EQ(files.at("key.pdf").substr(0, 5), "%PDF-");
+    const auto key = lines_of(files.at("key.csv"));
+    ASSERT_EQ(key.size(), 3U);
+    EXPECT_EQ(key[0], "variant,name,m,z2,z3,phi,w,omega 3 [rad/s],omega 4 [rad/s],v C [m/s]");
+    EXPECT_TRUE(key[1].starts_with("001,Anna Rossi,2.5 mm,22,16,30°,-8 rad/s,5.5,")) << key[1];
+    EXPECT_TRUE(key[2].starts_with("002,\"Bruno De \"\"Santis\"\"\",")) << key[2];
+    // The results are those of the file that stands beside them.
+    const Outcome solved = run("solve out/001.json -o again.json");
+    EXPECT_EQ(solved.status, 0) << solved.err;
+    EXPECT_EQ(contents(folder_ / "again.json"), files.at("001-results.json"));
+    EXPECT_EQ(Json::parse(files.at("001-results.json"))["bodies"]["3"]["omega"], 5.5);
+    EXPECT_TRUE(
+        lines_are(made.err, R"(train\.json: (2 variants in out/; \d+ of 8316 combinations were looked at|\d+ rejected: .*))"))
+        << made.err;
+}
+
+TEST_F(VariantsCommand, GivesTheSameBytesAndMerges) {
+    ASSERT_EQ(run("variants train.json --count 1 --seed 3 -o one --merge").status, 0);
+    ASSERT_EQ(run("variants train.json --count 2 --seed 3 -o two --merge").status, 0);
+    ASSERT_EQ(run("variants train.json --count 2 --seed 3 -o again --merge").status, 0);
+    EXPECT_EQ(files_of("two"), files_of("again"));
+    const auto one = files_of("one"), two = files_of("two");
+    EXPECT_EQ(one.at("001.json"), two.at("001.json"));
+    EXPECT_TRUE(two.contains("questions.pdf") && two.contains("solutions.pdf"));
+    EXPECT_FALSE(two.contains("001-question.pdf"));
+}
+
+TEST_F(VariantsCommand, SaysWhatIsWrongInOneLine) {
+    write("empty.csv", "\n\n");
+    write("open.csv", "name\n\"Anna");
+    write("latin.csv", "name\nJos\xE9\n");
+    write("three.csv", "A\nB\nC\n");
+    write("file", "");
+    const auto before = snapshot();
+    const auto wrong = [&](const std::string& arguments, const std::string& said, int status = 2) {
+        const Outcome outcome = run("variants " + arguments);
+        EXPECT_EQ(outcome.status, status) << arguments;
+        EXPECT_EQ(outcome.err, said + "\n") << arguments;
+    };
+    wrong("train.json -o out", "kinegraph: how many variants? give --count, or --roster");
+    wrong("train.json -o out --roster empty.csv", "empty.csv: there is no name in it");
+    wrong("train.json -o out --roster open.csv", "open.csv: line 2: a quote is not closed");
+    wrong("train.json -o out --roster latin.csv", "latin.csv: line 2: this is no UTF-8; save it as such");
+    wrong("train.json -o out --roster none.csv", "none.csv: cannot be read: No such file or directory");
+    wrong("train.json -o out --roster three.csv --count 2", "kinegraph: --count 2 is fewer than the 3 names of the roster");
+    wrong("train.json -o out --count 2 --merge --format svg", "kinegraph: --merge makes PDF; take --format svg out");
+    wrong("four_bar.json -o out --count 2", "four_bar.json: nothing varies; add \"vary\" with the values that a parameter takes");
+    wrong("four_bar.json -o out --count 2 --lang it",
+          "four_bar.json: non varia nulla; aggiungere \"vary\" con i valori che un parametro assume");
+    EXPECT_EQ(changed_since(before), "");
+    wrong("train.json -o file --count 2", "file: cannot be written: Not a directory", 4);
+    wrong("train.json -o /proc/none --count 2", "/proc/none: cannot be written: No such file or directory", 4);
+}
+
+TEST_F(VariantsCommand, CountsThoseThatTheConditionsLeave) {
+    std::string text = contents(folder_ / "train.json");
+    text.replace(text.find("\"require\": ["), 12,
+                 "\"require\": [\"z2 = 30\", \"m = 2 mm\", \"w = 10 rad/s\", \"phi = 50°\", \"z3 < 20\", ");
+    write("few.json", text);
+    const Outcome made = run("variants few.json --count 5 -o out --format svg");
+    EXPECT_EQ(made.status, 3) << made.err;
+    EXPECT_NE(made.err.find("the conditions leave 2 of 8316 combinations; 5 were asked for"), std::string::npos) << made.err;
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "002-solution.svg")) << "what there is is written";
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "003.json"));
+}
+
+TEST_F(VariantsCommand, StopsWithWholeFiles) {
+    const std::string command = "cd '" + folder_.string() + "' && { '" + program_ +
+                                "' variants train.json --count 100000 -o out --format svg 2>err & pid=$!; until [ -e "
+                                "out/002.json ] || ! kill -0 $pid; do sleep 0.02; done; kill -INT $pid; wait $pid; }";
+    EXPECT_NE(std::system(command.c_str()), 0);
+    EXPECT_NE(contents(folder_ / "err").find("stopped: what is there is whole"), std::string::npos);
+    EXPECT_TRUE(is_there("out/key.csv"));
+    for (const auto& [name, bytes] : files_of("out")) {
+        EXPECT_TRUE(name.ends_with(".json") || name.ends_with(".svg") || name.starts_with("key.")) << name << " was left behind";
+        if (name.ends_with(".svg")) EXPECT_TRUE(bytes.ends_with("</svg>\n")) << name;
+        if (name.ends_with(".json")) EXPECT_TRUE(bytes.ends_with("}\n")) << name;
+    }
+}
+
+TEST_F(VariantsCommand, CheckSaysWhichConditionsTheFileItselfMisses) {
+    std::string text = contents(folder_ / "train.json");
+    text.replace(text.find("\"require\": ["), 12, "\"require\": [\"z2 = 31\", \"omega 4 > 100\", ");
+    write("missed.json", text);
+    const Outcome checked = run("check missed.json");
+    EXPECT_EQ(checked.status, 0);
+    EXPECT_EQ(checked.err,
+              "missed.json: remark: \"z2 = 31\" does not hold with the file’s own values\n"
+              "missed.json: remark: \"omega 4 > 100\" does not hold with the file’s own values\n");
+}
+
+TEST_F(SweepOver, SolvesTheFileForEachValue) {
+    fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
+    const Outcome swept = run("sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --step \"5 mm\"");
+    ASSERT_EQ(swept.status, 0) << swept.err;
+    const auto lines = lines_of(swept.out);
+    ASSERT_EQ(lines.size(), 7U);
+    EXPECT_TRUE(lines[0].starts_with("r,angle 2,omega 2,alpha 2,angle 3,omega 3,")) << lines[0];
+    EXPECT_TRUE(lines[1].starts_with("0.035,")) << lines[1];
+    // A row is what solve finds with that value.
+    ASSERT_EQ(run("solve vary.json --set r=45mm -o one.json").status, 0);
+    const Json one = Json::parse(contents(folder_ / "one.json"));
+    std::vector<double> row;
+    std::istringstream cells(lines[3]);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    EXPECT_EQ(row[0], 0.045);
+    EXPECT_EQ(row[5], one["bodies"]["3"]["omega"].get<double>());
+
+    const Outcome json = run("sweep vary.json --over phi --from 0° --to 90° --steps 2 --format json");
+    ASSERT_EQ(json.status, 0) << json.err;
+    const Json rows = Json::parse(json.out);
+    EXPECT_EQ(rows["parameter"], "phi");
+    EXPECT_EQ(rows["rows"].size(), 3U);
+    EXPECT_NEAR(rows["rows"][1][0].get<double>(), std::acos(-1.0) / 4, 1e-15);
+}
+
+TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
+    fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
+    const Outcome open = run("sweep vary.json --over d --from \"150 mm\" --to \"450 mm\" --step \"150 mm\"");
+    EXPECT_EQ(open.status, 3);
+    EXPECT_EQ(open.err, "vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n");
+    EXPECT_EQ(lines_of(open.out).size(), 2U);
+    const auto wrong = [&](const std::string& arguments, const std::string& said) {
+        const Outcome outcome = run("sweep vary.json " + arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.err, "kinegraph: " + said + "\n") << arguments;
+    };
+    wrong("--over R --from 1 --to 2", "--over \"R\": the file has no parameter named \"R\" (did you mean \"d\"?)");
+    wrong("--over r --from 1 --to 2", "--from is a bare number; the parameter r is a length");
+    wrong("--over r --from \"1 mm\"", "--over wants --from and --to");
+    wrong("--over r --from \"1 mm\" --to \"2 s\"", "--from is a length, and --to or --step is a time");
+    wrong("--over r --from \"1 mm\" --to \"2 mm\" --driver 2",
+          "--over moves no driver: --driver, --branch, --plot, --trace, --centrodes and --poses do not go with it");
+}
+
+}  // namespace
+}  // namespace kinegraph::tests
