@@ -481,12 +481,12 @@ Status run(int count, char** arguments, Language language) {
     program.require_subcommand(1);
     Action action;
     add_solve(program, action);
-    add_batch(program, action);
     add_sweep(program, action);
     add_cam(program, action);
     add_check(program, action);
     add_diff(program, action);
     add_pairs(program, action);
+    add_batch(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {
