@@ -54,8 +54,9 @@ struct SweepRequest {
     std::vector<Setting> set;  ///< parameters in place of the file's
     std::vector<std::string> outputs;
     std::string format;
+    std::string over;                  ///< a parameter that takes the place of the driver; empty: none
     std::vector<std::string> drivers;  ///< by name: the one that moves, and those that go along; empty: the first of the file
-    std::vector<std::string> step;     ///< quantities: by how much those that go along move at each step
+    std::vector<std::string> step;     ///< quantities: by how much those that go along move at each step, or the parameter
     int branch = 0;                    ///< out of a change point that is drawn: from 1; 0: none is asked for
     std::string from, to;              ///< quantities, as a file writes them; empty: a full turn, or from limit to limit
     long steps = 360;
@@ -68,6 +69,22 @@ struct SweepRequest {
     double dpi = 150;
 };
 Status sweep_command(const SweepRequest& request);
+
+/// variants FILE: many exercises of one, each with its question, its solution and a line of the key.
+struct VariantsRequest {
+    std::string file;
+    std::vector<Setting> set;     ///< parameters in place of the file's
+    long count = 0;               ///< how many; 0: one for each student of the roster
+    unsigned long long seed = 1;  ///< which of them
+    std::string roster;           ///< a file of names; empty: none
+    bool merge = false;           ///< all questions in one PDF, and all solutions
+    std::string folder;           ///< where they go
+    std::string format = "pdf";   ///< of the sheets: pdf, svg, png
+    render::SheetOptions sheet;
+    std::string theme = "colour";
+    double dpi = 150;
+};
+Status variants_command(const VariantsRequest& request);
 
 /// cam FILE: the disc cam that gives its follower a law.
 struct CamRequest {

@@ -366,11 +366,49 @@ void add_sweep(CLI::App& program, Action& action) {
         ->check(CLI::IsMember({"csv", "json", "svg", "png", "pdf"}, CLI::ignore_case))
         ->type_name("FORMAT");
     add_settings(*command, request.set);
+    command
+        ->add_option("--over", request.over,
+                     "A parameter of the file that is swept in place of a driver, --from … --to … in --steps or by --step: every "
+                     "row is the file solved anew")
+        ->type_name("PARAMETER");
     add_drivers(*command, request);
     add_travel(*command, request);
     add_plots(*command, request);
     add_paper(*command, words->sheet);
     command->callback([&action, words] { action = [words] { return sweep_command(words->meant()); }; });
+}
+
+void add_variants(CLI::App& program, Action& action) {
+    CLI::App* command = add_command(program, "variants", "Many exercises of one file: questions, solutions, key");
+    auto words = std::make_shared<WordsOf<VariantsRequest>>();
+    VariantsRequest& request = words->request;
+    command->add_option("FILE", request.file, "The mechanism file, with \"vary\"; - is standard input")->required();
+    command->add_option("-o,--output", request.folder, "The folder where they go; made where it is missing")
+        ->required()
+        ->type_name("OUT/");
+    command->add_option("--count", request.count, "How many, 1 to 1000000; without it one for each name of the roster")
+        ->check(CLI::Range(1L, 1000000L))
+        ->type_name("N");
+    command->add_option("--seed", request.seed, "Which of them: the same seed gives the same variants")
+        ->type_name("S")
+        ->capture_default_str();
+    command->add_option("--roster", request.roster, "A CSV file with a student on each line, who is named in the title block")
+        ->type_name("CSV");
+    command->add_flag("--merge", request.merge, "One PDF of all questions and one of all solutions, in place of a file each");
+    add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"}, "FORMAT");
+    add_settings(*command, request.set);
+    add_choice(*command, "--detail", words->sheet.detail, "How much of a solution is told: full or brief", {"full", "brief"},
+               "HOW");
+    command->add_flag("--grid", request.sheet.grid, "On the questions: blank rooms for the polygons, with pole and grid");
+    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_paper(*command, words->sheet);
+    command->callback([&action, words] {
+        action = [words] {
+            VariantsRequest meant = words->meant();
+            meant.sheet.detail = words->sheet.meant().detail;
+            return variants_command(meant);
+        };
+    });
 }
 
 void add_cam(CLI::App& program, Action& action) {
@@ -482,6 +520,7 @@ Status run(int count, char** arguments, Language language) {
     Action action;
     add_solve(program, action);
     add_sweep(program, action);
+    add_variants(program, action);
     add_cam(program, action);
     add_check(program, action);
     add_diff(program, action);

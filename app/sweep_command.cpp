@@ -1,10 +1,6 @@
 // sweep FILE: the results in one position after another, as rows that are written while they are found.
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -12,8 +8,10 @@
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
+#include "app/row_file.hpp"
 #include "app/sweep_centrodes.hpp"
 #include "app/sweep_drawing.hpp"
+#include "app/sweep_parameter.hpp"
 #include "constructions/cycle.hpp"
 #include "constructions/solve.hpp"
 #include "render/sheet/cycle_sheet.hpp"
@@ -22,131 +20,31 @@
 namespace kinegraph::app {
 namespace {
 
-void append(std::string& text, double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value);
-    text.append(digits.data(), end.ptr);
+/// What a file of rows in JSON says before its columns. `along`: the drivers that go along, with their coordinates over the
+/// driver's.
+std::string begun(const std::string& driver, const std::vector<std::pair<std::string, double>>& along, const Travel& travel) {
+    const auto limit = [](bool is_one, double at) { return is_one ? decimal_of(at) : std::string("null"); };
+    std::string text = "\"driver\": " + in_json(driver);
+    for (const auto& [name, per] : along)
+        text += (&name == &along.front().first ? ",\n  \"along\": {" : ", ") + in_json(name) + ": " + decimal_of(per);
+    text += (along.empty() ? ",\n  \"from\": " : "},\n  \"from\": ") + decimal_of(travel.from) +
+            ",\n  \"to\": " + decimal_of(travel.to) + ",\n  \"limits\": [" + limit(travel.starts_at_limit, travel.from) + ", " +
+            limit(travel.ends_at_limit, travel.to) + "],\n  \"change points\": [";
+    for (std::size_t i = 0; i < travel.change_points.size(); ++i)
+        text += (i > 0 ? ", " : "") + decimal_of(travel.change_points[i]);
+    return text + "]";
 }
-
-std::string in_quotes(const std::string& name, const char* quote) {
-    std::string text = "\"";
-    for (const char c : name) {
-        if (c == '"') text += quote;
-        if (c == '\\' && *quote == '\\') text += '\\';
-        text += c;
-    }
-    return text + '"';
+/// And after its rows. `centrodes`: as JSON; empty: none are asked for.
+std::string ended(const Cycle& cycle, const std::string& centrodes) {
+    const Cycle::Difference off = cycle.difference();
+    std::string text = "\"largest difference\": ";
+    if (off.column < 0)
+        text += "null";
+    else
+        text += "{\"column\": " + in_json(cycle.columns()[static_cast<std::size_t>(off.column)].name) +
+                ", \"turn\": " + decimal_of(off.coordinate) + ", \"share\": " + decimal_of(off.share) + "}";
+    return centrodes.empty() ? text : text + ",\n  \"centrodes\": " + centrodes;
 }
-
-/// The rows of a cycle in the form of a file.
-class RowFile {
-public:
-    RowFile(Growing file, Format format) : file_(std::move(file)), format_(format) {}
-
-    /// `along`: the drivers that go along, with their coordinates over the driver's.
-    void head(const std::vector<Column>& columns, const std::string& driver,
-              const std::vector<std::pair<std::string, double>>& along, const Travel& travel) {
-        if (format_ == Format::json) {
-            text_ = "{\n  \"driver\": " + in_quotes(driver, "\\");
-            for (const auto& [name, per] : along) {
-                text_ += (&name == &along.front().first ? ",\n  \"along\": {" : ", ") + in_quotes(name, "\\") + ": ";
-                append(text_, per);
-            }
-            text_ += along.empty() ? ",\n  \"from\": " : "},\n  \"from\": ";
-            append(text_, travel.from);
-            text_ += ",\n  \"to\": ";
-            append(text_, travel.to);
-            text_ += ",\n  \"limits\": [" + limit(travel.starts_at_limit, travel.from) + ", " +
-                     limit(travel.ends_at_limit, travel.to) + "],\n  \"change points\": [";
-            for (std::size_t i = 0; i < travel.change_points.size(); ++i) {
-                if (i > 0) text_ += ", ";
-                append(text_, travel.change_points[i]);
-            }
-            text_ += "],\n  \"columns\": [";
-        }
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            if (i > 0) text_ += format_ == Format::json ? ", " : ",";
-            const bool plain = format_ == Format::csv && columns[i].name.find('"') == std::string::npos;
-            text_ += plain ? columns[i].name : in_quotes(columns[i].name, format_ == Format::json ? "\\" : "\"");
-        }
-        text_ += format_ == Format::json ? "],\n  \"rows\": [" : "\n";
-    }
-    void row(std::span<const double> values) {
-        if (format_ == Format::json) text_ += rows_++ == 0 ? "\n    [" : ",\n    [";
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (i > 0) text_ += format_ == Format::json ? ", " : ",";
-            append(text_, values[i]);
-        }
-        text_ += format_ == Format::json ? "]" : "\n";
-        constexpr std::size_t at_a_time = 1 << 16;
-        if (text_.size() > at_a_time) flush();
-    }
-    /// `centrodes`: as JSON; empty: none are asked for.
-    void tail(const Cycle& cycle, const std::string& centrodes) {
-        if (format_ == Format::json) {
-            text_ += rows_ == 0 ? "],\n  \"largest difference\": " : "\n  ],\n  \"largest difference\": ";
-            const Cycle::Difference off = cycle.difference();
-            if (off.column < 0) {
-                text_ += "null";
-            } else {
-                text_ += "{\"column\": " + in_quotes(cycle.columns()[static_cast<std::size_t>(off.column)].name, "\\") +
-                         ", \"turn\": ";
-                append(text_, off.coordinate);
-                text_ += ", \"share\": ";
-                append(text_, off.share);
-                text_ += "}";
-            }
-            if (!centrodes.empty()) text_ += ",\n  \"centrodes\": " + centrodes;
-            text_ += "\n}\n";
-        }
-        flush();
-    }
-    /// What could not be written, if it could not.
-    const std::optional<NotWritten>& failure() const { return failure_; }
-    Output finish() { return std::move(file_).finish(); }
-
-private:
-    static std::string limit(bool is_one, double at) {
-        std::string text;
-        if (is_one) append(text, at);
-        return is_one ? text : "null";
-    }
-    void flush() {
-        if (!failure_) failure_ = file_.add(text_);
-        text_.clear();
-    }
-
-    Growing file_;
-    Format format_;
-    std::string text_;
-    std::optional<NotWritten> failure_;
-    long rows_ = 0;
-};
-
-/// On a terminal, once it takes over a second.
-class Progress {
-public:
-    explicit Progress(long all) : all_(all), shows_(::isatty(STDERR_FILENO) != 0) {}
-    ~Progress() {
-        if (shown_) std::fputs("\r     \r", stderr);
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    void at(long done) {
-        constexpr long seldom = 16;  // a position may have to be planned, which takes milliseconds
-        if (!shows_ || done % seldom != 0) return;
-        const auto now = std::chrono::steady_clock::now();
-        if (now < next_) return;
-        next_ = now + std::chrono::milliseconds(200);
-        shown_ = true;
-        std::fprintf(stderr, "\r%3ld %%", 100 * done / all_);
-    }
-
-private:
-    long all_;
-    bool shows_, shown_ = false;
-    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-};
 
 /// What a sweep is asked for, read against the mechanism.
 struct Asked {
@@ -370,7 +268,7 @@ public:
             auto file = Growing::open(target.path);
             if (!file) return fail_to_write(file.error(), language());
             files.emplace_back(*std::move(file), target.format);
-            files.back().head(cycle_.columns(), name_of_driver(mechanism_, driver_), along(), travel_);
+            files.back().head(cycle_.columns(), begun(name_of_driver(mechanism_, driver_), along(), travel_));
         }
         EffortSums efforts(cycle_.columns(), travel_.times ? 1 : 0);
         const auto fails = [&]() -> std::optional<NotWritten> {
@@ -380,7 +278,7 @@ public:
         };
         if (!write_rows(files, efforts, draws, fails)) return fail_to_write(*fails(), language());
         const std::string centrodes = centrodes_.empty() ? "" : json_of(centrodes_, mechanism_);
-        for (RowFile& file : files) file.tail(cycle_, centrodes);
+        for (RowFile& file : files) file.tail(ended(cycle_, centrodes));
         if (const auto failure = fails()) return fail_to_write(*failure, language());
         std::vector<Output> outputs;
         for (RowFile& file : files) outputs.push_back(file.finish());
@@ -547,6 +445,7 @@ Status sweep_command(const SweepRequest& request) {
         say(name, why, language);
         return Status::bad_input;
     };
+    if (!request.over.empty()) return sweep_parameter(request);
     constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf};
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);

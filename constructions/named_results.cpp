@@ -108,48 +108,18 @@ private:
     std::vector<NamedResult> results_;
 };
 
-/// Of the whole travel of the first driver; nothing where there is none, or no coupler.
-std::optional<NamedResult> transmission_result(const Solution& solution) {
-    const Mechanism& m = solution.mechanism;
-    if (m.drivers.empty()) return std::nullopt;
-    const auto travel = own_travel(m, solution.pose);
-    if (!travel) return std::nullopt;
-    const auto found = transmission_of(m, travel->first, 0, travel->second);
-    if (!found) return std::nullopt;
-    return NamedResult{{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle}, found->least};
+const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
+    const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
+    return found == results.end() ? nullptr : &*found;
 }
 
-Unit unit_of(QuantityKind kind, const Units& units) {
-    switch (kind) {
-        case QuantityKind::length:
-            return units.length;
-        case QuantityKind::angle:
-            return units.angle;
-        case QuantityKind::angular_velocity:
-            return units.angular_velocity;
-        case QuantityKind::velocity:
-            return units.velocity;
-        case QuantityKind::acceleration:
-            return units.acceleration;
-        case QuantityKind::mass:
-            return units.mass;
-        case QuantityKind::force:
-            return units.force;
-        case QuantityKind::moment:
-            return units.moment;
-        case QuantityKind::inertia:
-            return units.inertia;
-        case QuantityKind::pressure:
-            return units.pressure;
-        case QuantityKind::dimensionless:
-            return {"", 1};
-        case QuantityKind::angular_acceleration:
-        case QuantityKind::time:
-        case QuantityKind::wear:
-            break;
-    }
-    const KnownUnit& si = default_unit(kind);
-    return {std::string(si.symbol), si.si};
+/// Of the whole travel of the first driver; nothing where there is none, or no coupler.
+std::optional<NamedResult> transmission_result(const Solution& solution) {
+    const auto travel = own_travel(solution.mechanism, solution.pose);
+    if (!travel) return std::nullopt;
+    const auto found = transmission_of(solution.mechanism, travel->first, 0, travel->second);
+    if (!found) return std::nullopt;
+    return NamedResult{{Column::Kind::named, {}, transmission_angle_name, QuantityKind::angle}, found->least};
 }
 
 }  // namespace
@@ -216,38 +186,84 @@ Spot direction_of_sliding(const Spot& guide, const Spot& tangent, const Spot& no
 
 std::vector<NamedResult> named_results(const Solution& solution) { return Reading(solution).all(); }
 
-Result<std::vector<NamedResult>> asked_results(const Solution& solution) {
-    const std::vector<NamedResult> all = named_results(solution);
+Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
+                     const std::string& where) {
+    if (!solution.unsolved.empty())
+        return {ErrorCode::no_unique_answer,
+                where,
+                {"{0} is not found in this position", "{0} non si trova in questa posizione", quoted(name)}};
+    Speller speller;
+    std::vector<std::string_view> names;
+    for (const NamedResult& each : results) names.emplace_back(each.column.name);
+    return {ErrorCode::bad_input,
+            where,
+            {"there is no result {0}{1}; what is found goes by \"find\"",
+             "non c’è un risultato {0}{1}; che cosa si trova dipende da \"find\"", quoted(name),
+             did_you_mean(speller.nearest(name, names))}};
+}
+
+std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution) {
+    std::vector<NamedResult> results = named_results(solution);
+    const auto is_it = [](const std::string& name) { return name == transmission_angle_name; };
+    const bool wanted =
+        std::any_of(exercise.ask.begin(), exercise.ask.end(), [&](const AskedResult& each) { return is_it(each.name); }) ||
+        std::any_of(exercise.require.begin(), exercise.require.end(), [&](const Condition& each) {
+            return is_it(each.left.result) || is_it(each.right.result) || is_it(each.upper.result);
+        });
+    if (wanted)
+        if (auto found = transmission_result(solution)) results.push_back(*std::move(found));
+    return results;
+}
+
+Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results) {
     std::vector<NamedResult> asked;
     Errors errors;
-    Speller speller;
     for (const AskedResult& each : asked_of(solution.mechanism)) {
-        const auto found = std::find_if(all.begin(), all.end(), [&](const NamedResult& r) { return r.column.name == each.name; });
-        if (found != all.end()) {
+        if (const NamedResult* found = result_named(results, each.name))
             asked.push_back(*found);
-            continue;
-        }
-        if (each.name == transmission_angle_name)
-            if (auto angle = transmission_result(solution)) {
-                asked.push_back(*std::move(angle));
-                continue;
-            }
-        if (!solution.unsolved.empty()) {
-            errors.push_back({ErrorCode::no_unique_answer,
-                              each.where,
-                              {"{0} is not found in this position", "{0} non si trova in questa posizione", quoted(each.name)}});
-            continue;
-        }
-        std::vector<std::string_view> names;
-        for (const NamedResult& result : all) names.emplace_back(result.column.name);
-        errors.push_back({ErrorCode::bad_input,
-                          each.where,
-                          {"there is no result {0}{1}; what is found goes by \"find\"",
-                           "non c’è un risultato {0}{1}; che cosa si trova dipende da \"find\"", quoted(each.name),
-                           did_you_mean(speller.nearest(each.name, names))}});
+        else
+            errors.push_back(missing_result(solution, results, each.name, each.where));
     }
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return asked;
+}
+
+Result<std::vector<NamedResult>> asked_results(const Solution& solution) {
+    if (!solution.mechanism.exercise) return std::vector<NamedResult>();
+    return asked_of_results(solution, results_for(*solution.mechanism.exercise, solution));
+}
+
+Unit unit_of(QuantityKind kind, const Units& units) {
+    switch (kind) {
+        case QuantityKind::length:
+            return units.length;
+        case QuantityKind::angle:
+            return units.angle;
+        case QuantityKind::angular_velocity:
+            return units.angular_velocity;
+        case QuantityKind::velocity:
+            return units.velocity;
+        case QuantityKind::acceleration:
+            return units.acceleration;
+        case QuantityKind::mass:
+            return units.mass;
+        case QuantityKind::force:
+            return units.force;
+        case QuantityKind::moment:
+            return units.moment;
+        case QuantityKind::inertia:
+            return units.inertia;
+        case QuantityKind::pressure:
+            return units.pressure;
+        case QuantityKind::dimensionless:
+            return {"", 1};
+        case QuantityKind::angular_acceleration:
+        case QuantityKind::time:
+        case QuantityKind::wear:
+            break;
+    }
+    const KnownUnit& si = default_unit(kind);
+    return {std::string(si.symbol), si.si};
 }
 
 ToldResult told(const NamedResult& result, const Units& units) {

@@ -36,9 +36,15 @@ struct NamedResult {
 /// All that a solution holds: the results of a sweep's row (without turn, time and slides, which are nothing in one position),
 /// the lengths of vectors ("v B"), and of a problem its values. Two of them never have one name.
 std::vector<NamedResult> named_results(const Solution& solution);
-/// What the file asks for, in its order. Errors, each at its place: what the solution has not got, with the nearest of what it
-/// has (bad input), or that its position leaves open (no unique answer).
+/// The results that an exercise speaks of: all named ones, and the transmission angle where it speaks of it (that takes a whole
+/// cycle) and the mechanism has one.
+std::vector<NamedResult> results_for(const Exercise& exercise, const Solution& solution);
+/// What the file asks for, in its order, of results_for. Errors, each at its place: missing_result.
+Result<std::vector<NamedResult>> asked_of_results(const Solution& solution, const std::vector<NamedResult>& results);
 Result<std::vector<NamedResult>> asked_results(const Solution& solution);
+/// That there is no such result: none of that name, with the nearest (bad input), or none in this position (no unique answer).
+Error missing_result(const Solution& solution, const std::vector<NamedResult>& results, const std::string& name,
+                     const std::string& where);
 
 /// In the file's unit, with that unit's symbol ("" for a bare number).
 struct ToldResult {
@@ -46,5 +52,7 @@ struct ToldResult {
     std::string unit;
 };
 ToldResult told(const NamedResult& result, const Units& units);
+/// The unit in which a file tells quantities of a kind.
+Unit unit_of(QuantityKind kind, const Units& units);
 
 }  // namespace kinegraph

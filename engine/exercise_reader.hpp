@@ -1,6 +1,7 @@
-// The sections of a file that make an exercise of it: "ask". Each fault where it stands.
+// The sections of a file that make an exercise of it: "ask", "vary", "require". Each fault where it stands.
 #pragma once
 
+#include "engine/column.hpp"
 #include "engine/exercise.hpp"
 #include "engine/problem_reader.hpp"
 
@@ -13,7 +14,26 @@ protected:
     void read_exercise(const Members& file, Mechanism& mechanism);
 
 private:
-    void read_ask(JsonValue ask, const Mechanism& mechanism, Exercise& exercise);
+    void read_ask(JsonValue ask, Exercise& exercise);
+
+    void read_vary(JsonValue vary, Exercise& exercise);
+    void read_variation(JsonValue member, Exercise& exercise);
+    void read_choices(JsonValue choose, const Measured* own, Variation& variation);
+    void read_steps(const Members& form, const Measured* own, Variation& variation);
+    /// A value that a parameter may take: a number or a quantity, of the kind that the parameter has.
+    std::optional<Measured> value_of_parameter(JsonValue value, const Measured* own);
+
+    void read_require(JsonValue require, const Mechanism& mechanism, Exercise& exercise);
+    std::optional<Condition> condition(JsonValue value, const Mechanism& mechanism);
+    std::optional<Condition> phrase(JsonValue value, std::string_view text, const Mechanism& mechanism);
+    std::optional<Operand> operand(JsonValue at, std::string_view text, bool is_problem);
+    /// What the sides of a condition are must go together; where parameters alone decide it is seen whether it holds.
+    void match_sides(JsonValue at, Condition& condition);
+    std::optional<int> compared(JsonValue at, const Operand& left, const Operand& right);
+    const Column* result_named(std::string_view name) const;
+
+    std::vector<Column> results_;  ///< that the mechanism may have
+    bool knows_results_ = false;
 };
 
 }  // namespace kinegraph

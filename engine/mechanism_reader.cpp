@@ -70,7 +70,8 @@ private:
         const Members file =
             members(root, {"$schema", "kinegraph", "title",   "units",  "parameters", "precision",      "frame", "points",
                            "bodies",  "joints",    "drivers", "masses", "gravity",    "inertia forces", "loads", "effort",
-                           "motion",  "find",      "scales",  "hertz",  "reye",       "impact",         "ask"},
+                           "motion",  "find",      "scales",  "hertz",  "reye",       "impact",         "ask",   "vary",
+                           "require"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",

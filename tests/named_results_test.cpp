@@ -13,6 +13,7 @@
 #include "engine/result_names.hpp"
 #include "tests/files.hpp"
 #include "tests/schema_gate.hpp"
+#include "tests/solved.hpp"
 
 namespace kinegraph {
 namespace {
@@ -34,7 +35,7 @@ const NamedResult* find(const std::vector<NamedResult>& results, const std::stri
 }
 
 TEST(NamedResults, AreTheRowOfASweepInTheDrawnPosition) {
-    for (const char* example : {"four_bar", "quick_return", "slider_crank", "gas_force", "cam_roller_follower", "sluice_gate"}) {
+    for (const char* example : {"four_bar", "quick_return", "slider_crank", "gas_force", "cam_roller_follower", "sluice_gate_travel"}) {
         const Mechanism mechanism = read_or_throw(tests::contents(tests::example_file(example)));
         const Pose pose = *draw_pose(mechanism);
         auto cycle = Cycle::of(mechanism, pose, 0);
@@ -61,7 +62,7 @@ TEST(NamedResults, AreTheRowOfASweepInTheDrawnPosition) {
 }
 
 TEST(NamedResults, KnowTheLengthsOfVectors) {
-    const auto results = named_results(*solve(read_or_throw(tests::contents(tests::example_file("four_bar")))));
+    const auto results = named_results(tests::example("four_bar"));
     const NamedResult* v = find(results, "v A");
     ASSERT_NE(v, nullptr);
     EXPECT_NEAR(v->value, 0.04 * 4 * std::acos(-1.0), 1e-12) << "120 rpm at 40 mm";
@@ -88,7 +89,7 @@ TEST(NamedResults, HaveNamesOfTheirOwnThatTheMechanismAloneTells) {
 TEST(Ask, GivesTheResultsInTheOrderOfTheFile) {
     const std::string text = asking("four_bar", R"(["omega 4", "v B", "transmission angle", "angle 2"])");
     EXPECT_TRUE(refused_by_schema(text).empty());
-    const Solution solution = *solve(read_or_throw(text));
+    const Solution solution = tests::solved(text);
     const auto asked = asked_results(solution);
     ASSERT_TRUE(asked);
     ASSERT_EQ(asked->size(), 4U);
@@ -106,10 +107,10 @@ TEST(Ask, GivesTheResultsInTheOrderOfTheFile) {
 
 TEST(Ask, KnowsWhatAProblemFinds) {
     const auto asked =
-        asked_results(*solve(read_or_throw(asking("contact/ball_against_wall", R"(["impulse x", "energy lost"])"))));
+        asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse x", "energy lost"])")));
     ASSERT_TRUE(asked);
     EXPECT_EQ((*asked)[0].unit, "N s");
-    const auto wrong = asked_results(*solve(read_or_throw(asking("contact/ball_against_wall", R"(["impulse z"])"))));
+    const auto wrong = asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse z"])")));
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().front().where, "/ask/0");
     EXPECT_NE(wrong.error().front().message.en.find("\"impulse x\""), std::string::npos) << wrong.error().front().message.en;
@@ -127,7 +128,7 @@ TEST(Ask, FaultsNameThePlaceAndTheNearest) {
     EXPECT_EQ(fault(R"("v B")"), "/ask: an array of names of results, such as \"omega 3\" is wanted here, not \"v B\"");
     EXPECT_EQ(fault(R"([3])"), "/ask/0: the name of a result, such as \"omega 3\" is wanted here, not the number 3");
     // The mechanism may have it, but "find" does not look for it.
-    const auto not_found = asked_results(*solve(read_or_throw(asking("four_bar", R"(["Fx A 3 on 2"])"))));
+    const auto not_found = asked_results(tests::solved(asking("four_bar", R"(["Fx A 3 on 2"])")));
     ASSERT_FALSE(not_found);
     EXPECT_EQ(not_found.error().front().code, ErrorCode::bad_input);
 }

@@ -184,7 +184,7 @@ std::vector<ProblemSection> impact_sections(const DrawingContext& context) {
     };
     std::vector<ProblemFigure> routh;
     if (has_routh_figure(context)) routh.push_back(figure("routh", impact_routh_figure, 0.8));
-    return {{"given", {"Given", "Dati"}, {figure("contact", impact_bodies_figure, 1)}, text.given()},
+    return {{"given", {"Given", "Dati"}, {figure("contact", impact_bodies_figure, 1)}, text.given(), 1},
             {"impulse", {"Impulses and velocities", "Impulsi e velocità"}, {}, text.equations()},
             {"phases", {"Course of the impact", "Corso dell’urto"}, routh, text.phases()},
             {"velocities",

@@ -21,6 +21,7 @@ struct ProblemSection {
     Words heading;
     std::vector<ProblemFigure> figures;
     std::vector<Words> sentences;  ///< as formula() reads them; a line break begins an equation on a line of its own
+    std::size_t found = 0;         ///< of what is given: how many of the last sentences a question keeps back
 };
 /// In the order in which they are read, without the results and remarks, which all problems share.
 std::vector<ProblemSection> sections_of_problem(const DrawingContext& context);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/exercise.hpp"
 #include "engine/problem.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/block.hpp"
@@ -87,6 +88,26 @@ public:
         return framed(best);
     }
 
+    /// What is given, with its figure, and what is sought.
+    std::vector<Page> question() {
+        signature_.subtitle = word("subtitle question", context_.language);
+        ProblemSection given = sections_.front();
+        given.sentences.resize(given.sentences.size() - given.found);
+        ProblemSection sought{"sought", {word("sought", Language::en), word("sought", Language::it)}, {}, {}};
+        const auto& asked = asked_of(context_.solution.mechanism);
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            const auto is_it = [&](const AskedResult& other) { return other.name == each.name.en; };
+            if (!asked.empty() && std::none_of(asked.begin(), asked.end(), is_it)) continue;
+            const std::string symbol = "{" + each.symbol + "}";
+            sought.sentences.emplace_back("– " + symbol + "  " + each.name.en, "– " + symbol + "  " + each.name.it);
+        }
+        sections_ = {std::move(given), std::move(sought)};
+        constexpr double height = 86;
+        std::vector<Item> all;
+        for (std::size_t s = 0; s < sections_.size(); ++s) add(all, section(s, height));
+        return framed(flow(all, false));
+    }
+
     std::vector<Page> steps() {
         std::vector<std::vector<Mark>> sheets;
         for (std::size_t s = 0; s < sections_.size(); ++s)
@@ -119,15 +140,19 @@ private:
         figures_ = 0;
         std::vector<Item> all;
         for (std::size_t s = 0; s < sections_.size(); ++s) {
-            const ProblemSection& section = sections_[s];
             // The results come before what is only assumed.
-            if (section.question == "hypotheses") add(all, results(s));
-            all.push_back({fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true});
-            for (const ProblemFigure& figure : section.figures)
-                all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
-            for (const Words& each : section.sentences) all.push_back({sentence(each, measure()), s, 0, false});
+            if (sections_[s].question == "hypotheses") add(all, results(s));
+            add(all, this->section(s, figure_height));
         }
         add(all, remarks(sections_.size()));
+        return all;
+    }
+    std::vector<Item> section(std::size_t s, double figure_height) {
+        const ProblemSection& section = sections_[s];
+        std::vector<Item> all{{fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
+        for (const ProblemFigure& figure : section.figures)
+            all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
+        for (const Words& each : section.sentences) all.push_back({sentence(each, measure()), s, 0, false});
         return all;
     }
     static void add(std::vector<Item>& to, std::vector<Item> more) {
@@ -306,7 +331,8 @@ private:
 }  // namespace
 
 std::vector<Page> lay_out_problem(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
-    return ProblemSheet(solution, options, fonts).pages();
+    ProblemSheet sheet(solution, options, fonts);
+    return options.kind == SheetKind::question ? sheet.question() : sheet.pages();
 }
 std::vector<Page> lay_out_problem_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     return ProblemSheet(solution, options, fonts).steps();

@@ -1,0 +1,383 @@
+// variants FILE: draws variants of an exercise and writes the sheets, the results and the file of each, and the key of all.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/outputs.hpp"
+#include "app/roster.hpp"
+#include "constructions/variants.hpp"
+#include "engine/file_text.hpp"
+#include "render/sheet/key_sheet.hpp"
+#include "render/sheet/readable.hpp"
+#include "render/text/words.hpp"
+
+namespace kinegraph::app {
+namespace {
+
+std::string in_english(const Message& message) { return render::tell(message, render::Language::en); }
+
+// --- stopping -----------------------------------------------------------------------------------------------------------------
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all that a signal may touch
+volatile std::sig_atomic_t stop_asked = 0;
+void ask_to_stop(int signal) { stop_asked = signal; }
+
+/// While it lives, Ctrl-C asks to stop and nothing more: what is being written becomes whole.
+class Stopping {
+public:
+    Stopping() {
+        stop_asked = 0;
+        for (std::size_t i = 0; i < signals.size(); ++i) before_.at(i) = std::signal(signals.at(i), ask_to_stop);
+    }
+    ~Stopping() {
+        for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals.at(i), before_.at(i));
+    }
+    Stopping(const Stopping&) = delete;
+    Stopping& operator=(const Stopping&) = delete;
+    static int asked() { return stop_asked; }
+
+private:
+    static constexpr std::array<int, 2> signals{SIGINT, SIGTERM};
+    std::array<void (*)(int), 2> before_{};
+};
+
+/// How many are done and how long the rest will take, on a terminal, once it takes over a second.
+class Countdown {
+public:
+    Countdown(std::size_t all, Language language) : all_(all), language_(language), shows_(::isatty(STDERR_FILENO) != 0) {}
+    ~Countdown() {
+        if (shown_) std::fputs("\r\x1b[K", stderr);
+    }
+    Countdown(const Countdown&) = delete;
+    Countdown& operator=(const Countdown&) = delete;
+    void at(std::size_t done) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!shows_ || done == 0 || now < next_) return;
+        next_ = now + std::chrono::milliseconds(200);
+        shown_ = true;
+        const std::chrono::duration<double> taken = now - begun_;
+        const double left = taken.count() / static_cast<double>(done) * static_cast<double>(all_ - done);
+        const Words line("{0} of {1}, {2} s left", "{0} di {1}, mancano {2} s", std::to_string(done), std::to_string(all_),
+                         std::to_string(static_cast<long>(left + 1)));
+        std::fprintf(stderr, "\r\x1b[K%s", in(line, language_).c_str());
+    }
+
+private:
+    std::size_t all_;
+    Language language_;
+    bool shows_, shown_ = false;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(), next_ = begun_ + std::chrono::seconds(1);
+};
+
+// --- the key ------------------------------------------------------------------------------------------------------------------
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",;\"\n") == std::string::npos) return text;
+    std::string cell = "\"";
+    for (const char c : text) {
+        if (c == '"') cell += '"';
+        cell += c;
+    }
+    return cell + '"';
+}
+
+/// A line for each variant: its number, whose it is, its parameters and what is asked for.
+class Key {
+public:
+    Key(const Mechanism& original, bool has_names, Language language)
+        : units_(original.units), has_names_(has_names), language_(language) {
+        columns_.push_back({in(Words("variant", "variante"), language), "", true});
+        csv_ = "variant";
+        if (has_names) {
+            columns_.push_back({in(Words("name", "nome"), language), "", true});
+            csv_ += ",name";
+        }
+        for (const Variation& each : original.exercise->vary) {
+            columns_.push_back({each.parameter, "", false});
+            csv_ += "," + csv_cell(each.parameter);
+        }
+    }
+
+    void add(const std::string& number, const std::string& name, const Variant& variant) {
+        if (rows_.empty()) add_heads(variant);
+        std::vector<std::string> row{number};
+        csv_ += number;
+        if (has_names_) {
+            row.push_back(name);
+            csv_ += "," + csv_cell(name);
+        }
+        for (const Setting& each : variant.values) {
+            row.push_back(in(printed(each.value), language_));
+            csv_ += "," + csv_cell(each.value);
+        }
+        // A further variant may lack what is only chosen because the first has it.
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            const auto found = std::find_if(variant.results.begin(), variant.results.end(),
+                                            [&](const NamedResult& each) { return each.column.name == names_[i]; });
+            const bool has = found != variant.results.end();
+            const double value = has ? told(*found, units_).value : 0;
+            row.push_back(has ? render::number(value, 4, language_) : "");
+            csv_ += "," + (has ? render::shortest(value) : std::string());
+        }
+        csv_ += "\n";
+        rows_.push_back(std::move(row));
+    }
+
+    std::size_t size() const { return rows_.size(); }
+    const std::string& csv() const { return csv_; }
+    render::KeyTable table(const std::string& title) const { return {title, columns_, rows_}; }
+
+private:
+    void add_heads(const Variant& variant) {
+        for (const NamedResult& each : variant.results) {
+            const std::string unit = told(each, units_).unit;
+            names_.push_back(each.column.name);
+            columns_.push_back({each.column.name, unit, false});
+            csv_ += "," + csv_cell(each.column.name + (unit.empty() ? "" : " [" + unit + "]"));
+        }
+        csv_ += "\n";
+    }
+    /// As it is printed: a true minus, the comma of Italian.
+    static Words printed(std::string value) {
+        if (value.starts_with('-')) value.replace(0, 1, "−");
+        std::string italian = value;
+        std::replace(italian.begin(), italian.end(), '.', ',');
+        return {value, italian};
+    }
+
+    Units units_;
+    bool has_names_;
+    Language language_;
+    std::vector<render::KeyTable::Column> columns_;
+    std::vector<std::string> names_;
+    std::vector<std::vector<std::string>> rows_;
+    std::string csv_;
+};
+
+// --- a run --------------------------------------------------------------------------------------------------------------------
+
+/// "007": the same whatever the count is.
+std::string number_of(std::size_t variant) {
+    const std::string digits = std::to_string(variant);
+    constexpr std::size_t least = 3;
+    return std::string(digits.size() < least ? least - digits.size() : 0, '0') + digits;
+}
+
+class Run {
+public:
+    Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names, std::size_t count,
+        Press press, const render::Theme& theme)
+        : request_(request),
+          text_(std::move(text)),
+          source_(*JsonSource::read(text_)),
+          variants_(std::move(variants)),
+          names_(std::move(names)),
+          count_(count),
+          press_(std::move(press)),
+          options_(request.sheet),
+          key_(variants_.original(), !names_.empty(), request.sheet.language) {
+        options_.theme = theme;
+    }
+
+    Status carry_out() {
+        const Stopping stopping;
+        {
+            Countdown countdown(count_, language());
+            const auto is_readable = [&](const Solution& solution, Condition::Polygon polygon) {
+                return render::is_readable(solution, polygon, options_, press_.fonts());
+            };
+            while (key_.size() < count_ && Stopping::asked() == 0) {
+                countdown.at(key_.size());
+                auto variant = variants_.next(is_readable);
+                if (!variant) return say(spoken(request_.file), variant.error(), language());
+                if (!*variant) break;
+                if (const auto status = write(**variant)) return *status;
+            }
+        }
+        if (key_.size() > 0)
+            if (const auto status = write_key()) return *status;
+        return report();
+    }
+
+private:
+    Language language() const { return request_.sheet.language; }
+    void line(const Words& words) const { say(spoken(request_.file), words, language()); }
+    std::string path(const std::string& name) const {
+        return request_.folder + (request_.folder.ends_with('/') ? "" : "/") + name;
+    }
+
+    /// All that one variant has, whole or not at all; a status where it cannot be written.
+    std::optional<Status> write(Variant& variant) {
+        const std::size_t index = key_.size();
+        const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
+        Mechanism& mechanism = variant.solution.mechanism;
+        mechanism.source = number + ".json";
+        render::SheetOptions options = options_;
+        if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
+        std::vector<Output> outputs;
+        options.kind = render::SheetKind::question;
+        print(render::lay_out(variant.solution, options, press_.fonts()), number + "-question", questions_, outputs);
+        options.kind = render::SheetKind::solution;
+        options.grid = false;
+        print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
+        std::vector<Setting> set = variant.values;
+        set.insert(set.end(), request_.set.begin(), request_.set.end());
+        constexpr std::array<std::string_view, 2> without{"vary", "require"};
+        outputs.push_back({path(number + ".json"), file_with(source_, set, without)});
+        outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, in_english)});
+        if (const auto status = put(outputs)) return status;
+        key_.add(number, name, variant);
+        return std::nullopt;
+    }
+
+    void print(std::vector<render::Page> pages, const std::string& name, std::vector<render::Page>& merged,
+               std::vector<Output>& outputs) {
+        if (request_.merge) {
+            std::move(pages.begin(), pages.end(), std::back_inserter(merged));
+            return;
+        }
+        std::vector<std::string> remarks;
+        press_.print(pages, {path(name + "." + request_.format), format()}, request_.dpi, outputs, remarks);
+    }
+    Format format() const {
+        return request_.format == "svg" ? Format::svg : request_.format == "png" ? Format::png : Format::pdf;
+    }
+
+    std::optional<Status> put(const std::vector<Output>& outputs) {
+        for (const Output& each : outputs) {
+            if (same_file(each.path, request_.file) || same_file(each.path, request_.roster))
+                return refuse({"{0} would be written over; choose another folder",
+                               "{0} sarebbe sovrascritto; scegliere un’altra cartella", each.path},
+                              language());
+        }
+        const auto failure = write_all(outputs);
+        if (!failure) return std::nullopt;
+        const Status status = fail_to_write(*failure, language());
+        line({"{0} of {1} variants are in {2}, each of them whole", "{0} di {1} varianti sono in {2}, ciascuna intera",
+              std::to_string(key_.size()), std::to_string(count_), request_.folder});
+        return status;
+    }
+
+    std::optional<Status> write_key() {
+        std::vector<Output> outputs{{path("key.csv"), key_.csv()}};
+        std::vector<std::string> remarks;
+        const Words& title = variants_.original().title;
+        const std::string of = in(title, language()).empty() ? bare_name(request_.file) : in(title, language());
+        render::SheetOptions options = options_;
+        options.orientation = request_.sheet.orientation;
+        press_.print(
+            render::lay_out_key(key_.table(of + " – " + in(Words("key", "soluzioni"), language())), options, press_.fonts()),
+            {path("key.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+        if (request_.merge) {
+            press_.print(questions_, {path("questions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+            press_.print(solutions_, {path("solutions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
+        }
+        return put(outputs);
+    }
+
+    Status report() const {
+        std::vector<std::string> remarks;
+        press_.remark_missing(remarks);
+        for (const std::string& each : remarks) line(render::word("a remark", language()) + ": " + each);
+        line({"{0} variants in {1}; {2} of {3} combinations were looked at",
+              "{0} varianti in {1}; sono state esaminate {2} combinazioni su {3}", std::to_string(key_.size()), request_.folder,
+              std::to_string(variants_.looked_at()), std::to_string(variants_.combinations())});
+        for (const Variants::Rejection& each : variants_.rejections())
+            line({"{0} rejected: {1}", "{0} scartate: {1}", std::to_string(each.count), each.why});
+        if (const int signal = Stopping::asked(); signal != 0) {
+            line({"stopped: what is there is whole", "interrotto: ciò che c’è è intero"});
+            std::signal(signal, SIG_DFL);
+            std::raise(signal);
+        }
+        if (key_.size() == count_) return Status::done;
+        if (variants_.is_exhausted())
+            line({"the conditions leave {0} of {1} combinations; {2} were asked for",
+                  "le condizioni lasciano {0} combinazioni su {1}; ne sono chieste {2}", std::to_string(key_.size()),
+                  std::to_string(variants_.combinations()), std::to_string(count_)});
+        else
+            line(
+                {"the conditions leave too few: {0} were found, then {1} combinations one after the other failed; {2} were asked for",
+                 "le condizioni ne lasciano troppo poche: ne sono state trovate {0}, poi {1} combinazioni di fila non le soddisfano; ne sono chieste {2}",
+                 std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), std::to_string(count_)});
+        return Status::unsolved;
+    }
+
+    const VariantsRequest& request_;
+    std::string text_;
+    JsonSource source_;
+    Variants variants_;
+    std::vector<std::string> names_;
+    std::size_t count_;
+    Press press_;
+    render::SheetOptions options_;
+    Key key_;
+    std::vector<render::Page> questions_, solutions_;
+};
+
+/// The roster's names; none without one. Else it has been said what is wrong.
+tl::expected<std::vector<std::string>, Status> names_of(const VariantsRequest& request) {
+    if (request.roster.empty()) return std::vector<std::string>();
+    const auto text = read_whole(request.roster, {"roster", "elenco"});
+    const auto names = text ? read_roster(*text) : tl::unexpected(text.error());
+    if (names) return *names;
+    say(spoken(request.roster), names.error(), request.sheet.language);
+    return tl::unexpected(Status::bad_input);
+}
+
+/// The folder is there, and one can write into it; else it has been said why not.
+std::optional<Status> folder_fails(const VariantsRequest& request) {
+    std::error_code trouble;
+    std::filesystem::create_directories(request.folder, trouble);
+    if (!trouble && !std::filesystem::is_directory(request.folder, trouble))
+        trouble = std::make_error_code(std::errc::not_a_directory);
+    if (!trouble && ::access(request.folder.c_str(), W_OK) != 0) trouble = {errno, std::generic_category()};
+    if (!trouble) return std::nullopt;
+    return fail_to_write({Words(request.folder), Words(trouble.message())}, request.sheet.language);
+}
+
+}  // namespace
+
+Status variants_command(const VariantsRequest& request) {
+    const Language language = request.sheet.language;
+    if (request.merge && request.format != "pdf")
+        return refuse({"--merge makes PDF; take --format {0} out", "--merge fa PDF; togliere --format {0}", request.format},
+                      language);
+    if (request.file == "-" && request.roster == "-")
+        return refuse({"standard input can be the mechanism file or the roster, not both",
+                       "l’ingresso standard può essere il file del meccanismo o l’elenco, non entrambi"},
+                      language);
+    const auto names = names_of(request);
+    if (!names) return names.error();
+    const std::size_t count = request.count > 0 ? static_cast<std::size_t>(request.count) : names->size();
+    if (count == 0)
+        return refuse({"how many variants? give --count, or --roster", "quante varianti? dare --count, o --roster"}, language);
+    if (count < names->size())
+        return refuse({"--count {0} is fewer than the {1} names of the roster", "--count {0} è meno dei {1} nomi dell’elenco",
+                       std::to_string(count), std::to_string(names->size())},
+                      language);
+    const auto theme = theme_of(request.theme, request.file, language);
+    if (!theme) return theme.error();
+    auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+    if (!text) {
+        say(spoken(request.file), text.error(), language);
+        return Status::bad_input;
+    }
+    auto variants = Variants::of(*text, bare_name(request.file), request.set, request.seed);
+    if (!variants) return say(spoken(request.file), variants.error(), language);
+    auto press = Press::open({{"", Format::pdf}}, language);
+    if (!press) return press.error();
+    if (const auto status = folder_fails(request)) return *status;
+    return Run(request, *std::move(text), *std::move(variants), *names, count, *std::move(press), *theme).carry_out();
+}
+
+}  // namespace kinegraph::app

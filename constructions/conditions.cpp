@@ -1,0 +1,95 @@
+// Conditions: see conditions.hpp.
+#include "constructions/conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constructions/cycle.hpp"
+#include "engine/drivers.hpp"
+
+namespace kinegraph {
+namespace {
+
+const NamedResult* result_named(const std::vector<NamedResult>& results, const std::string& name) {
+    const auto found = std::find_if(results.begin(), results.end(), [&](const NamedResult& r) { return r.column.name == name; });
+    return found == results.end() ? nullptr : &*found;
+}
+
+/// The sides of a comparison as doubles, in SI.
+class Sides {
+public:
+    Sides(const Condition& condition, const Solution& solution, const std::vector<NamedResult>& results)
+        : condition_(condition), solution_(solution), results_(results) {}
+
+    Result<double> value(const Operand& side) const {
+        const auto fails = [](Error error) { return tl::unexpected(Errors{std::move(error)}); };
+        if (!side.result.empty()) {
+            const NamedResult* found = result_named(results_, side.result);
+            if (found == nullptr) return fails(missing_result(solution_, results_, side.result, condition_.where));
+            return side.absolute ? std::abs(found->value) : found->value;
+        }
+        const NamedResult* kin = other_result();
+        if (kin == nullptr) return fails(missing_result(solution_, results_, other_name(), condition_.where));
+        const QuantityKind kind = kin->column.unit;
+        const Unit unit = unit_of(kind, solution_.mechanism.units);
+        const auto read = as_quantity(*side.measured, kind, KnownUnit{kind, unit.symbol, unit.si});
+        if (!read)
+            return fails({ErrorCode::bad_input,
+                          condition_.where,
+                          {"{0} is {1}, and {2} is {3}", "{0} è {1}, e {2} è {3}", quoted(kin->column.name), with_article(kind),
+                           quoted(side.text), described(*side.measured)}});
+        return read->in_si().to_double();
+    }
+
+private:
+    std::string other_name() const {
+        for (const Operand* side : {&condition_.left, &condition_.right, &condition_.upper})
+            if (!side->result.empty()) return side->result;
+        return {};
+    }
+    const NamedResult* other_result() const { return result_named(results_, other_name()); }
+
+    const Condition& condition_;
+    const Solution& solution_;
+    const std::vector<NamedResult>& results_;
+};
+
+bool compares(Condition::Relation relation, double left, double right) {
+    const bool equal = std::abs(left - right) <= 1e-9 * std::max(std::abs(left), std::abs(right));
+    switch (relation) {
+        case Condition::Relation::less:
+            return left < right && !equal;
+        case Condition::Relation::at_most:
+            return left < right || equal;
+        case Condition::Relation::equal:
+            return equal;
+        case Condition::Relation::at_least:
+            return left > right || equal;
+        case Condition::Relation::greater:
+            return left > right && !equal;
+    }
+    return false;
+}
+
+}  // namespace
+
+Result<bool> holds(const Condition& condition, const Solution& solution, const std::vector<NamedResult>& results) {
+    const Sides sides(condition, solution, results);
+    const auto left = sides.value(condition.left), right = sides.value(condition.right);
+    if (!left) return tl::unexpected(left.error());
+    if (!right) return tl::unexpected(right.error());
+    if (condition.kind == Condition::Kind::compares) return compares(condition.relation, *left, *right);
+    const auto upper = sides.value(condition.upper);
+    if (!upper) return tl::unexpected(upper.error());
+    return compares(Condition::Relation::at_least, *left, *right) && compares(Condition::Relation::at_most, *left, *upper);
+}
+
+bool crank_turns_fully(const Mechanism& mechanism, const Pose& pose) {
+    if (mechanism.drivers.empty() || !turns(mechanism.drivers.front())) return false;
+    const auto positions = Positions::of(mechanism, pose, Course{0});
+    if (!positions) return false;
+    const auto travel = travel_of(*positions, true, std::nullopt, std::nullopt);
+    return travel && !travel->starts_at_limit && !travel->ends_at_limit;
+}
+
+}  // namespace kinegraph
