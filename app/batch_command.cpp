@@ -55,7 +55,7 @@ Status batch_command(const BatchRequest& request) {
     std::optional<NotWritten> failure;
     std::vector<InOrder::Worker> workers;
     for (int job = 0; job < request.jobs; ++job)
-        workers.push_back(
+        workers.emplace_back(
             [worker = std::make_shared<BatchWorker>(request, tally)](const std::string& line) { return worker->answer(line); });
     int signal = 0;
     {
