@@ -24,7 +24,7 @@ LineReader::Event feed(LineReader& lines, InOrder& workers) {
     std::string line;
     while (true) {
         const LineReader::Event event = lines.next(line);
-        if (event != LineReader::Event::line && event != LineReader::Event::too_long) return event;
+        if (event != LineReader::Event::line) return event;
         if (line.find_first_not_of(blanks) == std::string::npos) continue;
         if (!workers.add(std::move(line))) return LineReader::Event::end;
         line.clear();
@@ -35,12 +35,12 @@ LineReader::Event feed(LineReader& lines, InOrder& workers) {
 void sum_up(const BatchTally& tally, Language language) {
     const auto number = [](long count) { return std::to_string(count); };
     if (tally.resumed > 0)
-        refuse({"of {0} lines {1} had been done before", "di {0} righe {1} erano già state svolte", number(tally.answered),
+        refuse({"of {0} lines {1} had been done before", "{1} righe su {0} erano già state svolte", number(tally.answered),
                 number(tally.resumed)},
                language);
     if (tally.refused > 0)
         refuse({"of {0} lines {1} could not be carried out: see \"errors\" in their answers",
-                "di {0} righe {1} non si sono potute svolgere: vedere \"errors\" nelle loro risposte", number(tally.answered),
+                "{1} righe su {0} non si sono potute svolgere: vedere \"errors\" nelle risposte", number(tally.answered),
                 number(tally.refused)},
                language);
 }
@@ -55,7 +55,7 @@ Status batch_command(const BatchRequest& request) {
     std::optional<NotWritten> failure;
     std::vector<InOrder::Worker> workers;
     for (int job = 0; job < request.jobs; ++job)
-        workers.push_back(
+        workers.emplace_back(
             [worker = std::make_shared<BatchWorker>(request, tally)](const std::string& line) { return worker->answer(line); });
     int signal = 0;
     {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t shown_of_a_line = 80;
 
+Error too_long() { return {ErrorCode::bad_input, "", {"is larger than 64 MiB", "supera 64 MiB"}}; }
+
 /// ", \"key\": value" of texts; nothing where there are none.
 std::string member(std::string_view key, const std::vector<std::string>& texts) {
     if (texts.empty()) return {};
@@ -38,7 +40,10 @@ std::string BatchWorker::answer(const std::string& line) {
         refuse(ours, request_.defaults.language);
     };
     try {
-        read = read_batch_line(line, request_.defaults);
+        if (line.size() <= largest_input)
+            read = read_batch_line(line, request_.defaults);
+        else
+            read.errors = {too_long()};
         answer = carry_out(read);
     } catch (const std::exception& what) {
         fault(what.what());

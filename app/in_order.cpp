@@ -3,6 +3,7 @@
 #include <pthread.h>
 
 #include <csignal>
+#include <system_error>
 #include <utility>
 
 #include "engine/thread_end.hpp"
@@ -32,11 +33,17 @@ private:
 
 InOrder::InOrder(std::vector<Worker> workers, Sink sink) : sink_(std::move(sink)), window_(window_of_a_worker * workers.size()) {
     const NoSignals blocked;
-    for (Worker& worker : workers)
-        threads_.emplace_back([this, worker = std::move(worker)] {
-            work(worker);
-            end_thread();
-        });
+    for (Worker& worker : workers) {
+        try {
+            threads_.emplace_back([this, worker = std::move(worker)] {
+                work(worker);
+                end_thread();
+            });
+        } catch (const std::system_error&) {
+            if (threads_.empty()) throw;
+            break;  // the machine gives no more: those that are there will do
+        }
+    }
 }
 
 bool InOrder::add(std::string line) {

@@ -20,6 +20,7 @@ public:
     /// Takes the answers one after the other; false: it takes no more.
     using Sink = std::function<bool(const std::string& answer)>;
 
+    /// Where the machine refuses a thread, so many workers as it gave.
     InOrder(std::vector<Worker> workers, Sink sink);
     InOrder(const InOrder&) = delete;
     InOrder& operator=(const InOrder&) = delete;

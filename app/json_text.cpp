@@ -3,22 +3,32 @@
 namespace kinegraph::app {
 namespace {
 
+bool stands_as_it_is(char letter) {
+    const auto code = static_cast<unsigned char>(letter);
+    return letter != '"' && letter != '\\' && code >= 0x20 && code != 0x7f;
+}
+
+/// Whole runs at a time: a sheet is some hundred thousand characters, of which few need more.
 void quote(std::string_view text, std::string& json) {
     constexpr std::string_view digits = "0123456789abcdef";
     json += '"';
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
+    while (true) {
+        std::size_t plain = 0;
+        while (plain < text.size() && stands_as_it_is(text[plain])) ++plain;
+        json.append(text.substr(0, plain));
+        if (plain == text.size()) break;
+        const char letter = text[plain];
+        text.remove_prefix(plain + 1);
         if (letter == '"' || letter == '\\') {
             json += '\\';
             json += letter;
         } else if (letter == '\n') {
             json += "\\n";
-        } else if (code < 0x20 || code == 0x7f) {
+        } else {
+            const auto code = static_cast<unsigned char>(letter);
             json += "\\u00";
             json += digits[code >> 4U];
             json += digits[code & 15U];
-        } else {
-            json += letter;
         }
     }
     json += '"';
@@ -71,15 +81,15 @@ std::string copied(JsonValue value) {
 std::string on_one_line(std::string_view json) {
     std::string line;
     line.reserve(json.size());
-    for (std::size_t at = 0; at < json.size(); ++at) {
-        if (json[at] != '\n') {
-            line += json[at];
-            continue;
-        }
-        while (at + 1 < json.size() && (json[at + 1] == ' ' || json[at + 1] == '\n')) ++at;
+    while (true) {
+        const std::size_t end = json.find('\n');
+        line.append(json.substr(0, end));
+        if (end == std::string_view::npos) return line;
+        const std::size_t next = json.find_first_not_of(" \n", end);
+        if (next == std::string_view::npos) return line;
         if (line.ends_with(',')) line += ' ';
+        json.remove_prefix(next);
     }
-    return line;
 }
 
 }  // namespace kinegraph::app

@@ -81,10 +81,10 @@ LineReader::Event LineReader::next(std::string& line) {
         if (end != std::string::npos) {
             if (!long_one) line.assign(buffer_, at_, end - at_);
             at_ = end + 1;
-            return long_one ? Event::too_long : Event::line;
+            return Event::line;
         }
         if (buffer_.size() - at_ > largest_input) {
-            if (!std::exchange(long_one, true)) line.assign(buffer_, at_, piece);
+            if (!std::exchange(long_one, true)) line.assign(buffer_, at_, largest_input + 1);
             at_ = buffer_.size();
         }
         searched = buffer_.size() - at_;
@@ -94,7 +94,7 @@ LineReader::Event LineReader::next(std::string& line) {
     if (last_ == Event::end && (long_one || at_ < buffer_.size())) {
         if (!long_one) line.assign(buffer_, at_);
         at_ = buffer_.size();
-        return long_one ? Event::too_long : Event::line;
+        return Event::line;
     }
     return last_;
 }

@@ -13,14 +13,14 @@ namespace kinegraph::app {
 /// second signal ends the run as always.
 class LineReader {
 public:
-    enum class Event { line, too_long, end, stopped, failed };
+    enum class Event { line, end, stopped, failed };
 
     LineReader();
     LineReader(const LineReader&) = delete;
     LineReader& operator=(const LineReader&) = delete;
     ~LineReader();
 
-    /// The next line, without its line feed. Of one longer than `largest_input` the beginning.
+    /// The next line, without its line feed. Of one longer than `largest_input` so much and one character more.
     Event next(std::string& line);
     /// Why reading failed, and the signal that stopped it.
     Words why() const { return why_; }

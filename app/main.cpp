@@ -556,7 +556,6 @@ Status run(int count, char** arguments, Language language) {
     program.require_subcommand(1);
     Action action;
     add_solve(program, action);
-    add_batch(program, action);
     add_sweep(program, action);
     add_variants(program, action);
     add_cam(program, action);
@@ -564,6 +563,7 @@ Status run(int count, char** arguments, Language language) {
     add_diff(program, action);
     add_pairs(program, action);
     add_equations(program, action);
+    add_batch(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {
