@@ -27,14 +27,17 @@ public:
                 Words("the force there was not found, so nothing is known to press: give loads, or ask for \"forces\"",
                       "la forza in quel punto non è stata trovata e nulla risulta premere: dare carichi, o chiedere \"forces\""));
         HertzProblem problem = shape();
+        if ((problem.bodies[0].curvature(0) + problem.bodies[1].curvature(0)).sign() <= 0)
+            return no(Words("the concave radius is not larger than the convex one: the bodies do not touch in a line alone",
+                            "il raggio concavo non è maggiore di quello convesso: i corpi non si toccano solo in una linea"));
         const auto [pushes, load] = load_of(on_first(*force->force, force->on));
+        if (!std::isfinite(load))
+            return no(
+                Words("the force there is no number that could be drawn", "la forza in quel punto non è un numero tracciabile"));
         if (load == 0) return no(Words("no force acts there, so nothing presses", "lì non agisce alcuna forza, e nulla preme"));
         if (!pushes)
             return no(Words("the force found pulls the bodies apart there, so nothing presses",
                             "la forza trovata lì separa i corpi, e nulla preme"));
-        if ((problem.bodies[0].curvature(0) + problem.bodies[1].curvature(0)).sign() <= 0)
-            return no(Words("the concave radius is not larger than the convex one: the bodies do not touch in a line alone",
-                            "il raggio concavo non è maggiore di quello convesso: i corpi non si toccano solo in una linea"));
         problem.force = Exact::from_double(load);
         HertzProblem checked = problem;
         checked.force = Exact::from_double(load_by_check().value_or(load));
@@ -49,7 +52,6 @@ private:
         return tl::unexpected(Words("Contact at {0}: {1}.", "Contatto in {0}: {1}.", joint_.name, why));
     }
     const Vector& place() const { return solution_.pose.at(joint_.point); }
-    const Vector& normal() const { return solution_.pose.normals[at_index(given_.joint)]; }
 
     /// From the contact to the centre of a body's profile; nothing of a straight one.
     std::optional<Vector> centre_of(std::size_t i) const {
@@ -114,7 +116,7 @@ private:
             if (of.component == Quantity::Component::x) x = row.numeric;
             if (of.component == Quantity::Component::y) y = row.numeric;
         }
-        if (!x || !y) return std::nullopt;
+        if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) return std::nullopt;
         return load_of({Exact::from_double(*x), Exact::from_double(*y)}).size;  // its size has no sense
     }
 

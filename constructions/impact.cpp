@@ -218,7 +218,7 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
     std::vector<ProblemValue> values;
     const auto add = [&](Words name, std::string symbol, QuantityKind kind, const Exact& value, std::optional<double> numeric,
                          const char* unit = "") {
-        values.push_back({std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit});
+        values.push_back({std::move(name), std::move(symbol), kind, value.to_double(), numeric, false, unit, {}});
     };
     add({"impulse x", "impulso x"}, "J_x", dimensionless, found.impulse.x, check.impulse[0], "N s");
     add({"impulse y", "impulso y"}, "J_y", dimensionless, found.impulse.y, check.impulse[1], "N s");
@@ -226,18 +226,21 @@ std::vector<ProblemValue> values_of(const ImpactProblem& problem, const ImpactSo
         const ImpactSolution::Body& body = found.bodies.at(i);
         const ImpactCheck::Body& checked = check.bodies.at(i);
         if (body.fixed) continue;
-        const Words name = mechanism.body(problem.bodies.at(i).body).name;
+        const kinegraph::Body& given = mechanism.body(problem.bodies.at(i).body);
         const std::string n = std::to_string(i + 1);
-        add(Words("velocity {0} x", "velocità {0} x", name), "v_" + n + "x", velocity, body.after.x, checked.velocity[0]);
-        add(Words("velocity {0} y", "velocità {0} y", name), "v_" + n + "y", velocity, body.after.y, checked.velocity[1]);
+        // By its key in the results file, by its label for readers.
+        const auto add_of = [&](const char* english, const char* italian, std::string symbol, QuantityKind kind,
+                                const Exact& value, double numeric, const char* unit = "") {
+            add(Words(english, italian, given.name), std::move(symbol), kind, value, numeric, unit);
+            if (!given.label.empty()) values.back().spoken = Words(english, italian, given.label);
+        };
+        add_of("velocity {0} x", "velocità {0} x", "v_" + n + "x", velocity, body.after.x, checked.velocity[0]);
+        add_of("velocity {0} y", "velocità {0} y", "v_" + n + "y", velocity, body.after.y, checked.velocity[1]);
         if (!body.inverse_inertia.is_zero())
-            add(Words("angular velocity {0}", "velocità angolare {0}", name), "ω_" + n, angular_velocity, body.omega_after,
-                checked.omega);
+            add_of("angular velocity {0}", "velocità angolare {0}", "ω_" + n, angular_velocity, body.omega_after, checked.omega);
         if (!body.reaction) continue;
-        add(Words("pivot {0} x", "cerniera {0} x", name), "R_" + n + "x", dimensionless, body.reaction->x, checked.reaction[0],
-            "N s");
-        add(Words("pivot {0} y", "cerniera {0} y", name), "R_" + n + "y", dimensionless, body.reaction->y, checked.reaction[1],
-            "N s");
+        add_of("pivot {0} x", "cerniera {0} x", "R_" + n + "x", dimensionless, body.reaction->x, checked.reaction[0], "N s");
+        add_of("pivot {0} y", "cerniera {0} y", "R_" + n + "y", dimensionless, body.reaction->y, checked.reaction[1], "N s");
     }
     add({"energy lost", "energia perduta"}, "T", dimensionless, found.energy_lost, check.energy_lost, "J");
     return values;

@@ -5,13 +5,13 @@
 
 namespace kinegraph {
 
-Chain::Kind Chain::kind() const {
+KinematicChain::Kind KinematicChain::kind() const {
     if (loops == 0) return Kind::open;
     return std::any_of(pairs.begin(), pairs.end(), [](int count) { return count < 2; }) ? Kind::mixed : Kind::closed;
 }
 
-Chain chain_of(const Mechanism& mechanism) {
-    Chain chain;
+KinematicChain chain_of(const Mechanism& mechanism) {
+    KinematicChain chain;
     chain.pairs.assign(mechanism.bodies.size(), 0);
     // Bodies that hang together have one root.
     std::vector<std::size_t> above(mechanism.bodies.size());

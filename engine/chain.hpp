@@ -10,7 +10,7 @@ namespace kinegraph {
 
 /// A hinge of n bodies counts once at each of them, and as n − 1 pairs between them. Clamped bodies count as the bodies that the
 /// file names, clamps as pairs.
-struct Chain {
+struct KinematicChain {
     std::vector<int> pairs;  ///< by BodyIndex: at how many joints the body takes part; 1 unary (an end), 2 binary, 3 ternary …
     int joints = 0;          ///< binary ones: a hinge of n bodies is n − 1
     int parts = 0;           ///< connected pieces; 1: one chain
@@ -22,6 +22,6 @@ struct Chain {
     };
     Kind kind() const;
 };
-Chain chain_of(const Mechanism& mechanism);
+KinematicChain chain_of(const Mechanism& mechanism);
 
 }  // namespace kinegraph

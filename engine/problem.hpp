@@ -117,6 +117,7 @@ struct ProblemValue {
     std::optional<double> numeric;  ///< by the check
     bool in_file = true;            ///< false: the results file has it in a form of its own
     std::string unit{};             ///< SI, of what has no kind: "N s", "J"
+    Words spoken{};                 ///< on sheets and in tables, where that is not the name: with a body's label for its key
 };
 
 /// What was found of a Hertzian contact. Axes: x along the longer axis of the ellipse of contact (of a line: along the common

@@ -281,6 +281,10 @@ void ProblemReader::check_profiles_of_contact(JsonValue materials, const Members
                    "una punta non ha raggio, e la pressione non ha limite; arrotondarla a un cerchio, o togliere \"materials\""});
             return;
         }
+    if (joint.pressure_angle && joint.pressure_angle->value.is_zero())
+        fault(form["pressure angle"],
+              {"teeth that press each other have a pressure angle larger than 0°, else their radii vanish",
+               "denti che si premono hanno un angolo di pressione maggiore di 0°, altrimenti i raggi si annullano"});
     if (joint.pair().meshes() && !form.has_or_misspells("pressure angle"))
         fault(materials, {"the radii of teeth at the pitch point want a \"pressure angle\"; give it",
                           "i raggi dei denti nel punto primitivo richiedono un \"pressure angle\"; assegnarlo"});

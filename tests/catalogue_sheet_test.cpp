@@ -88,7 +88,6 @@ TEST_F(CatalogueCommands, DrawTheCatalogueAndRefuseWhatHasNoDrawing) {
     EXPECT_EQ(first, tests::contents((folder_ / "again.svg").string())) << "the same bytes";
     EXPECT_EQ(run("pairs -o catalogue.json").status, 0);
     EXPECT_EQ(run("pairs --format json").out, tests::contents((folder_ / "catalogue.json").string()));
-    std::filesystem::copy(tests::example_file("four_bar"), folder_ / "four_bar.json");
     const tests::Outcome refused = run("pairs four_bar.json -o pairs.svg");
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("leave four_bar.json out"), std::string::npos) << refused.err;

@@ -128,6 +128,7 @@ TEST(Contacts, FaultsAreToldWhereTheyStand) {
     EXPECT_EQ(fault(given, R"("materials": "steel", "length": -1)").where, "/joints/2/length");
     EXPECT_EQ(fault(given, R"("length": 25)").where, "/joints/2/length");
     EXPECT_EQ(fault(R"("pressure angle": 20, )", "").where, at);
+    EXPECT_EQ(fault(R"("pressure angle": 20)", R"("pressure angle": 0)").where, "/joints/2/pressure angle");
     EXPECT_EQ(fault(R"({"revolute": "O2", )", R"({"materials": "steel", "revolute": "O2", )").where, "/joints/0/materials");
 }
 

@@ -30,8 +30,9 @@ void expect_near_check(const Solution& solution) {
     ProblemSolution others = *solution.problem;
     if (hertz_of(solution).a == 0)
         std::erase_if(others.values, [](const ProblemValue& each) {
-            if (each.symbol == "δ") EXPECT_NEAR(each.value, *each.numeric, 1e-4 * each.value);
-            return each.symbol == "δ";
+            if (each.symbol != "δ") return false;
+            EXPECT_NEAR(each.value, *each.numeric, 1e-4 * each.value);
+            return true;
         });
     tests::expect_near_check(others, 1e-6, Against::itself);
 }

@@ -168,18 +168,18 @@ TEST(Chains, AreOpenClosedOrMixed) {
     Sketch arm;
     arm.point("O", "0", "0").point("A", "1", "0").point("B", "2", "1");
     arm.revolute("O", {"1", "2"}).revolute("A", {"2", "3"}).revolute("B", {"3", "4"});
-    const Chain open = chain_of(arm.mechanism);
-    EXPECT_EQ(open.kind(), Chain::Kind::open);
+    const KinematicChain open = chain_of(arm.mechanism);
+    EXPECT_EQ(open.kind(), KinematicChain::Kind::open);
     EXPECT_EQ(open.loops, 0);
     Sketch four_bar = arm;
     four_bar.point("C", "3", "0").revolute("C", {"4", "1"});
-    const Chain closed = chain_of(four_bar.mechanism);
-    EXPECT_EQ(closed.kind(), Chain::Kind::closed);
+    const KinematicChain closed = chain_of(four_bar.mechanism);
+    EXPECT_EQ(closed.kind(), KinematicChain::Kind::closed);
     EXPECT_EQ(closed.loops, 1);
     Sketch with_tail = four_bar;
     with_tail.point("D", "1", "1").revolute("D", {"3", "5"});
-    const Chain mixed = chain_of(with_tail.mechanism);
-    EXPECT_EQ(mixed.kind(), Chain::Kind::mixed);
+    const KinematicChain mixed = chain_of(with_tail.mechanism);
+    EXPECT_EQ(mixed.kind(), KinematicChain::Kind::mixed);
     EXPECT_EQ(mixed.loops, 1);
 }
 
@@ -187,13 +187,13 @@ TEST(Chains, OfEveryExampleHaveTheLoopsOfEuler) {
     // Watt's and Stephenson's six bodies make two loops; a hinge of three bodies counts as two pairs and once at each body.
     const auto of = [](const char* name) { return chain_of(tests::solved(contents(tests::example_file(name))).mechanism); };
     for (const char* name : {"watt_six_bar", "stephenson_1_driver_2", "whitworth"}) {
-        const Chain chain = of(name);
+        const KinematicChain chain = of(name);
         EXPECT_EQ(chain.loops, 2) << name;
         EXPECT_EQ(chain.parts, 1) << name;
         EXPECT_EQ(std::count(chain.pairs.begin(), chain.pairs.end(), 3), 2) << name;
         EXPECT_EQ(std::count(chain.pairs.begin(), chain.pairs.end(), 2), 4) << name;
     }
-    const Chain planetary = of("planetary_train");
+    const KinematicChain planetary = of("planetary_train");
     EXPECT_EQ(planetary.joints, 5);
     EXPECT_EQ(planetary.loops, 2);
     EXPECT_EQ(planetary.pairs, (std::vector<int>{2, 2, 3, 2}));

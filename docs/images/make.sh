@@ -16,7 +16,7 @@ draw() {
     mv "$work/$name.png" "docs/images/$name.png"
 }
 
-# plot NAME COMMAND OPTION…: the first page of a whole motion, or of a cam.
+# plot NAME COMMAND OPTION…: the first page of a whole motion, of a cam, or of the catalogue of pairs.
 plot() {
     name=$1
     shift
@@ -37,10 +37,12 @@ draw act_of_motion act_of_motion_general 1 --dpi 110
 draw upright quick_return 1 --dpi 100 --orientation portrait --lang it
 draw velocity four_bar_weights 1 --dpi 110 --figure velocity
 draw body four_bar_weights 1 --dpi 110 --figure body-3
+draw contact joint_contact/cam_and_roller 4 --dpi 100
 draw print slider_crank 1 --dpi 100 --theme print
 draw dark slider_crank 1 --dpi 100 --theme dark
 draw step_1 four_bar 4 --dpi 80 --steps
 draw step_2 four_bar 5 --dpi 80 --steps
+plot pairs pairs
 plot slider_crank_cycle sweep examples/slider_crank.json --plot "s B" --plot "v B" --plot "a B" --poses 8
 plot shaper_cycle sweep examples/quick_return.json --trace C --poses 8
 plot sluice_gate_travel sweep examples/sluice_gate_travel.json --plot "effort F_G" --trace O --poses 5

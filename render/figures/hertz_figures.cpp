@@ -46,7 +46,9 @@ public:
     }
 
     Figure draw() {
-        const Words caption("Bodies in contact", "Corpi a contatto");
+        const Words caption = problem_.at && problem_.at->meshes
+                                  ? Words("Flanks at the pitch point, as cylinders", "Fianchi nel punto primitivo, come cilindri")
+                                  : Words("Bodies in contact", "Corpi a contatto");
         Figure figure = begun("contact", "contact", caption, scale_, "m", context_.language);
         for (std::size_t i = 0; i < 2; ++i) draw_body(figure, profiles_.at(i), i == 0 ? -1 : 1);
         figure.marks.emplace_back(line({0, -top_ - 4}, {0, bottom_ + 4}, {theme_.thin, theme_.secondary, dash_dot(), false}));

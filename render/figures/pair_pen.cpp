@@ -31,7 +31,9 @@ const std::vector<double>& PairPen::dashed() const {
 }
 
 void PairPen::bar(Spot from, Spot to, int body) {
+    const std::size_t first = figure_.marks.size();
     figure_.marks.emplace_back(line(there(from), there(to), {theme_.link, colour(body).line, {}, true}));
+    draw_line_kind(figure_.marks, first, theme_.link, colour(body), theme_);
 }
 void PairPen::block(Spot middle, Spot u, Spot w, int body) {
     figure_.marks.emplace_back(
@@ -46,7 +48,9 @@ void PairPen::paper(std::vector<Spot> spots, int body) {
 void PairPen::plate(std::vector<Spot> ends, int body) {
     Pen pen = outline(body);
     pen.width = theme_.link;
+    const std::size_t first = figure_.marks.size();
     figure_.marks.emplace_back(render::panel(there(std::move(ends)), colour(body).tint, pen));
+    draw_line_kind(figure_.marks, first, theme_.link, colour(body), theme_);
 }
 void PairPen::edge(std::vector<Spot> spots, int body) {
     figure_.marks.emplace_back(polyline(there(std::move(spots)), {theme_.outline, colour(body).line, {}, true}));
@@ -146,10 +150,12 @@ void PairPen::curved(std::vector<Spot> spots, const std::string& name) {
     spots = there(std::move(spots));
     const Spot tip = spots.back();
     // The head takes the place of the last pieces.
+    constexpr double head = 2.8, wide = 1.0;
     std::vector<Spot> shaft = spots;
-    while (shaft.size() > 2 && length(shaft.back() - tip) < 1.6) shaft.pop_back();
+    while (shaft.size() > 2 && length(shaft.back() - tip) < head) shaft.pop_back();
+    const Spot along = unit(tip - shaft.back()), foot = tip - head * along;
     figure_.marks.emplace_back(polyline(shaft, {0.5, theme_.accent, dashed(), false}));
-    draw_arrow(figure_.marks, tip - 2.4 * unit(tip - shaft.back()), tip, 0.5, theme_.accent);
+    figure_.marks.emplace_back(filled({tip, foot + wide * turned(along), foot - wide * turned(along)}, theme_.accent));
     label(name, spots[spots.size() / 2], std::nullopt, theme_.accent);
 }
 void PairPen::force(Spot tail, Spot tip, const std::string& name, bool tied) {

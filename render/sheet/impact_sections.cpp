@@ -24,7 +24,7 @@ public:
             const std::string n = std::to_string(i + 1);
             const Words name = called(mechanism_.body(body.body));
             if (body.fixed) {
-                said.emplace_back("{0} is fixed.", "{0} è fisso.", name);
+                said.emplace_back("{0}: fixed.", "{0}: fisso.", name);
                 continue;
             }
             Words line("{0}: {m_" + n + "} = {1}", "{0}: {m_" + n + "} = {1}", name, given(body.mass, QuantityKind::mass));

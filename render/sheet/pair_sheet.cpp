@@ -140,6 +140,8 @@ private:
             card.lines.push_back(fact(say({"closure", "accoppiamento"}), say(closure_of(pair))));
             section.cards.push_back(std::move(card));
         }
+        section.closing = {word("axes of pairs", Language::en) + " A couple is a vector with two heads.",
+                           word("axes of pairs", Language::it) + " Una coppia è un vettore con due punte."};
         return section;
     }
 

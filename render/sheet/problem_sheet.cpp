@@ -49,6 +49,8 @@ ResultCells cells_of(const ProblemValue& value, const std::vector<ProblemValue>&
     return cells;
 }
 
+const Words& spoken(const ProblemValue& value) { return value.spoken.empty() ? value.name : value.spoken; }
+
 const Words& head_of(std::size_t column) {
     static const std::array<Words, 4> heads{Words("quantity", "grandezza"), Words("found", "trovato"), Words("check", "verifica"),
                                             Words("difference", "differenza")};
@@ -220,7 +222,7 @@ private:
         for (const ProblemValue& each : context_.solution.problem->values) {
             const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
             RichText name = symbol_of(each.symbol);
-            append(name, one_piece("  " + say(each.name)));
+            append(name, one_piece("  " + say(spoken(each))));
             row({name, with_powers(cells.found), with_powers(cells.numeric), with_powers(cells.difference)}, context_.theme.text);
         }
         rule(context_.theme.outline);
@@ -365,7 +367,7 @@ std::string problem_table(const Solution& solution, Language language) {
         {in(head_of(0), language), in(head_of(1), language), in(head_of(2), language), in(head_of(3), language)}};
     for (const ProblemValue& each : solution.problem->values) {
         const ResultCells cells = cells_of(each, solution.problem->values, solution.mechanism.units, language);
-        rows.push_back({each.symbol + "  " + in(each.name, language), cells.found, cells.numeric, cells.difference});
+        rows.push_back({each.symbol + "  " + in(spoken(each), language), cells.found, cells.numeric, cells.difference});
     }
     std::array<std::size_t, 4> widths{};
     for (const auto& row : rows)

@@ -82,8 +82,8 @@ std::string joint_json(const Mechanism& mechanism, const Joint& joint) {
     return object_of(members);
 }
 
-const char* name_of(Chain::Kind kind) {
-    return kind == Chain::Kind::open ? "open" : kind == Chain::Kind::closed ? "closed" : "mixed";
+const char* name_of(KinematicChain::Kind kind) {
+    return kind == KinematicChain::Kind::open ? "open" : kind == KinematicChain::Kind::closed ? "closed" : "mixed";
 }
 const char* name_of(Mobility::Verdict verdict) {
     switch (verdict) {
@@ -125,7 +125,7 @@ std::string pair_catalogue_json() {
 std::string pair_report_json(const Mechanism& mechanism, const Mobility& mobility, const std::vector<Message>& remarks) {
     std::vector<std::string> joints, said;
     for (const Joint& joint : mechanism.joints) joints.push_back(joint_json(mechanism, joint));
-    const Chain chain = chain_of(mechanism);
+    const KinematicChain chain = chain_of(mechanism);
     Members by_body;
     std::map<int, int> counts;
     for (const BodyIndex body : indices_of(mechanism.bodies)) {

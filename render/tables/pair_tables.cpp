@@ -123,10 +123,10 @@ Words arity(int pairs) {
 
 /// The chain that they make, and its bodies by the number of their pairs.
 void write_chain(Writer& page, const Mechanism& mechanism, Language language) {
-    const Chain chain = chain_of(mechanism);
-    const Words kind = chain.kind() == Chain::Kind::open     ? Words("open", "aperta")
-                       : chain.kind() == Chain::Kind::closed ? Words("closed", "chiusa")
-                                                             : Words("mixed", "mista");
+    const KinematicChain chain = chain_of(mechanism);
+    const Words kind = chain.kind() == KinematicChain::Kind::open     ? Words("open", "aperta")
+                       : chain.kind() == KinematicChain::Kind::closed ? Words("closed", "chiusa")
+                                                                      : Words("mixed", "mista");
     page.heading(in({"Chain", "Catena"}, language));
     page.line(in(Words("kind: {0}", "tipo: {0}", kind), language));
     page.line(in(Words("independent loops: c − m + {0} = {1} − {2} + {0} = {3}, of c binary pairs and m bodies",
