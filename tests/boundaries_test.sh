@@ -50,6 +50,8 @@ check() {
             breach "Eigen is the checks': engine/check.cpp's and those of its like"
         includes '[<"](cairo/)?cairo' $rooms | grep -v '^render/backends/cairo_backend\.cpp:' |
             breach "cairo is render/backends/cairo_backend.cpp's"
+        includes '[<"]hb' $rooms | grep -vE '^render/text/(typeface|subset)\.cpp:' |
+            breach "HarfBuzz is render/text/typeface.cpp's and subset.cpp's"
         includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"
         users=$(includes '[<"]CGAL/' engine | cut -d: -f1 | sort -u)
         if [ "$(printf '%s' "$users" | grep -c .)" -gt 2 ]; then
@@ -105,6 +107,7 @@ seen "check.cpp's" tests/a_test.cpp '<Eigen/Dense>'
 seen "check.cpp's" engine/check_forces.hpp '<Eigen/Dense>'
 seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
+seen "HarfBuzz is" render/text/text.cpp '<hb.h>'
 seen "the engine's" constructions/a.cpp '<CGAL/Point_2.h>'
 seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/c.hpp '<CGAL/a.h>'
 seen "kinds of joint" constructions/a.cpp 'JointKind::gear'

@@ -15,6 +15,7 @@ done
 
 # The installed program finds its modules, and without them has nothing of cairo's or HarfBuzz's.
 "$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/a.svg" -o "$work/a.png" -o "$work/a.pdf"
+"$work/prefix/bin/kinegraph" solve "$here/../examples/four_bar.json" -o "$work/live.svg" --text live
 if ldd "$work/prefix/bin/kinegraph" | grep -E 'libcairo|libX11|libharfbuzz'; then echo "the program loads what it draws with at every start"; exit 1; fi
 
 cmake -S "$here/install_test" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_BUILD_TYPE=Release

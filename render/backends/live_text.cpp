@@ -93,7 +93,8 @@ private:
     }
 
     void take_letter(const std::string& text, bool lost) {
-        const auto& [glyph, colour] = glyphs_[next_++];
+        const Glyph& glyph = glyphs_[next_].glyph;
+        const Colour colour = glyphs_[next_++].colour;
         const LiveRun::Kind kind = glyph.coded || lost ? LiveRun::Kind::coded : LiveRun::Kind::set;
         const auto goes_on = [&](const LiveRun& run) {
             constexpr double joined = 1e-6;  // mm

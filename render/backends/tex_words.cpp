@@ -312,7 +312,7 @@ std::optional<std::string> prose(std::string_view words) {
 
 /// Text in its face, for horizontal mode.
 std::optional<std::string> prose(std::string_view words, Face face) {
-    const auto set = prose(words);
+    auto set = prose(words);
     if (!set || set->empty()) return set;
     switch (face) {
         case Face::regular:

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "render/text/rich_text.hpp"
 
@@ -25,12 +26,11 @@ std::optional<std::string> tex_of(const RichText& text, NameOfColour&& name_of) 
         if (!set) return std::nullopt;
         tex += piece.coloured ? "{\\color{" + name_of(piece.colour) + "}" + *set + "}" : *set;
     }
-    const std::size_t first = tex.find_first_not_of(' ');
-    if (first == std::string::npos) return std::string();
-    // A blank that a control sign takes, "\ ", stays.
-    std::size_t last = tex.find_last_not_of(' ');
-    if (tex[last] == '\\' && last + 1 < tex.size()) ++last;
-    return tex.substr(first, last - first + 1);
+    // Blanks at the ends, also those that are told to stay: "\\ ".
+    const std::string_view told = "\\ ";
+    while (tex.starts_with(' ') || tex.starts_with(told)) tex.erase(0, tex.front() == ' ' ? 1 : told.size());
+    while (tex.ends_with(' ')) tex.resize(tex.size() - (tex.ends_with(told) ? told.size() : 1));
+    return tex;
 }
 
 }  // namespace kinegraph::render

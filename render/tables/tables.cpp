@@ -487,6 +487,47 @@ RichText where_found(const InstantCentre& centre, const Solution& solution, Lang
     return {};
 }
 
+/// The hinges of a body that has two, and no other joint.
+std::vector<const Joint*> two_hinges_of(BodyIndex body, const Mechanism& mechanism) {
+    std::vector<const Joint*> found;
+    for (const Joint& joint : mechanism.joints) {
+        if (std::find(joint.bodies.begin(), joint.bodies.end(), body) == joint.bodies.end()) continue;
+        if (!joint.pair().is_hinge() || joint.bodies.size() != 2) return {};
+        found.push_back(&joint);
+    }
+    if (found.size() != 2) found.clear();
+    return found;
+}
+BodyIndex other_of(const Joint& joint, BodyIndex body) { return joint.bodies[joint.bodies[0] == body ? 1 : 0]; }
+
+/// The follower of a four-bar linkage, hinged on the frame, that goes round with its crank (Grashof): of the four lengths the
+/// shortest and the longest are together no longer than the others, and the frame's or its own is the shortest.
+bool goes_round(BodyIndex follower, const Solution& solution) {
+    const Mechanism& mechanism = solution.mechanism;
+    std::vector<const Joint*> hinges;  // round the linkage, from the follower's on the frame
+    BodyIndex body = follower;
+    for (int side = 0; side < 3; ++side) {
+        auto own = two_hinges_of(body, mechanism);
+        if (own.empty()) return false;
+        const bool at_frame = other_of(*own[0], body) == frame;
+        if (side == 0) hinges.push_back(own[at_frame ? 0 : 1]);
+        const Joint* const next = own[0] == hinges.back() ? own[1] : own[0];
+        if ((other_of(*next, body) == frame) != (side == 2)) return false;
+        hinges.push_back(next);
+        body = other_of(*next, body);
+    }
+    if (std::find(hinges[0]->bodies.begin(), hinges[0]->bodies.end(), frame) == hinges[0]->bodies.end()) return false;
+    std::array<double, 4> lengths{};  // follower, coupler, crank, frame
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vector side = solution.pose.at(hinges[(i + 1) % 4]->point) - solution.pose.at(hinges[i]->point);
+        lengths.at(i) = length(Spot{side.x.to_double(), side.y.to_double()});
+    }
+    const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
+    constexpr double rounding = 1e-12;
+    const double sum = lengths[0] + lengths[1] + lengths[2] + lengths[3], longest = *most * (1 - rounding);
+    return *least + longest <= sum / 2 && std::min(lengths[0], lengths[3]) <= *least * (1 + rounding);
+}
+
 RichText describe(BodyIndex index, const Solution& solution, Language language) {
     const Mechanism& mechanism = solution.mechanism;
     const Body& body = mechanism.bodies[at_index(index)];
@@ -519,6 +560,7 @@ RichText describe(BodyIndex index, const Solution& solution, Language language) 
                            : carries_guide                   ? "slotted link"
                            : slides                          ? "sleeve"
                            : on_frame && driven              ? "crank"
+                           : goes_round(index, solution)     ? "crank"
                            : on_frame && hinges.size() == 2  ? "rocker"
                            : !on_frame && hinges.size() == 2 ? "coupler"
                                                              : "link";
