@@ -91,9 +91,10 @@ public:
         hold_what_is_loose();
         take_drivers();
         choose_loops();
+        for (Edge& edge : edges_) give_letters(edge);
+        write_reaches();
         name_what_is_left();
         write_laws();
-        write_reaches();
         settle_names();
         complete(found_, mechanism_, pose_, rates());
         find_motions();
@@ -407,7 +408,8 @@ private:
             const std::set<int> keys = keys_of(cycle);
             int open = 0;
             for (const int key : keys) open += known.contains(key) ? 0 : 1;
-            return {open, cycle.has_node(0) ? 0 : 1, static_cast<int>(cycle.edges.size()), static_cast<int>(keys.size())};
+            const bool driven = open < static_cast<int>(keys.size());
+            return {open, cycle.has_node(0) ? 0 : 1, driven ? 0 : 1, static_cast<int>(cycle.edges.size())};
         };
         const auto taken = [&](const ClosedWalk& cycle) {
             write_loop(begun(cycle, known));
@@ -678,7 +680,6 @@ private:
         edge.sides.push_back(std::move(slide));
     }
     void name_what_is_left() {
-        for (Edge& edge : edges_) give_letters(edge);
         for (std::size_t c = 1; c < classes_.size(); ++c)
             if (!classes_[c].bodies.empty() && !classes_[c].datum)
                 set_datum(static_cast<int>(c), some_direction(static_cast<int>(c)), next_pair());

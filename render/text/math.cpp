@@ -92,6 +92,12 @@ std::string unicode_letter(std::string_view name) {
     return std::string(found == nullptr ? name : found->unicode);
 }
 
+std::string letter_spelt(std::string_view unicode) {
+    const auto* const found =
+        std::find_if(greek.begin(), greek.end(), [&](const Greek& each) { return each.unicode == unicode; });
+    return std::string(found == greek.end() ? unicode : found->name);
+}
+
 Formula Formula::letter(std::string_view name, const std::string& sub, int dots) {
     Formula made;
     made.kind = Kind::text;
@@ -188,8 +194,8 @@ Formula& Formula::operator+=(Formula more) {
 
 std::string Formula::plain() const {
     const auto inner = [](const Formula& part) {
-        const std::string text = part.plain();
-        return part.kind == Kind::row && part.parts.size() > 1 ? "(" + text + ")" : text;
+        const std::string own = part.plain();
+        return part.kind == Kind::row && part.parts.size() > 1 ? "(" + own + ")" : text;
     };
     switch (kind) {
         case Kind::row: {
