@@ -692,10 +692,11 @@ private:
 
     LetterIndex radius(const Exact& reach, BodyIndex body) {
         for (const auto& [of, known, letter] : radii_)
-            if (of == body && known == abs(reach)) return letter;
+            if (of == body && is_nothing(known - abs(reach))) return letter;
         Letter letter;
         letter.symbol = "R";
         letter.sub = name_of(body);
+        letter.body = body;
         for (const auto& each : radii_)
             if (std::get<0>(each) == body) letter.sub += "'";
         letter.exact = abs(reach);

@@ -84,7 +84,7 @@ private:
     // --- pieces ---------------------------------------------------------------------------------------------------------------
 
     std::string in(const Words& words) const { return render::in(words, language_); }
-    void heading(const Words& words) { items_.push_back({Kind::heading, in(words), {}, {}}); }
+    void heading(const Words& words, bool is_apart = false) { items_.push_back({Kind::heading, in(words), {}, {}, is_apart}); }
     void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
     void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
 
@@ -185,7 +185,7 @@ private:
                                        : in(Words("turn of body {0} on body {1}", "rotazione del corpo {0} rispetto al corpo {1}",
                                                   body(own.body), body(own.against)));
         if (own.is_angle)
-            return in(Words("direction of the link that stands for {0}", "direzione della biella equivalente in {0}",
+            return in(Words("equivalent link at {0}", "biella equivalente in {0}",
                             own.joint == none ? std::string() : mechanism_.joint(own.joint).name));
         if (own.joint != none) return in(Words("slide at {0}", "scorrimento in {0}", mechanism_.joint(own.joint).name));
         return in(Words("place: {0}", "posizione: {0}", own.name));
@@ -237,7 +237,8 @@ private:
     Formula what_is(LetterIndex index) const {
         const Letter& own = letter(index);
         if (own.role != Letter::Role::given) return Formula::upright(described(index));
-        if (own.symbol == "R") return Formula::upright(in(Words("radius of {0}", "raggio di {0}", own.sub)));
+        if (own.symbol == "R")
+            return Formula::upright(in(Words("radius on body {0}", "raggio sul corpo {0}", mechanism_.body(own.body).name)));
         if (own.is_angle) return Formula::upright(in({"fixed angle", "angolo fisso"}));
         Formula ends = ends_of(index);
         return ends.empty() ? Formula::upright(in({"constant distance", "distanza costante"})) : ends;
@@ -421,7 +422,6 @@ private:
     /// sin β = −λ sin α + h/b, λ = a/b, where one crank and offsets are known; else all over b.
     void write_sine(const Side& first, const std::vector<Side>& known, const std::function<Difference(const Side&)>& against) {
         Signed turning = projected({}, against(first), true, 1);
-        const double sine = std::sin(value_of(e_, first.angle));
         std::vector<Signed> across;
         const Side* crank = nullptr;
         bool one_crank = true;
@@ -433,10 +433,8 @@ private:
             if (turns) crank = &each;
             across.push_back(std::move(own));
         }
-        if (turning.sign < 0) {
-            turning.sign = 1;
-            for (Signed& each : across) each.sign = -each.sign;
-        }
+        const int side = turning.sign < 0 ? -1 : 1;
+        for (Signed& each : across) each.sign *= side;
         if (crank != nullptr && one_crank) {
             set(equal(Formula::letter("lambda"), Formula::fraction(name(crank->length), name(first.length))) +
                 Formula::sign("=") + value(letter(crank->length).value / letter(first.length).value));
@@ -444,14 +442,13 @@ private:
             for (const Side& each : known) {
                 Signed own = projected(
                     &each == crank ? Formula::letter("lambda") : Formula::fraction(name(each.length), name(first.length)),
-                    against(each), true, sign_of(each, first));
+                    against(each), true, side * sign_of(each, first));
                 if (own.sign != 0) shares.push_back(std::move(own));
             }
             set(equal(turning.term, joined(shares)));
         } else {
             set(equal(turning.term, Formula::fraction(joined(across), name(first.length))));
         }
-        static_cast<void>(sine);
         set(equal(angle(first.angle), Formula::upright(trimmed(amount(value_of(e_, first.angle), QuantityKind::angle,
                                                                       mechanism_.units, language_, digits)))));
     }
@@ -590,7 +587,7 @@ private:
     }
 
     void write_velocities() {
-        heading({"Velocities", "Velocità"});
+        heading({"Velocities", "Velocità"}, true);
         say(Words("The derivative of the loops; entries in {0}, {0}/s and radians:",
                   "La derivata delle maglie; elementi in {0}, {0}/s e radianti:", mechanism_.units.length.symbol));
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, false));
@@ -603,7 +600,7 @@ private:
         // A system of many unknowns has its matrix apart: J ẏ = …
         constexpr std::size_t most_in_line = 4;
         if (block.unknowns.size() > most_in_line) {
-            if (dots == 1) set(equal(Formula::letter("J"), matrix(block, true)));
+            if (dots == 1) write_in_parts(block);
             set(equal(Formula::letter("J") + unknowns_column(block, dots), right_side(block, dots, true)));
         } else {
             set(equal(matrix(block, true) + unknowns_column(block, dots), right_side(block, dots, true)));
@@ -622,6 +619,20 @@ private:
             set(equal(Formula::letter("J"), matrix(block, false)));
         }
         if (dots == 1) write_determinant(block);
+    }
+    /// J = [J_1 J_2 …], a few columns each.
+    void write_in_parts(const Equations::Block& block) {
+        constexpr std::size_t most = 3;
+        std::vector<Formula> names;
+        for (std::size_t first = 0; first < block.unknowns.size(); first += most) {
+            Equations::Block part = block;
+            const auto begin = block.unknowns.begin() + static_cast<std::ptrdiff_t>(first);
+            part.unknowns.assign(begin, begin + static_cast<std::ptrdiff_t>(std::min(most, block.unknowns.size() - first)));
+            names.push_back(Formula::letter("J", std::to_string(names.size() + 1)));
+            set(equal(names.back(), matrix(part, true)));
+        }
+        const std::size_t count = names.size();
+        set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count)));
     }
     void write_determinant(const Equations::Block& block) {
         const auto found = determinant(block);
@@ -718,7 +729,7 @@ private:
 
     void write_accelerations() {
         if (!e_.is_regular()) return;
-        heading({"Accelerations", "Accelerazioni"});
+        heading({"Accelerations", "Accelerazioni"}, true);
         say({"The second derivative; the matrix is the same:", "La derivata seconda; la matrice è la stessa:"});
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, true));
         for (const Equations::Block& block : e_.blocks) write_block(block, 2);
