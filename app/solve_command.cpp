@@ -11,6 +11,7 @@
 #include "app/outputs.hpp"
 #include "constructions/solve.hpp"
 #include "engine/drivers.hpp"
+#include "engine/equations.hpp"
 #include "engine/moved.hpp"
 #include "engine/problem.hpp"
 #include "engine/units.hpp"
@@ -241,6 +242,7 @@ Words meaningless(const SolveRequest& request) {
     if (!request.figure.empty() && (!solution || brief)) return both("--figure", solution ? "--detail brief" : kind);
     if (request.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
     if (!solution && wants_lever(request)) return both("--with joukowsky", kind);
+    if (!solution && wants(request, "equations")) return both("--with equations", kind);
     if (request.sheet == render::SheetKind::question && request.dimensions == render::Dimensions::on)
         return both("--dimensions on", kind);
     return {};
@@ -259,6 +261,11 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
             remark({"--with joukowsky adds to the sheet only, and none is asked for",
                     "--with joukowsky aggiunge solo al foglio, e nessuno è richiesto"});
     }
+    if (wants(request, "equations") && (!solution.equations || !solution.equations->why_not.empty()))
+        remark({"no equations: {0}", "nessuna equazione: {0}",
+                solution.equations ? solution.equations->why_not
+                                   : Words("a problem of contact, wear or impact has no joints",
+                                           "un problema di contatto, usura o urto non ha coppie")});
     if (!request.figure.empty() && !draws)
         remark({"--figure chooses what is drawn, and no drawing is asked for",
                 "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});

@@ -92,9 +92,10 @@ public:
         hold_what_is_loose();
         take_drivers();
         choose_loops();
+        for (Edge& edge : edges_) give_letters(edge);
+        write_reaches();
         name_what_is_left();
         write_laws();
-        write_reaches();
         settle_names();
         complete(found_, mechanism_, pose_, rates());
         find_motions();
@@ -352,7 +353,7 @@ private:
     void add_turn_keys(std::set<int>& keys, BodyIndex body) const {
         for (int each = class_of(body); each > 0; each = classes_[at_index(each)].against) keys.insert(key_of_class(each));
     }
-    std::set<int> keys_of(const Cycle& cycle) {
+    std::set<int> keys_of(const ClosedWalk& cycle) {
         std::set<int> keys;
         for (std::size_t k = 0; k < cycle.nodes.size(); ++k) {
             const BodyIndex body(cycle.nodes[k]);
@@ -404,13 +405,14 @@ private:
         for (std::size_t e = 0; e < edges_.size(); ++e)
             if (edges_[e].driver >= 0) known.insert(key_of_edge(static_cast<int>(e), 0));
         roll_on(known);
-        const auto cost = [&](const Cycle& cycle) -> std::array<int, 4> {
+        const auto cost = [&](const ClosedWalk& cycle) -> std::array<int, 4> {
             const std::set<int> keys = keys_of(cycle);
             int open = 0;
             for (const int key : keys) open += known.contains(key) ? 0 : 1;
-            return {open, cycle.has_node(0) ? 0 : 1, static_cast<int>(cycle.edges.size()), static_cast<int>(keys.size())};
+            const bool driven = open < static_cast<int>(keys.size());
+            return {open, cycle.has_node(0) ? 0 : 1, driven ? 0 : 1, static_cast<int>(cycle.edges.size())};
         };
-        const auto taken = [&](const Cycle& cycle) {
+        const auto taken = [&](const ClosedWalk& cycle) {
             write_loop(begun(cycle, known));
             known.merge(keys_of(cycle));
             roll_on(known);
@@ -418,18 +420,18 @@ private:
         independent_cycles(static_cast<int>(mechanism_.bodies.size()), graph, cost, taken);
     }
     /// From the frame, or else a body that is known; the way out leads to what is known, or comes first in the file.
-    Cycle begun(const Cycle& cycle, const std::set<int>& known) const {
+    ClosedWalk begun(const ClosedWalk& cycle, const std::set<int>& known) const {
         const auto is_known = [&](int node) { return node == 0 || known.contains(key_of_class(class_of_[at_index(node)])); };
         int start = cycle.nodes.front();
         for (const int node : cycle.nodes)
             if (node == 0 || (start != 0 && is_known(node) && !is_known(start))) start = node;
-        Cycle forth = cycle.from(start), back = forth.reversed();
-        const auto rank = [&](const Cycle& each) { return std::pair(!is_known(each.nodes[1]), each.nodes[1]); };
+        ClosedWalk forth = cycle.from(start), back = forth.reversed();
+        const auto rank = [&](const ClosedWalk& each) { return std::pair(!is_known(each.nodes[1]), each.nodes[1]); };
         return rank(back) < rank(forth) ? back : forth;
     }
 
     /// Where the slides of a loop end on their bodies: at the other joint there; between two slides where their lines cross.
-    void set_ends(const Cycle& cycle) {
+    void set_ends(const ClosedWalk& cycle) {
         const std::size_t n = cycle.nodes.size();
         const auto ends = [&](std::size_t k) {
             const BodyIndex body(cycle.nodes[k]);
@@ -456,7 +458,7 @@ private:
         }
     }
 
-    void write_loop(const Cycle& cycle) {
+    void write_loop(const ClosedWalk& cycle) {
         set_ends(cycle);
         Equations::Loop loop;
         std::vector<Side> left, right;
@@ -679,7 +681,6 @@ private:
         edge.sides.push_back(std::move(slide));
     }
     void name_what_is_left() {
-        for (Edge& edge : edges_) give_letters(edge);
         for (std::size_t c = 1; c < classes_.size(); ++c)
             if (!classes_[c].bodies.empty() && !classes_[c].datum)
                 set_datum(static_cast<int>(c), some_direction(static_cast<int>(c)), next_pair());
@@ -692,10 +693,11 @@ private:
 
     LetterIndex radius(const Exact& reach, BodyIndex body) {
         for (const auto& [of, known, letter] : radii_)
-            if (of == body && known == abs(reach)) return letter;
+            if (of == body && is_nothing(known - abs(reach))) return letter;
         Letter letter;
         letter.symbol = "R";
         letter.sub = name_of(body);
+        letter.body = body;
         for (const auto& each : radii_)
             if (std::get<0>(each) == body) letter.sub += "'";
         letter.exact = abs(reach);
@@ -724,6 +726,12 @@ private:
             else
                 write_rolling_round(law, rolling);
             std::erase_if(law.parts, [](const Law::Part& part) { return part.sum.empty(); });
+            // −(−θ) is θ: what stands in brackets begins without a sign.
+            for (Law::Part& part : law.parts) {
+                if (std::any_of(part.sum.begin(), part.sum.end(), [](const auto& each) { return each.first > 0; })) continue;
+                part.sign = -part.sign;
+                for (auto& each : part.sum) each.first = 1;
+            }
             if (!law.parts.empty() && law.parts.front().sign < 0)
                 for (Law::Part& part : law.parts) part.sign = -part.sign;
             if (!law.parts.empty()) found_.laws.push_back(std::move(law));
@@ -957,7 +965,9 @@ std::optional<std::array<double, 2>> Equations::BodyState::acceleration_of(const
     return std::array<double, 2>{(*acceleration)[0] - *alpha * y - w2 * x, (*acceleration)[1] + *alpha * x - w2 * y};
 }
 
-std::string spelt(const Equations::Letter& letter) { return letter.sub.empty() ? letter.symbol : letter.symbol + "_" + letter.sub; }
+std::string spelt(const Equations::Letter& letter) {
+    return letter.sub.empty() ? letter.symbol : letter.symbol + "_" + letter.sub;
+}
 
 namespace {
 

@@ -11,7 +11,7 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 using Bits = std::vector<bool>;
 
-Bits bits_of(const Cycle& cycle, std::size_t edges) {
+Bits bits_of(const ClosedWalk& cycle, std::size_t edges) {
     Bits bits(edges, false);
     for (const int edge : cycle.edges) bits[at(edge)] = true;
     return bits;
@@ -61,7 +61,7 @@ struct Forest {
 };
 
 /// The walk along these edges, where they make one that meets no node twice.
-std::optional<Cycle> walk_of(const Bits& bits, int nodes, const GraphEdges& edges) {
+std::optional<ClosedWalk> walk_of(const Bits& bits, int nodes, const GraphEdges& edges) {
     std::vector<std::vector<int>> touching(at(nodes));
     std::size_t count = 0;
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -75,7 +75,7 @@ std::optional<Cycle> walk_of(const Bits& bits, int nodes, const GraphEdges& edge
     if (count < 2) return std::nullopt;
     const auto first = std::find_if(touching.begin(), touching.end(), [](const auto& each) { return each.size() == 2; });
     if (first == touching.end()) return std::nullopt;
-    Cycle cycle;
+    ClosedWalk cycle;
     int node = static_cast<int>(first - touching.begin());
     int edge = first->front();
     do {
@@ -101,27 +101,27 @@ std::vector<int> closing_edges(const Forest& forest, const GraphEdges& edges) {
 
 }  // namespace
 
-bool Cycle::has_node(int node) const { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); }
+bool ClosedWalk::has_node(int node) const { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); }
 
-Cycle Cycle::from(int node) const {
+ClosedWalk ClosedWalk::from(int node) const {
     const auto begin = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
-    Cycle turned = *this;
+    ClosedWalk turned = *this;
     std::rotate(turned.nodes.begin(), turned.nodes.begin() + begin, turned.nodes.end());
     std::rotate(turned.edges.begin(), turned.edges.begin() + begin, turned.edges.end());
     return turned;
 }
 
-Cycle Cycle::reversed() const {
-    Cycle back = *this;
+ClosedWalk ClosedWalk::reversed() const {
+    ClosedWalk back = *this;
     std::reverse(back.nodes.begin() + 1, back.nodes.end());
     std::reverse(back.edges.begin(), back.edges.end());
     return back;
 }
 
-std::vector<Cycle> cycles_of(int nodes, const GraphEdges& edges) {
+std::vector<ClosedWalk> cycles_of(int nodes, const GraphEdges& edges) {
     constexpr std::size_t few = 10;
     std::set<Bits> known;
-    std::vector<Cycle> cycles;
+    std::vector<ClosedWalk> cycles;
     const auto offer = [&](const Bits& bits) {
         if (!known.insert(bits).second) return;
         if (auto walk = walk_of(bits, nodes, edges)) cycles.push_back(*std::move(walk));
@@ -146,10 +146,10 @@ std::vector<Cycle> cycles_of(int nodes, const GraphEdges& edges) {
     return cycles;
 }
 
-std::vector<Cycle> independent_cycles(int nodes, const GraphEdges& edges,
-                                      const std::function<std::array<int, 4>(const Cycle&)>& cost,
-                                      const std::function<void(const Cycle&)>& taken) {
-    std::vector<Cycle> candidates = cycles_of(nodes, edges), chosen;
+std::vector<ClosedWalk> independent_cycles(int nodes, const GraphEdges& edges,
+                                           const std::function<std::array<int, 4>(const ClosedWalk&)>& cost,
+                                           const std::function<void(const ClosedWalk&)>& taken) {
+    std::vector<ClosedWalk> candidates = cycles_of(nodes, edges), chosen;
     const std::size_t wanted = closing_edges(Forest(nodes, edges, 0), edges).size();
     std::vector<Bits> basis;  // in echelon form: each has a leading edge that no other of those before has
     std::vector<std::size_t> leading;
@@ -163,7 +163,7 @@ std::vector<Cycle> independent_cycles(int nodes, const GraphEdges& edges,
         std::array<int, 4> least = cost(candidates.front());
         for (std::size_t i = 1; i < candidates.size(); ++i)
             if (const std::array<int, 4> own = cost(candidates[i]); own < least) best = i, least = own;
-        Cycle cycle = std::move(candidates[best]);
+        ClosedWalk cycle = std::move(candidates[best]);
         candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(best));
         Bits left = reduced(bits_of(cycle, edges.size()));
         const auto lead = std::find(left.begin(), left.end(), true);

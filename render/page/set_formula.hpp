@@ -11,4 +11,11 @@ namespace kinegraph::render {
 /// set smaller, at most to three fifths, so that it stands within.
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour);
 
+/// On one line, however wide, with how far its baseline lies below its top (mm): for what stands beside others.
+struct SetLine {
+    Block block;
+    double baseline = 0;
+};
+SetLine formula_line(const Formula& formula, const Fonts& fonts, double size, Colour colour);
+
 }  // namespace kinegraph::render

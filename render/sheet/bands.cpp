@@ -418,10 +418,13 @@ void Bands::collect_forces() {
 /// The loops drawn, and their sections under or beside them.
 void Bands::collect_equations() {
     equations_ = equation_items(solution_, context_.language);
-    Band& band = add("equations", {"loops"});
+    add("equations", {"loops"});
+    int pages = 1;
     for (std::size_t i = 0; i < equations_.size(); ++i) {
-        if (equations_[i].kind == EquationItem::Kind::heading) band.parts.push_back({Kind::equations, {i, i}});
-        band.parts.back().which.back() = i + 1;
+        if (equations_[i].is_apart) add("equations-" + std::to_string(++pages), {});
+        std::vector<Band::Part>& parts = list.back().parts;
+        if (equations_[i].kind == EquationItem::Kind::heading) parts.push_back({Kind::equations, {i, i}});
+        parts.back().which.back() = i + 1;
     }
 }
 

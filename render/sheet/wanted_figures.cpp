@@ -246,8 +246,8 @@ void WantedFigures::add_loops() {
     wanted.extent_y = extent.height();
     wanted.rim_x = 22;
     wanted.rim_y = 28;
-    wanted.least = 45;
-    wanted.weight = 1.2;
+    wanted.least = 80;
+    wanted.weight = 1.5;
     wanted.draw = [this](double x, double y) { return loops_figure(context_, x, y); };
     add(std::move(wanted));
 }

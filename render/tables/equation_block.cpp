@@ -5,23 +5,25 @@
 #include "render/page/set_formula.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/prose.hpp"
+#include "render/text/formula.hpp"
 
 namespace kinegraph::render {
 namespace {
 
-constexpr double between = 4, never = 1e4;  // columns of a table; wide enough for any formula
+constexpr double between = 4;  // columns of a table, mm
 
 /// A table's lines, its columns as wide as what stands in them, all of it smaller where the measure asks.
 std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows, double measure) {
-    std::vector<std::vector<Block>> cells;
+    constexpr double under_head = 1.4, under_line = 0.9;
+    std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
     for (std::size_t r = 0; r < rows.size(); ++r) {
-        std::vector<Block>& line = cells.emplace_back();
+        std::vector<SetLine>& line = cells.emplace_back();
         for (std::size_t c = 0; c < rows[r].size(); ++c) {
-            line.push_back(formula_block(rows[r][c], context.fonts, context.theme.small, never,
-                                         r == 0 ? context.theme.secondary : context.theme.text));
+            line.push_back(formula_line(rows[r][c], context.fonts, context.theme.small,
+                                        r == 0 ? context.theme.secondary : context.theme.text));
             if (wide.size() <= c) wide.push_back(0);
-            wide[c] = std::max(wide[c], line.back().width);
+            wide[c] = std::max(wide[c], line.back().block.width);
         }
     }
     double whole = -between;
@@ -30,17 +32,21 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
     std::vector<Block> lines;
     for (std::size_t r = 0; r < cells.size(); ++r) {
         Block line;
-        double x = 0;
-        for (const Block& cell : cells[r]) line.height = std::max(line.height, cell.height);
+        double x = 0, up = 0, down = 0;
+        for (const SetLine& cell : cells[r]) {
+            up = std::max(up, cell.baseline);
+            down = std::max(down, cell.block.height - cell.baseline);
+        }
         for (std::size_t c = 0; c < cells[r].size(); ++c) {
-            set(line.marks, cells[r][c], {x, line.height - cells[r][c].height});
+            set(line.marks, cells[r][c].block, {x, up - cells[r][c].baseline});
             x += wide[c] + between;
         }
         line.width = whole;
-        line.height += r == 0 ? 1.4 : 0.9;
-        if (r == 0)
-            line.marks.emplace_back(render::line({0, line.height - 0.7}, {whole, line.height - 0.7},
-                                                 {context.theme.thin, context.theme.text, {}, false}));
+        line.height = up + down + (r == 0 ? under_head : under_line);
+        if (r == 0) {
+            const double y = line.height - under_head / 2;
+            line.marks.emplace_back(render::line({0, y}, {whole, y}, {context.theme.thin, context.theme.text, {}, false}));
+        }
         lines.push_back(scaled(std::move(line), factor));
     }
     return lines;
@@ -56,7 +62,7 @@ std::vector<Block> equation_blocks(const DrawingContext& context, const std::vec
             case EquationItem::Kind::heading:
                 break;
             case EquationItem::Kind::words:
-                blocks.push_back(paragraph_block(context, measure, one_piece(item.words)));
+                blocks.push_back(paragraph_block(context, measure, formula(item.words)));
                 break;
             case EquationItem::Kind::formula: {
                 const Block set_alone =

@@ -49,6 +49,18 @@ struct Difference {
     int quarters = 0;
 };
 
+/// Without zeros that only fill: "200.00 mm" is 200 mm.
+std::string trimmed(const std::string& text) {
+    const std::size_t mark = text.find_first_of(".,");
+    if (mark == std::string::npos) return text;
+    std::size_t end = mark + 1;
+    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    std::size_t keep = end;
+    while (text[keep - 1] == '0') --keep;
+    if (keep == mark + 1) keep = mark;
+    return text.substr(0, keep) + text.substr(end);
+}
+
 class Text {
 public:
     Text(const Solution& solution, Language language)
@@ -72,26 +84,30 @@ private:
     // --- pieces ---------------------------------------------------------------------------------------------------------------
 
     std::string in(const Words& words) const { return render::in(words, language_); }
-    void heading(const Words& words) { items_.push_back({Kind::heading, in(words), {}, {}}); }
+    void heading(const Words& words, bool is_apart = false) { items_.push_back({Kind::heading, in(words), {}, {}, is_apart}); }
     void say(const Words& words) { items_.push_back({Kind::words, in(words), {}, {}}); }
     void set(Formula formula) { items_.push_back({Kind::formula, {}, std::move(formula), {}}); }
 
     const Letter& letter(LetterIndex index) const { return e_.letter(index); }
     Formula name(LetterIndex index, int dots = 0) const { return Formula::letter(letter(index).symbol, letter(index).sub, dots); }
-    /// As sentences call it.
+    /// As sentences call it: in braces, which make a letter of it.
     std::string spoken(LetterIndex index) const {
-        return unicode_letter(letter(index).symbol) + (letter(index).sub.empty() ? "" : "_" + letter(index).sub);
+        return "{" + unicode_letter(letter(index).symbol) + (letter(index).sub.empty() ? "" : "_" + letter(index).sub) + "}";
     }
-    Formula value(double number) const { return Formula::upright(render::number(number, digits, language_)); }
+    Formula value(double number) const { return Formula::upright(trimmed(render::number(number, digits, language_))); }
     std::string amount_of(LetterIndex index, double si, int derived) const {
         const Units& units = mechanism_.units;
         if (!letter(index).is_angle) {
             constexpr std::array kinds{QuantityKind::length, QuantityKind::velocity, QuantityKind::acceleration};
-            return amount(si, kinds.at(static_cast<std::size_t>(derived)), units, language_, digits);
+            return trimmed(amount(si, kinds.at(static_cast<std::size_t>(derived)), units, language_, digits));
         }
-        if (derived == 0) return amount(si, QuantityKind::angle, units, language_, digits);
-        if (derived == 1) return amount(si, QuantityKind::angular_velocity, units, language_, digits);
-        return render::number(si, digits, language_) + " rad/s²";
+        if (derived == 0) return trimmed(amount(half_turns_apart(si), QuantityKind::angle, units, language_, digits));
+        if (derived == 1) return trimmed(amount(si, QuantityKind::angular_velocity, units, language_, digits));
+        return trimmed(render::number(si, digits, language_)) + " rad/s²";
+    }
+    /// −180° is 180°.
+    static double half_turns_apart(double angle) {
+        return std::abs(angle + std::numbers::pi) < 1e-12 ? std::numbers::pi : std::abs(angle) < 1e-15 ? 0 : angle;
     }
     Formula amount_formula(LetterIndex index, double si, int derived) const {
         return Formula::upright(amount_of(index, si, derived));
@@ -169,7 +185,7 @@ private:
                                        : in(Words("turn of body {0} on body {1}", "rotazione del corpo {0} rispetto al corpo {1}",
                                                   body(own.body), body(own.against)));
         if (own.is_angle)
-            return in(Words("direction of the link that stands for {0}", "direzione della biella equivalente in {0}",
+            return in(Words("equivalent link at {0}", "biella equivalente in {0}",
                             own.joint == none ? std::string() : mechanism_.joint(own.joint).name));
         if (own.joint != none) return in(Words("slide at {0}", "scorrimento in {0}", mechanism_.joint(own.joint).name));
         return in(Words("place: {0}", "posizione: {0}", own.name));
@@ -179,20 +195,26 @@ private:
             if (solution_.pose.at(point) == place) return mechanism_.point(point).name;
         return {};
     }
+    /// "O_2", as figures have it.
+    static Formula point_name(const std::string& name) {
+        std::size_t stem = name.size();
+        while (stem > 1 && name[stem - 1] >= '0' && name[stem - 1] <= '9') --stem;
+        return Formula::letter(name.substr(0, stem), name.substr(stem));
+    }
     /// "OA" where both ends have names.
-    std::string ends_of(LetterIndex length) const {
-        const auto find = [&](const std::vector<Side>& sides) -> std::string {
+    Formula ends_of(LetterIndex length) const {
+        const auto find = [&](const std::vector<Side>& sides) -> Formula {
             for (const Side& each : sides)
                 if (each.length == length) {
                     const std::string from = point_at(each.from), to = point_at(each.to);
-                    return from.empty() || to.empty() ? std::string() : from + to;
+                    return from.empty() || to.empty() ? Formula() : point_name(from) + point_name(to);
                 }
             return {};
         };
         for (const Equations::Loop& loop : e_.loops)
-            if (std::string found = find(loop.sides); !found.empty()) return found;
+            if (Formula found = find(loop.sides); !found.empty()) return found;
         for (const Equations::Reach& reach : e_.reaches)
-            if (std::string found = find(reach.sides); !found.empty()) return found;
+            if (Formula found = find(reach.sides); !found.empty()) return found;
         return {};
     }
     bool is_written(LetterIndex index) const {
@@ -212,6 +234,15 @@ private:
                std::any_of(e_.reaches.begin(), e_.reaches.end(), [&](const auto& reach) { return has(reach.sides); }) ||
                std::any_of(e_.laws.begin(), e_.laws.end(), in_law);
     }
+    Formula what_is(LetterIndex index) const {
+        const Letter& own = letter(index);
+        if (own.role != Letter::Role::given) return Formula::upright(described(index));
+        if (own.symbol == "R")
+            return Formula::upright(in(Words("radius on body {0}", "raggio sul corpo {0}", mechanism_.body(own.body).name)));
+        if (own.is_angle) return Formula::upright(in({"fixed angle", "angolo fisso"}));
+        Formula ends = ends_of(index);
+        return ends.empty() ? Formula::upright(in({"constant distance", "distanza costante"})) : ends;
+    }
     void write_letters() {
         heading({"Closure equations", "Equazioni di chiusura"});
         std::vector<std::vector<Formula>> rows{
@@ -224,11 +255,7 @@ private:
                 const auto index = static_cast<LetterIndex>(i);
                 const Letter& own = e_.letters[i];
                 if (own.role != role || (role == Letter::Role::given && !is_written(index))) continue;
-                std::string what = role == Letter::Role::given ? ends_of(index) : described(index);
-                if (what.empty() && own.symbol == "R") what = in(Words("radius of {0}", "raggio di {0}", own.sub));
-                if (what.empty() && role == Letter::Role::given && !own.is_angle) what = in({"offset", "eccentricità"});
-                if (what.empty()) what = in({"fixed angle", "angolo fisso"});
-                rows.push_back({name(index), Formula::upright(what), amount_formula(index, own.value, 0),
+                rows.push_back({name(index), what_is(index), amount_formula(index, own.value, 0),
                                 Formula::upright(in(kinds.at(static_cast<std::size_t>(role))))});
             }
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
@@ -240,7 +267,8 @@ private:
         for (std::size_t i = 0; i < e_.loops.size(); ++i) {
             const Equations::Loop& loop = e_.loops[i];
             std::string through;
-            for (const std::string& each : loop.through) through += (through.empty() ? "" : "–") + each;
+            for (std::size_t k = 0; k < loop.through.size(); ++k)
+                if (k == 0 || loop.through[k] != loop.through[k - 1]) through += (through.empty() ? "" : "–") + loop.through[k];
             say(Words("Loop {0} ({1}), real and imaginary part:", "Maglia {0} ({1}), parte reale e immaginaria:",
                       std::to_string(i + 1), through));
             set(both_sides(loop, [&](const Side& each) { return side(each); }));
@@ -394,7 +422,6 @@ private:
     /// sin β = −λ sin α + h/b, λ = a/b, where one crank and offsets are known; else all over b.
     void write_sine(const Side& first, const std::vector<Side>& known, const std::function<Difference(const Side&)>& against) {
         Signed turning = projected({}, against(first), true, 1);
-        const double sine = std::sin(value_of(e_, first.angle));
         std::vector<Signed> across;
         const Side* crank = nullptr;
         bool one_crank = true;
@@ -406,10 +433,8 @@ private:
             if (turns) crank = &each;
             across.push_back(std::move(own));
         }
-        if (turning.sign < 0) {
-            turning.sign = 1;
-            for (Signed& each : across) each.sign = -each.sign;
-        }
+        const int side = turning.sign < 0 ? -1 : 1;
+        for (Signed& each : across) each.sign *= side;
         if (crank != nullptr && one_crank) {
             set(equal(Formula::letter("lambda"), Formula::fraction(name(crank->length), name(first.length))) +
                 Formula::sign("=") + value(letter(crank->length).value / letter(first.length).value));
@@ -417,16 +442,15 @@ private:
             for (const Side& each : known) {
                 Signed own = projected(
                     &each == crank ? Formula::letter("lambda") : Formula::fraction(name(each.length), name(first.length)),
-                    against(each), true, sign_of(each, first));
+                    against(each), true, side * sign_of(each, first));
                 if (own.sign != 0) shares.push_back(std::move(own));
             }
             set(equal(turning.term, joined(shares)));
         } else {
             set(equal(turning.term, Formula::fraction(joined(across), name(first.length))));
         }
-        static_cast<void>(sine);
-        set(equal(angle(first.angle),
-                  Formula::upright(amount(value_of(e_, first.angle), QuantityKind::angle, mechanism_.units, language_, digits))));
+        set(equal(angle(first.angle), Formula::upright(trimmed(amount(value_of(e_, first.angle), QuantityKind::angle,
+                                                                      mechanism_.units, language_, digits)))));
     }
     void write_turn_with_slide(const Equations::Loop& loop, std::size_t index) {
         const Side& first = loop.sides[at_index(loop.solved.first)];
@@ -563,7 +587,7 @@ private:
     }
 
     void write_velocities() {
-        heading({"Velocities", "Velocità"});
+        heading({"Velocities", "Velocità"}, true);
         say(Words("The derivative of the loops; entries in {0}, {0}/s and radians:",
                   "La derivata delle maglie; elementi in {0}, {0}/s e radianti:", mechanism_.units.length.symbol));
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, false));
@@ -576,7 +600,7 @@ private:
         // A system of many unknowns has its matrix apart: J ẏ = …
         constexpr std::size_t most_in_line = 4;
         if (block.unknowns.size() > most_in_line) {
-            if (dots == 1) set(equal(Formula::letter("J"), matrix(block, true)));
+            if (dots == 1) write_in_parts(block);
             set(equal(Formula::letter("J") + unknowns_column(block, dots), right_side(block, dots, true)));
         } else {
             set(equal(matrix(block, true) + unknowns_column(block, dots), right_side(block, dots, true)));
@@ -595,6 +619,20 @@ private:
             set(equal(Formula::letter("J"), matrix(block, false)));
         }
         if (dots == 1) write_determinant(block);
+    }
+    /// J = [J_1 J_2 …], a few columns each.
+    void write_in_parts(const Equations::Block& block) {
+        constexpr std::size_t most = 3;
+        std::vector<Formula> names;
+        for (std::size_t first = 0; first < block.unknowns.size(); first += most) {
+            Equations::Block part = block;
+            const auto begin = block.unknowns.begin() + static_cast<std::ptrdiff_t>(first);
+            part.unknowns.assign(begin, begin + static_cast<std::ptrdiff_t>(std::min(most, block.unknowns.size() - first)));
+            names.push_back(Formula::letter("J", std::to_string(names.size() + 1)));
+            set(equal(names.back(), matrix(part, true)));
+        }
+        const std::size_t count = names.size();
+        set(equal(Formula::letter("J"), Formula::matrix(std::move(names), count)));
     }
     void write_determinant(const Equations::Block& block) {
         const auto found = determinant(block);
@@ -658,9 +696,9 @@ private:
                 const LetterIndex of = e_.unknowns[j], by = e_.free[k];
                 Formula line = equal(Formula::letter("Lambda", plain_sub(of)), derivative(name(of), name(by), 1));
                 if (auto closed = closed_ratio(of, by)) line += Formula::sign("=") + *std::move(closed);
-                line +=
-                    Formula::sign("=") + Formula::upright(number(ratio_in_units(of, by, *e_.ratios[j][k], 1), digits, language_) +
-                                                          ratio_unit(of, by, 1));
+                line += Formula::sign("=") +
+                        Formula::upright(trimmed(number(ratio_in_units(of, by, *e_.ratios[j][k], 1), digits, language_)) +
+                                         ratio_unit(of, by, 1));
                 set(std::move(line));
             }
     }
@@ -691,7 +729,7 @@ private:
 
     void write_accelerations() {
         if (!e_.is_regular()) return;
-        heading({"Accelerations", "Accelerazioni"});
+        heading({"Accelerations", "Accelerazioni"}, true);
         say({"The second derivative; the matrix is the same:", "La derivata seconda; la matrice è la stessa:"});
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, true));
         for (const Equations::Block& block : e_.blocks) write_block(block, 2);
@@ -881,8 +919,8 @@ private:
         if (!e_.is_regular() && !e_.free.empty()) {
             for (const LetterIndex each : e_.cannot_be_driven) {
                 title();
-                say(Words("In the drawn position det J = 0: {0} cannot be driven ({1}, {2}); it rests in every motion.",
-                          "Nella posizione disegnata det J = 0: {0} non può essere movente ({1}, {2}); è fermo in ogni moto.",
+                say(Words("In the drawn position det {J} = 0: {0} cannot be driven ({1}, {2}); it rests in every motion.",
+                          "Nella posizione disegnata det {J} = 0: {0} non può essere movente ({1}, {2}); è fermo in ogni moto.",
                           spoken(each), described(each), amount_of(each, letter(each).value, 0)));
             }
             if (e_.cannot_be_driven.empty()) {
@@ -899,22 +937,22 @@ private:
             const LetterIndex driver = e_.free.front();
             if (solved.dead_points->empty())
                 say(letter(driver).is_angle
-                        ? Words("det J vanishes for no {0}: the driven body makes full turns.",
-                                "det J non si annulla per alcun {0}: il membro movente compie giri completi.", spoken(driver))
-                        : Words("det J vanishes for no {0}.", "det J non si annulla per alcun {0}.", spoken(driver)));
+                        ? Words("det {J} vanishes for no {0}: the driven body makes full turns.",
+                                "det {J} non si annulla per alcun {0}: il membro movente compie giri completi.", spoken(driver))
+                        : Words("det {J} vanishes for no {0}.", "det {J} non si annulla per alcun {0}.", spoken(driver)));
             else
                 say(letter(driver).is_angle
                         ? Words(
-                              "det J = 0 at {0} = {1}: there {0} cannot be driven, and its body makes no full turn.",
-                              "det J = 0 per {0} = {1}: lì {0} non può essere movente, e il suo membro non compie giri completi.",
+                              "det {J} = 0 at {0} = {1}: there {0} cannot be driven, and its body makes no full turn.",
+                              "det {J} = 0 per {0} = {1}: lì {0} non può essere movente, e il suo membro non compie giri completi.",
                               spoken(driver), list_of(*solved.dead_points, driver))
-                        : Words("det J = 0 at {0} = {1}: there {0} cannot be driven.",
-                                "det J = 0 per {0} = {1}: lì {0} non può essere movente.", spoken(driver),
+                        : Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven.",
+                                "det {J} = 0 per {0} = {1}: lì {0} non può essere movente.", spoken(driver),
                                 list_of(*solved.dead_points, driver)));
             for (const auto& [at, slide] : solved.standstills)
                 say(Words(
-                    "Crank and rod lie in one line at {0} = {1}, {2} = {3}: there Λ = 0, and {2} could not drive.",
-                    "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì Λ = 0, e {2} non potrebbe essere movente.",
+                    "Crank and rod lie in one line at {0} = {1}, {2} = {3}: there {Λ} = 0, and {2} could not drive.",
+                    "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì {Λ} = 0, e {2} non potrebbe essere movente.",
                     spoken(driver), amount_of(driver, at, 0), spoken(loop.sides[at_index(solved.second)].length),
                     amount_of(loop.sides[at_index(solved.second)].length, slide, 0)));
         }
@@ -944,7 +982,7 @@ std::string equations_as_text(const Solution& solution, Language language) {
     std::string text;
     for (const EquationItem& item : equation_items(solution, language)) {
         if (item.kind == Kind::heading) text += (text.empty() ? "" : "\n") + item.words + "\n";
-        if (item.kind == Kind::words) text += item.words + "\n";
+        if (item.kind == Kind::words) text += plain(formula(item.words)) + "\n";
         if (item.kind == Kind::formula) text += "  " + item.formula.plain() + "\n";
         std::vector<std::size_t> wide;
         for (const auto& row : item.rows)
@@ -976,7 +1014,12 @@ std::string equations_as_latex(const Solution& solution, Language language) {
     std::string text = "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
     for (const EquationItem& item : equation_items(solution, language)) {
         if (item.kind == Kind::heading) text += "\\section*{" + safe(item.words) + "}\n";
-        if (item.kind == Kind::words) text += safe(item.words) + "\n\n";
+        if (item.kind == Kind::words) {
+            for (const Piece& piece : formula(item.words))
+                text += piece.face == Face::italic ? "$" + Formula::letter(letter_spelt(piece.text), piece.sub).latex() + "$"
+                                                   : safe(piece.text) + (piece.sup.empty() ? "" : "$^{" + piece.sup + "}$");
+            text += "\n\n";
+        }
         if (item.kind == Kind::formula) text += "\\[" + item.formula.latex() + "\\]\n";
         if (item.kind != Kind::table) continue;
         std::string array = "\\begin{array}{" + std::string(item.rows.front().size(), 'l') + "}";

@@ -18,6 +18,7 @@ struct EquationItem {
     std::string words{};  ///< of headings and sentences
     Formula formula{};
     std::vector<std::vector<Formula>> rows{};  ///< of a table, the head first
+    bool is_apart = false;                     ///< a heading that may begin a page of its own
 };
 
 /// Nothing where there are no equations.

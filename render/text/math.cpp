@@ -25,20 +25,19 @@ const Greek* greek_named(std::string_view name) {
 
 /// Characters of any name, safe in text of LaTeX.
 std::string escaped(const std::string& text) {
-    constexpr auto special = std::to_array<std::pair<std::string_view, std::string_view>>({{"\\", "\\backslash "},
-                                                                                           {"{", "\\{"},
-                                                                                           {"}", "\\}"},
-                                                                                           {"_", "\\_"},
-                                                                                           {"^", "\\hat{\\ }"},
-                                                                                           {"%", "\\%"},
-                                                                                           {"$", "\\$"},
-                                                                                           {"#", "\\#"},
-                                                                                           {"&", "\\&"},
-                                                                                           {"~", "\\sim "}});
+    constexpr auto special = std::to_array<std::pair<char, std::string_view>>({{'\\', "\\textbackslash{}"},
+                                                                               {'^', "\\textasciicircum{}"},
+                                                                               {'~', "\\textasciitilde{}"},
+                                                                               {'{', "\\{"},
+                                                                               {'}', "\\}"},
+                                                                               {'_', "\\_"},
+                                                                               {'%', "\\%"},
+                                                                               {'$', "\\$"},
+                                                                               {'#', "\\#"},
+                                                                               {'&', "\\&"}});
     std::string safe;
     for (const char c : text) {
-        const auto* const found =
-            std::find_if(special.begin(), special.end(), [&](const auto& each) { return each.first[0] == c; });
+        const auto* const found = std::find_if(special.begin(), special.end(), [&](const auto& each) { return each.first == c; });
         if (found == special.end())
             safe += c;
         else
@@ -47,38 +46,84 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-/// A number or a unit in math mode.
-std::string latex_of_upright(const std::string& text) {
-    constexpr auto known = std::to_array<std::pair<std::string_view, std::string_view>>({{"−", "-"},
-                                                                                         {"°", "^{\\circ}"},
-                                                                                         {"²", "^{2}"},
-                                                                                         {"³", "^{3}"},
-                                                                                         {"×", "\\times "},
-                                                                                         {"·", "\\cdot "},
-                                                                                         {"⁻", "^{-}"},
-                                                                                         {"–", "\\text{--}"},
-                                                                                         {"′", "'"},
-                                                                                         {"±", "\\pm "},
-                                                                                         {"µ", "\\mu "}});
-    std::string own, out;
+/// The first of these that a text begins with.
+template <class Table>
+auto begun_with(std::string_view text, const Table& table) {
+    const auto* const found =
+        std::find_if(table.begin(), table.end(), [&](const auto& each) { return text.starts_with(each.first); });
+    return found == table.end() ? nullptr : found;
+}
+
+/// A number, a unit or words, in math mode.
+std::string latex_of_upright(std::string_view text) {
+    using Spelling = std::pair<std::string_view, std::string_view>;
+    constexpr auto raised = std::to_array<Spelling>({{"⁰", "0"},
+                                                     {"¹", "1"},
+                                                     {"²", "2"},
+                                                     {"³", "3"},
+                                                     {"⁴", "4"},
+                                                     {"⁵", "5"},
+                                                     {"⁶", "6"},
+                                                     {"⁷", "7"},
+                                                     {"⁸", "8"},
+                                                     {"⁹", "9"},
+                                                     {"⁻", "-"}});
+    constexpr auto known = std::to_array<Spelling>(
+        {{"−", "-"}, {"°", "^{\\circ}"}, {"×", "\\times "}, {"·", "\\cdot "}, {"–", "\\text{--}"}, {"′", "'"}, {"µ", "\\mu "}});
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    std::string words, exponent, out;
     const auto flush = [&] {
-        if (!own.empty()) out += "\\mathrm{" + escaped(own) + "}";
-        own.clear();
+        if (!words.empty()) out += "\\text{" + escaped(words) + "}";
+        if (!exponent.empty()) out += "^{" + exponent + "}";
+        words.clear();
+        exponent.clear();
     };
-    for (std::size_t i = 0; i < text.size();) {
-        const auto* const found = std::find_if(known.begin(), known.end(), [&](const auto& each) {
-            return std::string_view(text).substr(i).starts_with(each.first);
-        });
-        if (found != known.end()) {
+    while (!text.empty()) {
+        if (const auto* const up = begun_with(text, raised)) {
+            const std::string before = std::exchange(exponent, {});
             flush();
-            out += found->second;
-            i += found->first.size();
-        } else if (text[i] == ' ') {
+            exponent = before + std::string(up->second);
+            text.remove_prefix(up->first.size());
+            continue;
+        }
+        if (!exponent.empty()) flush();
+        if (const auto* const sign = begun_with(text, known)) {
             flush();
-            out += "\\,";
-            ++i;
+            out += sign->second;
+            text.remove_prefix(sign->first.size());
+        } else if (words.empty() && is_digit(text.front())) {
+            std::size_t end = 0;
+            while (end < text.size() && (is_digit(text[end]) || text[end] == '.' || text[end] == ',')) {
+                out += text[end] == ',' ? "{,}" : std::string(1, text[end]);
+                ++end;
+            }
+            text.remove_prefix(end);
         } else {
-            own += text[i++];
+            words += text.front();
+            text.remove_prefix(1);
+        }
+    }
+    flush();
+    return out;
+}
+
+/// Upright, but for Greek letters.
+std::string latex_of_sub(std::string_view text) {
+    std::string out, words;
+    const auto flush = [&] {
+        if (!words.empty()) out += "\\text{" + escaped(words) + "}";
+        words.clear();
+    };
+    while (!text.empty()) {
+        const auto* const found =
+            std::find_if(greek.begin(), greek.end(), [&](const Greek& each) { return text.starts_with(each.unicode); });
+        if (found != greek.end()) {
+            flush();
+            out += std::string(found->latex) + " ";
+            text.remove_prefix(found->unicode.size());
+        } else {
+            words += text.front();
+            text.remove_prefix(1);
         }
     }
     flush();
@@ -92,6 +137,12 @@ std::string unicode_letter(std::string_view name) {
     return std::string(found == nullptr ? name : found->unicode);
 }
 
+std::string letter_spelt(std::string_view unicode) {
+    const auto* const found =
+        std::find_if(greek.begin(), greek.end(), [&](const Greek& each) { return each.unicode == unicode; });
+    return std::string(found == greek.end() ? unicode : found->name);
+}
+
 Formula Formula::letter(std::string_view name, const std::string& sub, int dots) {
     Formula made;
     made.kind = Kind::text;
@@ -103,10 +154,12 @@ Formula Formula::letter(std::string_view name, const std::string& sub, int dots)
     piece.dots = dots;
     made.text = {piece};
     const Greek* const found = greek_named(name);
-    made.as_latex = found == nullptr ? std::string(name) : std::string(found->latex);
+    made.as_latex = found != nullptr   ? std::string(found->latex)
+                    : name.size() == 1 ? std::string(name)
+                                       : "\\textit{" + escaped(std::string(name)) + "}";
     if (dots == 1) made.as_latex = "\\dot{" + made.as_latex + "}";
     if (dots == 2) made.as_latex = "\\ddot{" + made.as_latex + "}";
-    if (!sub.empty()) made.as_latex += "_{\\mathrm{" + escaped(sub) + "}}";
+    if (!sub.empty()) made.as_latex += "_{" + latex_of_sub(sub) + "}";
     made.as_latex += " ";
     // Combining dots above.
     constexpr std::array<const char*, 3> accents{"", "\u0307", "\u0308"};
@@ -188,8 +241,8 @@ Formula& Formula::operator+=(Formula more) {
 
 std::string Formula::plain() const {
     const auto inner = [](const Formula& part) {
-        const std::string text = part.plain();
-        return part.kind == Kind::row && part.parts.size() > 1 ? "(" + text + ")" : text;
+        const std::string own = part.plain();
+        return part.kind == Kind::row && part.parts.size() > 1 ? "(" + own + ")" : own;
     };
     switch (kind) {
         case Kind::row: {

@@ -13,6 +13,8 @@ namespace kinegraph::render {
 
 /// A letter by its name in Latin script: "alpha" is α. Unknown names are themselves.
 std::string unicode_letter(std::string_view name);
+/// The name of "α"; others are themselves.
+std::string letter_spelt(std::string_view unicode);
 
 class Formula {
 public:
