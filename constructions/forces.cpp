@@ -860,7 +860,7 @@ private:
 ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
     if (structure.mechanism().points.empty()) return {};
     statics::ForceModel model(structure, board, motion);
-    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}};
+    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}, {}};
     statics::Rules rules(model, board, structure.mechanism());
     const statics::Run run = rules.run();
     return statics::cut_free(model, board, structure.mechanism(), mobility, run, rules.meets());
