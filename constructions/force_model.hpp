@@ -137,6 +137,8 @@ public:
     Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
+    /// Members that hang together, and neither on the frame nor on an effort.
+    std::vector<Group> floating() const;
     /// Bonds between a group and the rest.
     std::vector<int> outer_bonds(const Group& group) const;
 

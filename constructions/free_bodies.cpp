@@ -33,7 +33,7 @@ public:
 private:
     void collect(const Run& run) {
         if (mechanism_.drivers.empty())
-            for (const Group& group : floating()) resultant(group);
+            for (const Group& group : model_.floating()) resultant(group);
         std::set<MemberIndex> open = out_of_equilibrium(run);
         for (const MemberIndex member : unbalanced_) open.erase(member);
         const bool balanced = open.empty(), complete = is_complete(run);
@@ -56,26 +56,6 @@ private:
     }
 
     // --- bodies that nothing holds ---------------------------------------------------------------------------------------------
-    /// Members that hang together, and neither on the frame nor on an effort.
-    std::vector<Group> floating() const {
-        std::vector<Group> found;
-        std::set<MemberIndex> seen;
-        for (const MemberIndex first : model_.moving_members()) {
-            if (!seen.insert(first).second) continue;
-            Group group{first};
-            bool held = false;
-            for (std::size_t next = 0; next < group.size(); ++next)
-                for (const int b : model_.bonds_of(group[next])) {
-                    const Bond& bond = model_.bonds()[at(b)];
-                    const MemberIndex other = bond.first == group[next] ? bond.second : bond.first;
-                    held = held || bond.effort >= 0 || other == member_of(frame);
-                    if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
-                }
-            std::sort(group.begin(), group.end());
-            if (!held) found.push_back(std::move(group));
-        }
-        return found;
-    }
     /// All but what bodies exert on each other that are not in equilibrium.
     bool is_complete(const Run& run) const {
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b)

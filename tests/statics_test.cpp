@@ -66,8 +66,8 @@ TEST(DistributedLoads, OfEqualAndOppositeEndsAreACouple) {
 }
 
 TEST(PinLoads, ThePinIsANodeOfItsOwn) {
-    // Wind (1800, −2400) N on the middle of the left half, 2 kN on the crown's pin. Moments about A: 8 B_y = 4 · 2000 + 2 · 2400 +
-    // 1.5 · 1800; body 3 carries two forces, so B runs along BC.
+    // Wind (1800, −2400) N on the middle of the left half, 2 kN on the crown's pin. Moments about A: 8 B_y = 4 · 2000 + 2 · 2400
+    // + 1.5 · 1800; body 3 carries two forces, so B runs along BC.
     const Solution solution = example("three_hinged_arch");
     const Vector b = *action(solution, "B", "3").force, a = *action(solution, "A", "2").force;
     EXPECT_EQ(b, (Vector{fraction(-7750, 3), fraction(3875, 2)}));
@@ -226,6 +226,8 @@ TEST(Equilibrium, BodiesThatHangTogetherAreTakenTogether) {
     EXPECT_EQ(resultant_of(left), R"({"2,3":{"couple":0,"force":[2,0],"through":[0,0]}})");
     EXPECT_TRUE(left.unsolved.empty());
     for (const JointForce& each : left.forces) EXPECT_FALSE(each.force);
+    ASSERT_EQ(left.protocol.statements.size(), 1U);
+    EXPECT_EQ(left.protocol.statements[0].message.sentence, Sentence::resultant_force);
 }
 
 TEST(Equilibrium, OfAMechanismThatIsDrivenOrHeldNothingIsAsked) {
