@@ -10,6 +10,7 @@
 #include "engine/check.hpp"
 #include "engine/check_forces.hpp"
 #include "engine/magnitudes.hpp"
+#include "engine/spring_force.hpp"
 
 namespace kinegraph {
 namespace {
@@ -31,7 +32,8 @@ public:
         for (const Sliding& sliding : solution_.sliding) compare_sliding(sliding);
         for (const InstantCentre& centre : solution_.centres) compare_centre(centre);
         for (const Curvature& found : solution_.curvature) compare_curvature(found);
-        if (!solution_.forces.empty() || !solution_.efforts.empty() || solution_.virtual_work) compare_forces();
+        if (!solution_.forces.empty() || !solution_.efforts.empty() || !solution_.resultants.empty() || solution_.virtual_work)
+            compare_forces();
         for (const DrawnVector& vector : solution_.protocol.vectors) comparison_.moduli.push_back(modulus(vector));
         tell_what_moves();
         return std::move(comparison_);
@@ -133,10 +135,21 @@ private:
             if (solution_.efforts[e].value && numeric.effort_known[e])
                 add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.efforts[e].value->to_double(),
                     numeric.efforts[e]);
+        for (const Resultant& found : solution_.resultants) compare_resultant(found, numeric);
         for (const FreeBody& body : solution_.free_bodies) {
             auto& actions = comparison_.actions.emplace_back();
             for (const AppliedForce& applied : body.forces) actions.push_back(action_on(body, applied, numeric));
         }
+    }
+    void compare_resultant(const Resultant& found, const NumericForces& numeric) {
+        NumericForces::Sum sum;
+        for (const BodyIndex body : found.bodies) {
+            const NumericForces::Sum& on = numeric.given[at(body)];
+            for (const std::size_t axis : {0U, 1U}) sum.force[axis] += on.force[axis];
+            sum.couple += on.couple;
+        }
+        add({.kind = Kind::resultant, .body = found.bodies.front()}, *found.force, sum.force);
+        add({.kind = Kind::resultant_couple, .body = found.bodies.front()}, found.couple->to_double(), sum.couple);
     }
     /// Where equilibrium determines it.
     static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on, BodyIndex from) {
@@ -169,9 +182,19 @@ private:
                 return {mechanism_.masses[at(applied.given)].mass.to_double() * kinegraph::length(*mechanism_.gravity), {}};
             case AppliedForce::Kind::inertia:
                 return inertia_of(mechanism_.masses[at(applied.given)]);
+            case AppliedForce::Kind::resultant: {
+                const NumericForces::Sum& sum = numeric.given[at(body.body)];
+                if (applied.force.is_zero()) return {{}, sum.couple};
+                return {length(sum.force), {}};
+            }
             case AppliedForce::Kind::load:
-            case AppliedForce::Kind::spring:
-                return std::visit([](const auto& load) { return size_of(load); }, mechanism_.loads[at(applied.given)]);
+            case AppliedForce::Kind::spring: {
+                const Load& load = mechanism_.loads[at(applied.given)];
+                Comparison::Action size = std::visit([&](const auto& form) { return size_of(form); }, load);
+                const auto* torsion = std::get_if<TorsionLoad>(&load);
+                if (torsion != nullptr && body.body == torsion->bodies[1]) size.couple = -*size.couple;
+                return size;
+            }
         }
         return {};
     }
@@ -191,7 +214,16 @@ private:
         return {load.value ? kinegraph::length(*load.value) : std::abs(load.magnitude->first.to_double()), {}};
     }
     static Comparison::Action size_of(const CoupleLoad& load) { return {{}, load.value.to_double()}; }
-    static Comparison::Action size_of(const SpringLoad& load) { return {std::abs(load.magnitude.to_double()), {}}; }
+    static Comparison::Action size_of(const TorsionLoad& load) { return {{}, couple_of(load).to_double()}; }
+    Comparison::Action size_of(const SpringLoad& load) const { return {std::abs(pull_of(load, solution_.pose).to_double()), {}}; }
+    Comparison::Action size_of(const DistributedLoad& load) const {
+        const Centroid centroid = centroid_of(load);
+        const double force = force_of(load, solution_.pose).to_double();
+        if (!centroid.is_couple) return {std::abs(force), {}};
+        const Vector apart = solution_.pose.at(load.to) - solution_.pose.at(load.from);
+        const Vector along = unit_along(direction_of(load.along, solution_.pose), solution_.pose.bits);
+        return {{}, (centroid.place * cross(apart, along)).to_double() * force};
+    }
 
     void tell_what_moves() {
         const double size = solution_.pose.size.to_double();
@@ -294,6 +326,7 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
         case Kind::inflection_diameter:
             return "m";
         case Kind::couple:
+        case Kind::resultant_couple:
             return "N m";
         case Kind::effort:
             return std::holds_alternative<CoupleEffort>(mechanism.efforts[at(quantity.given)]) ? "N m" : "N";

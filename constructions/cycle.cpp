@@ -59,8 +59,15 @@ bool hangs_on_position(const Given& given, const Mechanism& mechanism, int drive
             return true;
         case Given::Kind::load_unit:
         case Given::Kind::load_unit_back: {
-            const auto* force = std::get_if<ForceLoad>(&mechanism.loads[at_index(given.index)]);
+            const Load& load = mechanism.loads[at_index(given.index)];
+            if (const auto* distributed = std::get_if<DistributedLoad>(&load)) return between(distributed->along);
+            const auto* force = std::get_if<ForceLoad>(&load);
             return force == nullptr || between(force->magnitude->second);
+        }
+        case Given::Kind::load_magnitude: {
+            const Load& load = mechanism.loads[at_index(given.index)];
+            const auto* spring = std::get_if<SpringLoad>(&load);
+            return std::holds_alternative<TorsionLoad>(load) || (spring != nullptr && spring->elastic);
         }
         case Given::Kind::effort_unit:
             return between(std::get<ForceEffort>(mechanism.efforts[at_index(given.index)]).along);
@@ -327,8 +334,20 @@ private:
         }
         const Load& load = mechanism_.loads[i];
         if (const auto* force = std::get_if<ForceLoad>(&load)) return along(force->magnitude->second);
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load)) return along(distributed->along);
+        if (const auto* torsion = std::get_if<TorsionLoad>(&load)) return -torsion->stiffness.to_double() * turned_here(*torsion);
         const auto& ends = std::get<SpringLoad>(load).between;
+        if (given.kind == Given::Kind::load_magnitude) {
+            const SpringLoad::Elastic& elastic = *std::get<SpringLoad>(load).elastic;
+            const Spot apart = places_.points[at_index(ends[1])] - places_.points[at_index(ends[0])];
+            return elastic.stiffness.to_double() * (std::hypot(apart.x, apart.y) - elastic.free_length.to_double());
+        }
         return given.kind == Given::Kind::load_unit ? between(ends[0], ends[1]) : between(ends[1], ends[0]);
+    }
+
+    /// rad
+    double turned_here(const TorsionLoad& torsion) const {
+        return torsion.turned.to_double() + positions_.turn(torsion.bodies[0]) - positions_.turn(torsion.bodies[1]);
     }
 
     /// X of a slide, or the common tangent of a contact or a curved slot.
@@ -411,6 +430,9 @@ private:
     }
     void put_into_check_pose() {
         put_rates(check_mechanism_);
+        for (std::size_t i = 0; i < mechanism_.loads.size(); ++i)
+            if (const auto* torsion = std::get_if<TorsionLoad>(&mechanism_.loads[i]))
+                std::get<TorsionLoad>(check_mechanism_.loads[i]).turned = Exact::from_double(turned_here(*torsion));
         const auto put = [](const std::vector<Spot>& from, std::vector<Vector>& to) {
             for (std::size_t i = 0; i < from.size(); ++i)
                 if (from[i].x != 0 || from[i].y != 0 || !to[i].is_zero()) to[i] = exactly(from[i]);
@@ -498,7 +520,7 @@ private:
     Mechanism check_mechanism_;
     Pose check_pose_;
     std::vector<Off> off_;
-    std::array<double, static_cast<std::size_t>(Kind::virtual_power) + 1> largest_{};
+    std::array<double, static_cast<std::size_t>(Kind::resultant_couple) + 1> largest_{};
 };
 
 Cycle::Cycle(std::unique_ptr<Rows> rows) : rows_(std::move(rows)) {}

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/assert.hpp"
+#include "engine/spring_force.hpp"
 
 namespace kinegraph::statics {
 
@@ -76,14 +77,15 @@ void ForceModel::add_joint(JointIndex index) {
         // Two bodies that touch at several joints: F_12 at A is not F_12 at B.
         int common = 0;
         for (const Joint& other : mechanism_.joints)
-            common += other.bodies.size() == 2 && joint.bodies.size() == 2 &&
+            common += !other.has_own_node() && !joint.has_own_node() &&
                       std::minmax(other.bodies[0], other.bodies[1]) == std::minmax(joint.bodies[0], joint.bodies[1]);
         if (common > 1) one.symbol.term = one.reverse.term = joint.name;
         bonds_.push_back(one);
     };
-    if (joint.bodies.size() == 2) return add(member_of(joint.bodies[0]), member_of(joint.bodies[1]));
-    if (joint.pair().is_hinge()) {  // a multiple hinge: a pin of its own, without weight
+    if (!joint.has_own_node()) return add(member_of(joint.bodies[0]), member_of(joint.bodies[1]));
+    if (joint.pair().is_hinge()) {  // a multiple or a loaded hinge: a pin of its own, without weight
         pins_.push_back(joint.point);
+        pin_of_.emplace(index, members_);
         const MemberIndex pin(members_++);
         for (const BodyIndex body : joint.bodies) add(member_of(body), pin);
     } else {
@@ -174,7 +176,8 @@ void ForceModel::read_loads() {
             const Force acting = force->value ? board_.load_force(index)
                                               : board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
             const Symbol symbol{Symbol::Letter::F, force->name, {}};
-            add_load({member_of(force->body), symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
+            const MemberIndex member = force->pin == none ? member_of(force->body) : MemberIndex(pin_of_.at(force->pin));
+            add_load({member, symbol, AppliedForce::Kind::load, acting, board_.place(force->at), {}, index});
         } else if (const auto* couple = std::get_if<CoupleLoad>(&given)) {
             const auto& points = mechanism_.bodies[at(couple->body)].points;
             add_load({member_of(couple->body),
@@ -184,6 +187,10 @@ void ForceModel::read_loads() {
                       board_.place(points.empty() ? PointIndex(0) : points.front()),
                       board_.load_magnitude(index),
                       index});
+        } else if (const auto* distributed = std::get_if<DistributedLoad>(&given)) {
+            add_distributed(index, *distributed);
+        } else if (const auto* torsion = std::get_if<TorsionLoad>(&given)) {
+            add_torsion(index, *torsion);
         } else {
             add_spring(index, std::get<SpringLoad>(given));
         }
@@ -200,6 +207,7 @@ void ForceModel::add_spring(int index, const SpringLoad& spring) {
         missing_.push_back({{Sentence::all_forces, {}}, {Sentence::spring_without_direction, {spring.name}}});
         return;
     }
+    const std::size_t before = loads_.size();
     for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
         const DirectionHandle pull = end == 0 ? board_.load_unit(index) : board_.load_unit_back(index);
         add_load({member_of(spring.bodies[end]),
@@ -210,6 +218,49 @@ void ForceModel::add_spring(int index, const SpringLoad& spring) {
                   {},
                   index});
     }
+    const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
+    if (spring.elastic && loads_.size() > before)
+        say_of_load(loads_.back(), {Sentence::elastic_spring, {loads_.back().symbol, name(first), name(second)}}, "Hooke");
+}
+
+void ForceModel::add_distributed(int index, const DistributedLoad& load) {
+    const Centroid resultant = centroid_of(load);
+    const Force force = board_.scale<Plane::force>(board_.load_magnitude(index), board_.load_unit(index));
+    const auto share =
+        board_.scale<drawing>(board_.number(resultant.place), board_.vector(board_.place(load.from), board_.place(load.to)));
+    Load acting{member_of(load.body), {Symbol::Letter::F, load.name, {}}, AppliedForce::Kind::load, {}, {}, {}, index};
+    if (resultant.is_couple) {
+        acting.symbol.letter = Symbol::Letter::M;
+        acting.place = board_.place(load.from);
+        acting.couple = board_.moment(share, force);
+    } else {
+        acting.force = force;
+        acting.place = board_.carry(board_.place(load.from), share);
+    }
+    const std::size_t before = loads_.size();
+    add_load(acting);
+    if (loads_.size() == before) return;
+    const auto name = [&](PointIndex point) { return PointName{mechanism_.point(point).name}; };
+    say_of_load(acting, {resultant.is_couple ? Sentence::distributed_couple : Sentence::distributed_load,
+                         {BodyName{mechanism_.body(load.body).name}, acting.symbol, name(load.from), name(load.to)}});
+}
+
+void ForceModel::add_torsion(int index, const TorsionLoad& torsion) {
+    const std::size_t before = loads_.size();
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        const ScalarHandle couple = board_.load_magnitude(index);
+        add_load({member_of(torsion.bodies[side]),
+                  {Symbol::Letter::M, torsion.name, {}},
+                  AppliedForce::Kind::spring,
+                  {},
+                  board_.place(torsion.at),
+                  side == 0 ? couple : board_.opposite(couple),
+                  index});
+    }
+    if (loads_.size() == before) return;
+    const auto name = [&](BodyIndex body) { return BodyName{mechanism_.body(body).name}; };
+    say_of_load(loads_.back(),
+                {Sentence::torsion_spring, {loads_.back().symbol, name(torsion.bodies[0]), name(torsion.bodies[1])}}, "Hooke");
 }
 
 std::string ForceModel::mass_name(const Mass& mass, const char* letter) const {
@@ -257,12 +308,15 @@ void ForceModel::add_inertia(int index) {
 void ForceModel::add_said(const Load& load, Message message) {
     const std::size_t before = loads_.size();
     add_load(load);
-    if (loads_.size() == before) return;
+    if (loads_.size() > before) say_of_load(load, std::move(message), "d’Alembert");
+}
+
+void ForceModel::say_of_load(const Load& load, Message message, const char* source) {
     Statement statement;
     statement.message = std::move(message);
     statement.section = Topic::forces;
-    statement.source = "d’Alembert";
-    statement.bodies = {body_of(load.member)};
+    statement.source = source;
+    if (!is_pin(load.member)) statement.bodies = {body_of(load.member)};
     board_.state(std::move(statement));
 }
 
@@ -341,6 +395,26 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
                                          in(group, bonds_[at(b)].first) ? bonds_[at(b)].first : bonds_[at(b)].second));
     }
     return total;
+}
+
+std::vector<Group> ForceModel::floating() const {
+    std::vector<Group> found;
+    std::set<MemberIndex> seen;
+    for (const MemberIndex first : moving_members()) {
+        if (!seen.insert(first).second) continue;
+        Group group{first};
+        bool held = false;
+        for (std::size_t next = 0; next < group.size(); ++next)
+            for (const int b : bonds_of(group[next])) {
+                const Bond& bond = bonds_[at(b)];
+                const MemberIndex other = bond.first == group[next] ? bond.second : bond.first;
+                held = held || bond.effort >= 0 || other == member_of(frame);
+                if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
+            }
+        std::sort(group.begin(), group.end());
+        if (!held) found.push_back(std::move(group));
+    }
+    return found;
 }
 
 std::vector<int> ForceModel::outer_bonds(const Group& group) const {

@@ -2,6 +2,7 @@
 // resultant. It says what is unknown, not how it is found.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -136,6 +137,8 @@ public:
     Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
+    /// Members that hang together, and neither on the frame nor on an effort.
+    std::vector<Group> floating() const;
     /// Bonds between a group and the rest.
     std::vector<int> outer_bonds(const Group& group) const;
 
@@ -148,9 +151,13 @@ private:
     int material_side(JointIndex index);
     /// With the sentence that finds it, where it does not vanish.
     void add_said(const Load& load, Message message);
+    void say_of_load(const Load& load, Message message, const char* source = "");
     void add_load(Load load);
     void read_loads();
     void add_spring(int index, const SpringLoad& spring);
+    /// At the centroid of its diagram; a couple where its halves cancel.
+    void add_distributed(int index, const DistributedLoad& load);
+    void add_torsion(int index, const TorsionLoad& torsion);
     std::string mass_name(const Mass& mass, const char* letter) const;
     void add_weight(int index);
     /// d'Alembert: −m a_G at the mass centre and −J_G α.
@@ -162,6 +169,7 @@ private:
     const Motion& motion_;
     int members_ = 0;
     std::vector<PointIndex> pins_;
+    std::map<JointIndex, int> pin_of_;  ///< the member that is the pin of a hinge with one of its own
     std::vector<Bond> bonds_;
     std::size_t joint_bonds_ = 0;
     std::vector<std::vector<int>> bonds_of_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "constructions/force_model.hpp"
 #include "constructions/free_bodies.hpp"
@@ -16,8 +18,9 @@ namespace {
 /// The rules, and the runs in which they are applied.
 class Rules {
 public:
-    Rules(ForceModel& model, Board& board, const Mechanism& mechanism)
-        : model_(model), board_(board), mechanism_(mechanism), origin_(board.place(PointIndex(0))) {}
+    /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium.
+    Rules(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift)
+        : model_(model), board_(board), mechanism_(mechanism), origin_(board.place(PointIndex(0))), adrift_(std::move(adrift)) {}
 
     Run run() {
         Run result = solve(model_.loads());
@@ -48,6 +51,7 @@ private:
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
             if (model_.bonds()[b].kind == Bond::Kind::line)
                 run.reactions[b].action = model_.action(model_.bonds()[b].place, model_.bonds()[b].direction);
+            run.reactions[b].known = adrift_.count(model_.bonds()[b].first) > 0;
         }
         fit(run);
         return run;
@@ -845,7 +849,8 @@ private:
     ForceModel& model_;
     Board& board_;
     const Mechanism& mechanism_;
-    PlaceOnDrawing origin_;                                       ///< about which gaps are measured
+    PlaceOnDrawing origin_;  ///< about which gaps are measured
+    std::set<MemberIndex> adrift_;
     long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
     int trials_ = 0;                                              ///< trials under way, one in the other
     StatementIndex statement_ = none;                             ///< said last
@@ -860,8 +865,12 @@ private:
 ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
     if (structure.mechanism().points.empty()) return {};
     statics::ForceModel model(structure, board, motion);
-    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}};
-    statics::Rules rules(model, board, structure.mechanism());
+    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}, {}};
+    std::set<statics::MemberIndex> adrift;
+    if (structure.mechanism().drivers.empty())
+        for (const statics::Group& group : model.floating())
+            if (!model.known_on(group, model.loads(), {}).vanishes()) adrift.insert(group.begin(), group.end());
+    statics::Rules rules(model, board, structure.mechanism(), std::move(adrift));
     const statics::Run run = rules.run();
     return statics::cut_free(model, board, structure.mechanism(), mobility, run, rules.meets());
 }

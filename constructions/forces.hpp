@@ -23,6 +23,7 @@ struct ForceResults {
     std::vector<FreeBody> bodies;  ///< in the order in which they were resolved
     std::vector<Unsolved> unsolved;
     std::vector<Message> remarks;
+    std::vector<Resultant> resultants;  ///< of bodies that nothing holds
 };
 
 /// Draws the forces of a loaded mechanism. `motion` gives the accelerations where the file includes inertia.

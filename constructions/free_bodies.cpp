@@ -18,6 +18,8 @@ struct Side {
     Quantity quantity;
 };
 
+using Corner = PointOn<Plane::force>;
+
 class FreeBodies {
 public:
     FreeBodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const NamedMeets& meets)
@@ -30,22 +32,174 @@ public:
 
 private:
     void collect(const Run& run) {
-        const std::set<MemberIndex> open = out_of_equilibrium(run);
-        const bool balanced = open.empty();
-        if (!run.complete || !balanced) explain(run, balanced);
+        if (mechanism_.drivers.empty())
+            for (const Group& group : model_.floating()) resultant(group);
+        std::set<MemberIndex> open = out_of_equilibrium(run);
+        for (const MemberIndex member : unbalanced_) open.erase(member);
+        const bool balanced = open.empty(), complete = is_complete(run);
+        if (!complete || !balanced) explain(run, balanced);
         for (std::size_t b = 0; b < model_.bonds().size(); ++b) {
             const Bond& bond = model_.bonds()[b];
-            collect(bond, run.reactions[b], open.count(bond.first) == 0 && open.count(bond.second) == 0);
+            const bool held = unbalanced_.count(bond.first) == 0 && unbalanced_.count(bond.second) == 0;
+            collect(bond, run.reactions[b], held && open.count(bond.first) == 0 && open.count(bond.second) == 0);
         }
-        if (!run.complete || !balanced) return;
+        if (!complete || !balanced) return;
         Group order;
         for (const Resolved& resolved : run.order) order.push_back(resolved.member);
         for (const MemberIndex member : model_.moving_members()) {
             if (!in(order, member)) order.push_back(member);
         }
-        for (const MemberIndex member : order) free_body(member, run);
+        for (const MemberIndex member : order)
+            if (unbalanced_.count(member) == 0) free_body(member, run);
         join_polygons();
         remark_lift_off(run);
+    }
+
+    // --- bodies that nothing holds ---------------------------------------------------------------------------------------------
+    /// All but what bodies exert on each other that are not in equilibrium.
+    bool is_complete(const Run& run) const {
+        for (std::size_t b = 0; b < model_.joint_bonds(); ++b)
+            if (!run.reactions[b].known && unbalanced_.count(model_.bonds()[b].first) == 0) return false;
+        return true;
+    }
+
+    /// All that is given on a group as one force along a line, one couple, or nothing.
+    void resultant(const Group& group) {
+        std::vector<const Load*> loads;
+        for (const Load& load : model_.loads())
+            if (in(group, load.member)) loads.push_back(&load);
+        if (loads.empty()) return;
+        const auto origin = board_.pole<drawing>();
+        std::optional<Force> force;
+        std::optional<ScalarHandle> couple;
+        const auto turn_by = [&](ScalarHandle moment) { couple = couple ? board_.sum(*couple, moment) : moment; };
+        for (const Load* load : loads) {
+            if (load->force) {
+                force = force ? board_.add(*force, *load->force) : *load->force;
+                turn_by(board_.moment(board_.vector(origin, load->place), *load->force));
+            }
+            if (load->couple) turn_by(*load->couple);
+        }
+        if (force && board_.is_zero(*force)) force.reset();
+        if (board_.is_zero(*couple)) couple.reset();
+        Resultant result;
+        for (const MemberIndex member : group)
+            if (!model_.is_pin(member)) result.bodies.push_back(model_.body_of(member));
+        result.force = found(force);
+        result.couple = found(couple);
+        result.vanishes = !force && !couple;
+        if (force) {
+            const PlaceOnDrawing foot = couple ? board_.carry(origin, board_.arm(*couple, *force)) : origin;
+            result.through = Recorded<Vector>::at(foot.element);
+        }
+        say_resultant(result, force, couple);
+        if (!result.vanishes) {
+            unbalanced_.insert(group.begin(), group.end());
+            cut_unbalanced(group, loads, result, force, couple);
+        }
+        results_.resultants.push_back(std::move(result));
+    }
+    static Symbol resultant_symbol(bool is_force) {
+        return {is_force ? Symbol::Letter::F : Symbol::Letter::M, is_force ? "F_R" : "M_R", {}};
+    }
+    void say_resultant(Resultant& result, const std::optional<Force>& force, const std::optional<ScalarHandle>& couple) {
+        std::string names;
+        for (const BodyIndex body : result.bodies) names += (names.empty() ? "" : " + ") + mechanism_.body(body).name;
+        Statement statement;
+        statement.section = Topic::forces;
+        statement.bodies = result.bodies;
+        statement.message = {Sentence::in_equilibrium, {BodyName{names}}};
+        if (force || couple) {
+            statement.message.sentence = force ? Sentence::resultant_force : Sentence::resultant_couple;
+            statement.message.arguments.emplace_back(resultant_symbol(force.has_value()));
+            statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
+        }
+        result.statement = board_.state(std::move(statement));
+    }
+
+    /// What acts on each, and the polygon with its gap: on one body among its forces, else of all together.
+    void cut_unbalanced(const Group& group, const std::vector<const Load*>& loads, Resultant& result,
+                        const std::optional<Force>& force, const std::optional<ScalarHandle>& couple) {
+        const bool alone = group.size() == 1;
+        std::vector<Side> sides;
+        for (const MemberIndex member : group) {
+            FreeBody body = empty_body(member);
+            body.statement = result.statement;
+            for (const Load* load : loads) {
+                if (load->member != member) continue;
+                AppliedForce applied = applied_load(*load);
+                if (load->force) sides.push_back({applied.symbol, *load->force, -1, true, quantity_of(body, applied)});
+                body.forces.push_back(std::move(applied));
+            }
+            if (alone) body.forces.push_back(applied_resultant(*loads.front(), result.statement, force, couple));
+            if (!body.forces.empty()) results_.bodies.push_back(std::move(body));
+        }
+        if (sides.empty()) return;
+        const std::string id = (alone ? "forces-" : "resultant-") + model_.member_name(group.front());
+        result.polygon = add_force_polygon(alone ? Polygon::Kind::body_forces : Polygon::Kind::joined_forces, id);
+        draw_open_polygon(result.polygon, group, sides, force);
+        if (alone) results_.bodies.back().polygon = result.polygon;
+    }
+    /// On its line, at the foot of the perpendicular from where the first load acts.
+    AppliedForce applied_resultant(const Load& first, StatementIndex statement, const std::optional<Force>& force,
+                                   const std::optional<ScalarHandle>& couple) {
+        AppliedForce applied;
+        applied.kind = AppliedForce::Kind::resultant;
+        applied.symbol = resultant_symbol(force.has_value());
+        applied.line_statement = applied.force_statement = statement;
+        applied.line_by_construction = force.has_value();
+        applied.elements.at = first.place.element;
+        if (!force) {
+            applied.elements.couple = couple->element;
+            return applied;
+        }
+        applied.elements.force = force->element;
+        const ScalarHandle there = board_.moment(board_.vector(first.place, board_.pole<drawing>()), *force);
+        const ScalarHandle about = couple ? board_.sum(*couple, there) : there;
+        if (!board_.is_zero(about)) applied.elements.at = board_.carry(first.place, board_.arm(about, *force)).element;
+        return applied;
+    }
+    void draw_open_polygon(int polygon, const Group& group, const std::vector<Side>& sides, const std::optional<Force>& force) {
+        const Corner start = board_.pole<Plane::force>();
+        Corner here = start;
+        Face face;
+        face.body = model_.body_of(group.front());
+        for (const Side& side : sides) {
+            const Corner next = board_.carry(here, side.force);
+            draw_side(polygon, side, group.front(), here, next);
+            face.corners.push_back(here.element);
+            here = next;
+        }
+        if (force) {
+            const Quantity quantity{.kind = Quantity::Kind::resultant, .body = face.body};
+            draw_side(polygon, {resultant_symbol(true), *force, -1, true, quantity}, group.front(), start,
+                      board_.carry(start, *force));
+            face.corners.push_back(here.element);
+        }
+        // A face for each body would say that they were closed one by one.
+        if (group.size() > 1) face.corners = {start.element, here.element};
+        board_.add_face(polygon, face);
+        if (group.size() > 1) board_.add_face(polygon, std::move(face));
+    }
+
+    FreeBody empty_body(MemberIndex member) const {
+        FreeBody body;
+        if (model_.is_pin(member)) {
+            body.pin = model_.pin_point(member);
+        } else {
+            body.body = model_.body_of(member);
+        }
+        return body;
+    }
+    static AppliedForce applied_load(const Load& load) {
+        AppliedForce applied;
+        applied.symbol = load.symbol;
+        applied.kind = load.kind;
+        applied.given = load.given;
+        applied.elements.at = load.place.element;
+        if (load.couple) applied.elements.couple = load.couple->element;
+        if (load.force) applied.elements.force = load.force->element;
+        return applied;
     }
 
     /// Members that do not balance though all their bonds are known, and what hangs on them by known bonds (not through the
@@ -144,12 +298,7 @@ private:
     }
 
     void free_body(MemberIndex member, const Run& run) {
-        FreeBody body;
-        if (model_.is_pin(member)) {
-            body.pin = model_.pin_point(member);
-        } else {
-            body.body = model_.body_of(member);
-        }
+        FreeBody body = empty_body(member);
         std::vector<Side> sides;
         body.in_parts = run.in_parts;
         const auto apply = [&](AppliedForce applied, const std::optional<Force>& force, int bond) {
@@ -163,13 +312,7 @@ private:
         };
         for (const Load& load : model_.loads()) {
             if (load.member != member) continue;
-            AppliedForce applied;
-            applied.symbol = load.symbol;
-            applied.kind = load.kind;
-            applied.given = load.given;
-            applied.elements.at = load.place.element;
-            if (load.couple) applied.elements.couple = load.couple->element;
-            apply(std::move(applied), load.force, -1);
+            apply(applied_load(load), load.force, -1);
         }
         for (const int b : model_.bonds_of(member)) {
             const Bond& bond = model_.bonds()[at(b)];
@@ -240,8 +383,6 @@ private:
         polygon.id = std::move(id);
         return board_.add_polygon(std::move(polygon));
     }
-
-    using Corner = PointOn<Plane::force>;
 
     void draw_side(int polygon, const Side& side, MemberIndex member, Corner tail, Corner tip) {
         DrawnVector drawn;
@@ -331,6 +472,7 @@ private:
     const Mobility& mobility_;
     const NamedMeets& meets_;
     std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order resolved
+    std::set<MemberIndex> unbalanced_;                              ///< floating, and what is given on them does not balance
     ForceResults results_;
 };
 
@@ -346,7 +488,7 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
     };
     for (FreeBody& body : bodies) {
         for (AppliedForce& applied : body.forces) {
-            if (applied.kind == AppliedForce::Kind::reaction) continue;
+            if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::resultant) continue;
             for (const FreeBody::Meet& meet : body.meets) {
                 if (!passes(applied, meet.place)) continue;
                 if (applied.line_statement == none || meet.statement < applied.line_statement)

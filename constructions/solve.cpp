@@ -43,7 +43,8 @@ Wanted wanted_of(const Mechanism& mechanism) {
     const bool driven = !mechanism.drivers.empty();
     const bool loaded = !mechanism.loads.empty() || (mechanism.gravity && !mechanism.masses.empty()) || mechanism.inertia_forces;
     if (!find.stated && mechanism.motion) return {true, true, !mechanism.motion->accelerations.empty(), loaded, false};
-    if (!find.stated) return {true, driven, driven, loaded, false};
+    // Loads at rest ask for forces.
+    if (!find.stated) return {driven || !loaded, driven, driven, loaded, false};
     Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
     // The equations' values stand beside the polygons'.
     if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
@@ -351,6 +352,7 @@ private:
         solution_.forces = std::move(forces.joints);
         solution_.efforts = std::move(forces.efforts);
         solution_.free_bodies = std::move(forces.bodies);
+        solution_.resultants = std::move(forces.resultants);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
         if (wanted_.velocities && is_moving(mechanism_))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "constructions/space_diagram.hpp"
+#include "engine/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -17,6 +18,16 @@ std::optional<NodeIndex> base_of(const Structure& structure, const Track<Plane::
     return *base;
 }
 
+/// A pin moves with any of the bodies that it holds together.
+BodyIndex carrier_of(const Mechanism& mechanism, const FreeBody& free) {
+    if (free.body != none) return free.body;
+    const auto joint = std::find_if(mechanism.joints.begin(), mechanism.joints.end(), [&](const Joint& each) {
+        return each.point == free.pin && each.pair().is_hinge() && each.has_own_node();
+    });
+    KG_ASSERT(joint != mechanism.joints.end(), "a pin is that of a hinge");
+    return *std::max_element(joint->bodies.begin(), joint->bodies.end());
+}
+
 /// Draws the powers of forces and couples and adds them up.
 class Powers {
 public:
@@ -24,9 +35,9 @@ public:
         : board_(board), diagram_(structure, board), velocities_(velocities) {}
 
     /// v_X = v_A + ω ∧ AX;  P = F·v_X + M ω.
-    VirtualWork::Entry of(const AppliedForce& applied, const FreeBody& free, NodeIndex base) {
+    VirtualWork::Entry of(const AppliedForce& applied, const FreeBody& free, BodyIndex carrier, NodeIndex base) {
         const PointOn<Plane::drawing> at{applied.elements.at};
-        const ScalarHandle omega = velocities_.spin(free.body);
+        const ScalarHandle omega = velocities_.spin(carrier);
         const auto turned = board_.scale<Plane::velocity>(omega, board_.turn(board_.vector(diagram_.place(base), at)));
         const auto tip = board_.carry(velocities_.tip(base), turned);
         const auto velocity = board_.vector(board_.pole<Plane::velocity>(), tip);
@@ -39,7 +50,7 @@ public:
         VirtualWork::Entry entry;
         entry.symbol = applied.symbol;
         entry.quantity = quantity_of(free, applied);
-        entry.body = free.body;
+        entry.body = carrier;
         entry.elements = {at.element,    velocity.element, applied.elements.force, applied.elements.couple,
                           omega.element, power->element};
         return entry;
@@ -60,12 +71,12 @@ std::optional<VirtualWork> virtual_work(const Structure& structure, Board& board
     VirtualWork work;
     Powers powers(structure, board, velocities);
     for (const FreeBody& free : bodies) {
-        if (free.body == none) continue;
-        const std::optional<NodeIndex> base = base_of(structure, velocities, free.body);
+        const BodyIndex carrier = carrier_of(structure.mechanism(), free);
+        const std::optional<NodeIndex> base = base_of(structure, velocities, carrier);
         for (const AppliedForce& applied : free.forces) {
-            if (applied.kind == AppliedForce::Kind::reaction) continue;
+            if (applied.kind == AppliedForce::Kind::reaction || applied.kind == AppliedForce::Kind::resultant) continue;
             if (!base) return std::nullopt;
-            work.entries.push_back(powers.of(applied, free, *base));
+            work.entries.push_back(powers.of(applied, free, carrier, *base));
         }
     }
     if (work.entries.empty()) return std::nullopt;

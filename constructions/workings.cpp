@@ -22,6 +22,8 @@ public:
         for (const StatementIndex each : indices_of(protocol_.statements)) found(each);
         for (const SecondWay& way : solution_.second_way) carried_over(way);
         for (const Curvature& curvature : solution_.curvature) of_curvature(curvature);
+        for (const Resultant& resultant : solution_.resultants) left_over(resultant);
+        for (const StatementIndex each : indices_of(protocol_.statements)) stretched(each);
     }
 
 private:
@@ -269,6 +271,36 @@ private:
                     tell(statement, of, {{-mass.inertia.to_double()}, {alpha}}, std::nullopt, in(couple, units_.moment),
                          units_.moment);
             }
+    }
+
+    /// A force by its magnitude, a couple with its sign.
+    void left_over(const Resultant& resultant) {
+        if (resultant.vanishes) return;
+        const Symbol of = std::get<Symbol>(message(resultant.statement).arguments[1]);
+        if (of.letter == Symbol::Letter::F)
+            tell(resultant.statement, of, {}, std::nullopt, in(length(*resultant.force), units_.force), units_.force);
+        else
+            tell(resultant.statement, of, {}, std::nullopt, in(resultant.couple->to_double(), units_.moment), units_.moment);
+    }
+    /// F = k · (l − l_0), M = −k · φ.
+    void stretched(StatementIndex statement) {
+        const Sentence sentence = message(statement).sentence;
+        if (sentence != Sentence::elastic_spring && sentence != Sentence::torsion_spring) return;
+        const Symbol of = std::get<Symbol>(message(statement).arguments[0]);
+        for (const Load& load : solution_.mechanism.loads) {
+            if (const auto* torsion = std::get_if<TorsionLoad>(&load); torsion != nullptr && torsion->name == of.about) {
+                const double stiffness = torsion->stiffness.to_double(), turned = torsion->turned.to_double();
+                tell(statement, of, {{in(-stiffness, units_.moment)}, {turned}}, std::nullopt,
+                     in(-stiffness * turned, units_.moment), units_.moment);
+            }
+            const auto* spring = std::get_if<SpringLoad>(&load);
+            if (spring == nullptr || !spring->elastic || spring->name != of.about) continue;
+            const double stretch = distance(solution_.pose.at(spring->between[0]), solution_.pose.at(spring->between[1])) -
+                                   spring->elastic->free_length.to_double();
+            const double force = spring->elastic->stiffness.to_double() * stretch;
+            tell(statement, of, {{in(spring->elastic->stiffness.to_double(), units_.force)}, {stretch}}, std::nullopt,
+                 in(force, units_.force), units_.force);
+        }
     }
 
     /// ω_4 = ω_2 · P_12 P_24 / P_14 P_24.

@@ -4,8 +4,9 @@
 // Unknowns: the components of the reactions (revolute, rolling: two; prismatic: force ⟂ guide and couple; pin-slot, contact,
 // gear: force along the normal; weld: two and a couple) and the efforts. Equations, for each body but the frame:
 //   Σ F = 0,      Σ (P − R) × F + Σ M = 0      about its reference R,
-// weights, springs and −m a_G, −J_G α among the loads. At a hinge of three bodies or more each body meets a massless pin, which
-// adds its own Σ F = 0. Forces are counted in units of the largest load, moments over the body's own size.
+// weights, springs, distributed loads (by Simpson's rule) and −m a_G, −J_G α among the loads. At a hinge of three bodies or more
+// each body meets a massless pin, which adds its own Σ F = 0. Forces are counted in units of the largest load, moments over the
+// body's own size.
 #include "engine/check_forces.hpp"
 
 #include <Eigen/Dense>
@@ -107,12 +108,13 @@ private:
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> orthogonal_;
 };
 
-/// A force at a place of a body, or a couple, that the file gives.
+/// A force at a place of a body or on the pin of a hinge, or a couple, that the file gives.
 struct Given {
     BodyIndex body = frame;
     Pair force{};
     Vector place;
     double couple = 0;
+    JointIndex pin = none;
 };
 
 class Equilibrium {
@@ -173,16 +175,36 @@ private:
         const Pair force = load.value ? rough(*load.value)
                                       : load.magnitude->first.to_double() *
                                             rough(unit_along(direction_of(load.magnitude->second, pose_), pose_.bits));
-        given_.push_back({load.body, force, pose_.at(load.at), 0});
+        given_.push_back({load.pin == none ? load.body : frame, force, pose_.at(load.at), 0, load.pin});
     }
     void take(const CoupleLoad& load) { given_.push_back({load.body, {}, {}, load.value.to_double()}); }
     void take(const SpringLoad& load) {
         const Vector& p = pose_.at(load.between[0]);
         const Vector& q = pose_.at(load.between[1]);
         if (p == q) return;  // no direction to pull in
-        const Pair pull = load.magnitude.to_double() * rough(unit_along(q - p, pose_.bits));
+        const Pair apart = rough(q - p);
+        const double stretch = std::hypot(apart[0], apart[1]);
+        const double size = load.elastic ? load.elastic->stiffness.to_double() * (stretch - load.elastic->free_length.to_double())
+                                         : load.magnitude.to_double();
+        const Pair pull = size * rough(unit_along(q - p, pose_.bits));
         given_.push_back({load.bodies[0], pull, p, 0});
         given_.push_back({load.bodies[1], -1 * pull, q, 0});
+    }
+    /// Simpson's rule, exact for moments of what varies linearly: no centroid is asked.
+    void take(const DistributedLoad& load) {
+        const Vector &p = pose_.at(load.from), &q = pose_.at(load.to);
+        const Pair along = rough(unit_along(direction_of(load.along, pose_), pose_.bits));
+        const Pair apart = rough(q - p);
+        const double sixth = std::hypot(apart[0], apart[1]) / 6;
+        const double first = load.intensity[0].to_double(), last = load.intensity[1].to_double();
+        given_.push_back({load.body, sixth * first * along, p, 0});
+        given_.push_back({load.body, 2 * sixth * (first + last) * along, Exact::ratio(1, 2) * (p + q), 0});
+        given_.push_back({load.body, sixth * last * along, q, 0});
+    }
+    void take(const TorsionLoad& load) {
+        const double couple = -load.stiffness.to_double() * load.turned.to_double();
+        given_.push_back({load.bodies[0], {}, {}, couple});
+        given_.push_back({load.bodies[1], {}, {}, -couple});
     }
 
     // --- bodies ----------------------------------------------------------------------------------------------------------------
@@ -218,8 +240,7 @@ private:
 
     // --- layout ----------------------------------------------------------------------------------------------------------------
     static int reactions_of(const Joint& joint) {
-        const auto bodies = static_cast<int>(joint.bodies.size());
-        const int of_each = bodies > 2 ? bodies : 1;  // a pin in between meets each body
+        const int of_each = joint.has_own_node() ? static_cast<int>(joint.bodies.size()) : 1;  // a pin in between meets each body
         switch (joint.kind) {
             case JointKind::revolute:
             case JointKind::rolling:
@@ -241,7 +262,7 @@ private:
             first_column_.push_back(columns_);
             first_pin_row_.push_back(rows_);
             columns_ += reactions_of(joint);
-            if (joint.bodies.size() > 2) rows_ += joint.kind == JointKind::weld ? 3 : 2;
+            if (joint.has_own_node()) rows_ += joint.kind == JointKind::weld ? 3 : 2;
         }
         first_effort_ = columns_;
         columns_ += static_cast<Index>(mechanism_.efforts.size());
@@ -266,6 +287,11 @@ private:
     void write_right_side() {
         right_ = Eigen::VectorXd::Zero(rows_);
         for (const Given& each : given_) {
+            if (each.pin != none) {
+                const Index row = first_pin_row_[at_index(each.pin)];
+                right_[row] -= each.force[0] / unit_;
+                right_[row + 1] -= each.force[1] / unit_;
+            }
             if (each.body == frame) continue;
             const Index row = row_of(each.body);
             right_[row] -= each.force[0] / unit_;
@@ -305,7 +331,7 @@ private:
         const Vector& place = pose_.at(joint.point);
         const auto along = directions(joint, clockwise);
         Index column = first_column_[index];
-        if (joint.bodies.size() == 2) {
+        if (!joint.has_own_node()) {
             for (const Pair& direction : along) {
                 add_force(matrix, column, joint.bodies[0], place, direction);
                 add_force(matrix, column++, joint.bodies[1], place, -1 * direction);
@@ -459,6 +485,13 @@ private:
         forces.indeterminacy = solved.indeterminacy;
         forces.balanced = solved.balanced;
         forces.residual = solved.residual;
+        forces.given.resize(mechanism_.bodies.size());
+        for (const Given& each : given_) {
+            const auto& on = each.pin == none ? each.body : mechanism_.joint(each.pin).bodies.back();
+            NumericForces::Sum& sum = forces.given[at_index(on)];
+            sum.force = sum.force + each.force;
+            sum.couple += each.couple + outer(rough(each.place), each.force);
+        }
         const auto known = [&](Index column) { return static_cast<bool>(solved.known[static_cast<std::size_t>(column)]); };
         for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) {
             const Joint& joint = mechanism_.joints[i];
@@ -479,7 +512,7 @@ private:
                 if (!action.known) action.force = {}, action.couple = 0;
                 return action;
             };
-            if (joint.bodies.size() > 2) {
+            if (joint.has_own_node()) {
                 for (const BodyIndex body : joint.bodies) {
                     forces.actions.push_back(next_action());
                     forces.actions.back().on = body;

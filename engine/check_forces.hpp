@@ -27,7 +27,13 @@ struct NumericForces {
     std::vector<bool> effort_known;
     int indeterminacy = 0;  ///< unknowns left free by equilibrium: statically indeterminate by so many
     bool balanced = true;   ///< false: no effort or reaction can hold the loads (a free motion is not balanced)
-    double residual = 0;    ///< largest unbalanced force relative to the largest load
+    /// All that is given on a body, reduced to the origin: N, N m.
+    struct Sum {
+        std::array<double, 2> force{};
+        double couple = 0;
+    };
+    std::vector<Sum> given;  ///< by body; what acts on the pin of a hinge counts with the last of its bodies
+    double residual = 0;     ///< largest unbalanced force relative to the largest load
 };
 
 /// Loads, weights, inertia (where the file says so), springs; frictionless reactions by pair: revolute and rolling two components

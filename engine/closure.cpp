@@ -264,7 +264,10 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
         for (const PointIndex point : mechanism.bodies[body].points) claim(point, BodyIndex(body), false);
     for (const Mass& mass : mechanism.masses) claim(mass.centre, mass.body, false);
     for (const Load& load : mechanism.loads) {
-        if (const auto* force = std::get_if<ForceLoad>(&load)) claim(force->at, force->body, false);
+        if (const auto* force = std::get_if<ForceLoad>(&load); force != nullptr && force->body != none)
+            claim(force->at, force->body, false);
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+            for (const PointIndex end : {distributed->from, distributed->to}) claim(end, distributed->body, false);
         if (const auto* spring = std::get_if<SpringLoad>(&load))
             for (std::size_t i = 0; i < 2; ++i) claim(spring->between[i], spring->bodies[i], false);
     }

@@ -74,6 +74,12 @@ Dimension dimension_of(QuantityKind kind) {
             return {.length = -1, .mass = 1, .time = -2};
         case QuantityKind::time:
             return {.time = 1};
+        case QuantityKind::area:
+            return {.length = 2};
+        case QuantityKind::force_per_length:
+            return {.mass = 1, .time = -2};
+        case QuantityKind::torsional_stiffness:
+            return {.length = 2, .mass = 1, .time = -2, .angle = -1};
         case QuantityKind::wear:
             return {.length = 1, .mass = -1, .time = 2};
     }
@@ -329,6 +335,17 @@ private:
         if (letters > 0) return refused(unknown_unit_message(text_.substr(at_, letters), QuantityKind::dimensionless));
         return bare(std::move(*value));
     }
+    /// "12 cm^2" is the square of 12 cm, as it ever was; "12 cm²" is an area.
+    static bool means_a_power(std::string_view spelt) {
+        const KnownUnit* unit = unit_spelt(spelt);
+        return unit != nullptr && unit->kind == QuantityKind::area && spelt.find('^') != std::string_view::npos;
+    }
+    /// "10 N/m" is a force over the parameter m, where there is one.
+    bool divides_by_a_name(std::string_view spelt) const {
+        const KnownUnit* unit = unit_spelt(spelt);
+        if (unit == nullptr || unit->kind != QuantityKind::force_per_length) return false;
+        return look_up_(spelt.substr(spelt.find('/') + 1)).has_value();
+    }
     const KnownUnit* takes_unit() {
         std::size_t from = at_;
         while (from < text_.size() && text_[from] == ' ') ++from;
@@ -342,6 +359,7 @@ private:
             const bool goes_on = behind < text_.size() &&
                                  (letter_at(text_, behind) > 0 || std::isdigit(static_cast<unsigned char>(text_[behind])) != 0);
             if (ends_a_letter && goes_on) continue;
+            if (means_a_power(spelt) || divides_by_a_name(spelt)) continue;
             if (const KnownUnit* unit = unit_spelt(spelt)) {
                 at_ = behind;
                 return unit;

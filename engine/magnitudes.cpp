@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/assert.hpp"
+#include "engine/spring_force.hpp"
 
 namespace kinegraph {
 namespace {
@@ -16,9 +17,13 @@ void raise(double& largest, double value) {
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
 }
 
+bool acts_as_couple(const Load& load) {
+    return std::holds_alternative<CoupleLoad>(load) || std::holds_alternative<TorsionLoad>(load);
+}
+
 }  // namespace
 
-Magnitudes::Magnitudes(const Solution& solution) : mechanism_(solution.mechanism) {
+Magnitudes::Magnitudes(const Solution& solution) : mechanism_(solution.mechanism), pose_(solution.pose) {
     for (const CheckRow& row : solution.checks) {
         take(row.quantity, row.graphical);
         take(row.quantity, row.numeric);
@@ -79,7 +84,10 @@ void Magnitudes::take_what_is_given() {
         if (const auto* force = std::get_if<ForceLoad>(&load))
             raise(force_, force->value ? length(*force->value) : force->magnitude->first.to_double());
         if (const auto* couple = std::get_if<CoupleLoad>(&load)) raise(couple_, couple->value.to_double());
-        if (const auto* spring = std::get_if<SpringLoad>(&load)) raise(force_, spring->magnitude.to_double());
+        if (const auto* spring = std::get_if<SpringLoad>(&load)) raise(force_, pull_of(*spring, pose_).to_double());
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+            raise(force_, force_of(*distributed, pose_).to_double());
+        if (const auto* torsion = std::get_if<TorsionLoad>(&load)) raise(couple_, couple_of(*torsion).to_double());
     }
     for (const Mass& mass : mechanism_.masses)
         if (mechanism_.gravity) raise(force_, mass.mass.to_double() * length(*mechanism_.gravity));
@@ -120,11 +128,13 @@ double Magnitudes::of(const Quantity& quantity) const {
             return place_;
         case Kind::force:
         case Kind::weight:
+        case Kind::resultant:
             return force_;
         case Kind::couple:
+        case Kind::resultant_couple:
             return couple_;
         case Kind::load:
-            return std::holds_alternative<CoupleLoad>(mechanism_.loads[at(quantity.given)]) ? couple_ : force_;
+            return acts_as_couple(mechanism_.loads[at(quantity.given)]) ? couple_ : force_;
         case Kind::inertia:
             return force_;
         case Kind::effort:

@@ -28,6 +28,7 @@ private:
 
     double velocity_ = 0, acceleration_ = 0, omega_ = 0, alpha_ = 0, place_ = 0, force_ = 0, couple_ = 0, power_ = 0;
     const Mechanism& mechanism_;
+    const Pose& pose_;
 };
 
 }  // namespace kinegraph

@@ -116,8 +116,11 @@ struct Joint {
     std::optional<Angle> pressure_angle;
     BodyIndex arm = frame;         ///< gear: the carrier
     std::optional<Vector> pushes;  ///< contact: sense of the force on bodies[0]
+    bool loaded_pin = false;       ///< a hinge of two bodies on whose pin a load acts
     std::string where;
 
+    /// True where the bodies meet in a node of its own: a massless pin that touches each of them.
+    bool has_own_node() const { return bodies.size() > 2 || loaded_pin; }
     const PlanePair& pair() const { return plane_pair(kind); }
     bool connects(BodyIndex body) const { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); }
     /// Of two bodies the one that is not `body`.
@@ -158,11 +161,12 @@ struct Mass {
 /// Loads: N, N m.
 struct ForceLoad {
     std::string name;
-    BodyIndex body = none;
+    BodyIndex body = none;  ///< none: it acts on the pin of a hinge
     PointIndex at = none;
     std::optional<Vector> value;                         ///< either the components …
     std::optional<std::pair<Exact, Bearing>> magnitude;  ///< … or magnitude and direction
     std::string where;
+    JointIndex pin = none;  ///< the hinge on whose pin it acts; none: it acts on `body`
 };
 struct CoupleLoad {
     std::string name;
@@ -170,14 +174,38 @@ struct CoupleLoad {
     Exact value;
     std::string where;
 };
+/// Pulls its two points together; where it is negative it pushes them apart.
 struct SpringLoad {
+    /// k in N/m and the length without force, m: the force is k (l − l_0).
+    struct Elastic {
+        Exact stiffness, free_length;
+    };
     std::string name;
     std::array<BodyIndex, 2> bodies{none, none};
     std::array<PointIndex, 2> between{none, none};
-    Exact magnitude;
+    Exact magnitude;  ///< of one that is not elastic
+    std::string where;
+    std::optional<Elastic> elastic = std::nullopt;
+};
+/// A load along PQ, of an intensity (N/m of that length) that runs straight from one end to the other.
+struct DistributedLoad {
+    std::string name;
+    BodyIndex body = none;
+    PointIndex from = none, to = none;
+    std::array<Exact, 2> intensity;
+    Bearing along;
     std::string where;
 };
-using Load = std::variant<ForceLoad, CoupleLoad, SpringLoad>;
+/// Turns the first of its bodies back, and the second the other way: the couple on the first is −k φ.
+struct TorsionLoad {
+    std::string name;
+    std::array<BodyIndex, 2> bodies{none, none};
+    PointIndex at = none;  ///< where it is drawn
+    Exact stiffness;       ///< k, N m/rad
+    Exact turned;          ///< φ, rad: turn of the first body, seen from the second, from where there is no couple
+    std::string where;
+};
+using Load = std::variant<ForceLoad, CoupleLoad, SpringLoad, DistributedLoad, TorsionLoad>;
 
 struct CoupleEffort {
     std::string name;

@@ -840,8 +840,14 @@ private:
             couple.value = quantity_or_zero(required(form, "value", {"the couple's size", "il valore della coppia di forze"}),
                                             QuantityKind::moment);
             mechanism_.loads.emplace_back(std::move(couple));
+        } else if (value["spring"]) {
+            read_elastic(value);
+        } else if (value["distributed"]) {
+            read_distributed(value);
         } else if (value["bodies"] || value["between"]) {
             read_spring(value);
+        } else if (value["pin"]) {
+            read_pin_load(value);
         } else {
             read_force(value);
         }
@@ -863,19 +869,16 @@ private:
         spring.where = value.pointer();
         if (const JsonValue name = required(form, "force", {"the force's name", "il nome della forza"}))
             spring.name = name_of_load(name, {"the force's name", "il nome della forza"});
+        read_ends(form, spring);
+        spring.magnitude = quantity_or_zero(required(form, "magnitude", {"how hard they are pulled", "quanto sono tirati"}),
+                                            QuantityKind::force);
+        mechanism_.loads.emplace_back(std::move(spring));
+    }
+
+    void read_ends(const Members& form, SpringLoad& spring) {
         if (const JsonValue bodies =
-                required(form, "bodies", {"the two bodies that are pulled together", "i due corpi che si attraggono"})) {
-            if (bodies.is_array() && bodies.size() == 2) {
-                const JsonValue second = *++bodies.begin();
-                spring.bodies = {body(*bodies.begin()), body(second)};
-                if (spring.bodies[0] != none && spring.bodies[0] == spring.bodies[1]) {
-                    fault(second, {"the body {0} stands twice; a spring is between two bodies",
-                                   "il corpo {0} compare due volte; una molla sta fra due corpi", quoted(second.text())});
-                }
-            } else {
-                fault(bodies, {"two bodies are wanted here, not {0}", "qui servono due corpi, non {0}", described(bodies)});
-            }
-        }
+                required(form, "bodies", {"the two bodies that are pulled together", "i due corpi che si attraggono"}))
+            spring.bodies = two_bodies(bodies);
         if (const JsonValue ends =
                 required(form, "between", {"the two points at which they are pulled", "i due punti in cui sono tirati"})) {
             if (ends.is_array() && ends.size() == 2) {
@@ -885,15 +888,132 @@ private:
                 fault(ends, {"two points are wanted here, not {0}", "qui servono due punti, non {0}", described(ends)});
             }
         }
-        spring.magnitude = quantity_or_zero(required(form, "magnitude", {"how hard they are pulled", "quanto sono tirati"}),
-                                            QuantityKind::force);
-        mechanism_.loads.emplace_back(std::move(spring));
+    }
+    /// Of a spring.
+    std::array<BodyIndex, 2> two_bodies(JsonValue bodies) {
+        if (!bodies.is_array() || bodies.size() != 2) {
+            fault(bodies, {"two bodies are wanted here, not {0}", "qui servono due corpi, non {0}", described(bodies)});
+            return {none, none};
+        }
+        const JsonValue second = *++bodies.begin();
+        const std::array<BodyIndex, 2> both{body(*bodies.begin()), body(second)};
+        if (both[0] != none && both[0] == both[1])
+            fault(second, {"the body {0} stands twice; a spring is between two bodies",
+                           "il corpo {0} compare due volte; una molla sta fra due corpi", quoted(second.text())});
+        return both;
+    }
+
+    /// FORMAT "Forces": an elastic spring, straight or of torsion.
+    void read_elastic(JsonValue value) {
+        const bool of_torsion = value["turned"] || value["at"];
+        const Members form =
+            of_torsion
+                ? members(value, {"spring", "bodies", "at", "stiffness", "turned"}, {"a torsion spring", "una molla di torsione"})
+                : members(value, {"spring", "bodies", "between", "stiffness", "free length"}, {"a spring", "una molla"});
+        const std::string name = name_of_load(form["spring"], {"the spring's name", "il nome della molla"});
+        const JsonValue stiffness = required(form, "stiffness", {"how stiff the spring is", "la rigidezza della molla"});
+        const Words called("a stiffness", "una rigidezza");
+        if (!of_torsion) {
+            SpringLoad spring;
+            spring.where = value.pointer();
+            spring.name = name;
+            read_ends(form, spring);
+            spring.elastic = SpringLoad::Elastic{
+                not_negative(stiffness, QuantityKind::force_per_length, called),
+                not_negative(required(form, "free length", {"how long it is without force", "la lunghezza a riposo"}),
+                             QuantityKind::length, {"a free length", "una lunghezza a riposo"})};
+            mechanism_.loads.emplace_back(std::move(spring));
+            return;
+        }
+        TorsionLoad torsion;
+        torsion.where = value.pointer();
+        torsion.name = name;
+        if (const JsonValue bodies = required(form, "bodies", {"the two bodies that it turns", "i due corpi che fa ruotare"}))
+            torsion.bodies = two_bodies(bodies);
+        torsion.at = point(required(form, "at", {"the point about which it is wound", "il punto attorno a cui è avvolta"}));
+        torsion.stiffness = not_negative(stiffness, QuantityKind::torsional_stiffness, called);
+        torsion.turned = quantity_or_zero(
+            required(form, "turned",
+                     {"by how much the first body is turned from where the spring is slack, seen from the second",
+                      "di quanto il primo corpo, visto dal secondo, è ruotato dalla posizione in cui la molla è scarica"}),
+            QuantityKind::angle);
+        mechanism_.loads.emplace_back(std::move(torsion));
+    }
+
+    void read_distributed(JsonValue value) {
+        const Members form = members(value, {"distributed", "body", "from", "to", "intensity", "along"},
+                                     {"a distributed load", "un carico distribuito"});
+        DistributedLoad load;
+        load.where = value.pointer();
+        load.name = name_of_load(form["distributed"], {"the load's name", "il nome del carico"});
+        load.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
+        load.from = point(required(form, "from", {"the point where it begins", "il punto in cui comincia"}));
+        load.to = point(required(form, "to", {"the point where it ends", "il punto in cui finisce"}));
+        if (load.from != none && load.from == load.to)
+            fault(form["to"], {"a load from a point to itself has no length; name another",
+                               "un carico da un punto a se stesso non ha lunghezza; indicarne un altro"});
+        const JsonValue intensity =
+            required(form, "intensity", {"the intensities at both ends, [q0, q1]", "le intensità ai due estremi, [q0, q1]"});
+        if (intensity && (!intensity.is_array() || intensity.size() != 2)) {
+            fault(intensity, {"the intensities at both ends [q0, q1] are wanted here, not {0}",
+                              "qui servono le intensità ai due estremi [q0, q1], non {0}", described(intensity)});
+        } else if (intensity) {
+            load.intensity = {quantity_or_zero(*intensity.begin(), QuantityKind::force_per_length),
+                              quantity_or_zero(*++intensity.begin(), QuantityKind::force_per_length)};
+        }
+        load.along = bearing_or_default(required(form, "along", {"the direction of the load", "la direzione del carico"}));
+        mechanism_.loads.emplace_back(std::move(load));
+    }
+
+    /// On the pin of a hinge, which is then a node of its own.
+    void read_pin_load(JsonValue value) {
+        const Members form =
+            members(value, {"force", "pin", "value", "magnitude", "along", "pressure", "area"}, {"a force", "una forza"});
+        ForceLoad force;
+        force.where = value.pointer();
+        if (const JsonValue name = required(form, "force", {"the force's name", "il nome della forza"}))
+            force.name = name_of_load(name, {"the force's name", "il nome della forza"});
+        force.pin = hinge(form["pin"]);
+        if (force.pin != none) {
+            Joint& joint = mechanism_.joints[at_index(force.pin)];
+            joint.loaded_pin = true;
+            force.at = joint.point;
+        }
+        read_size(form, force);
+        mechanism_.loads.emplace_back(std::move(force));
+    }
+    /// By its name, or else by its point.
+    JointIndex hinge(JsonValue value) {
+        if (!expect(value, Kind::string, {"a hinge, by its name or its point,", "una cerniera, per nome o per punto"}) ||
+            !joints_known_)
+            return none;
+        const std::string_view name = value.text();
+        std::vector<JointIndex> named, there;
+        for (const JointIndex index : indices_of(mechanism_.joints)) {
+            const Joint& joint = mechanism_.joint(index);
+            if (!joint.pair().is_hinge()) continue;
+            if (joint.name == name) named.push_back(index);
+            if (joint.point != none && point_names_[at_index(joint.point)] == name) there.push_back(index);
+        }
+        if (named.empty()) named = there;
+        if (named.size() == 1) return named.front();
+        fault(value,
+              named.empty()
+                  ? Words("there is no hinge at {0}; a load on a point of a body has \"body\" and \"at\"",
+                          "in {0} non c’è cerniera; un carico in un punto di un corpo ha \"body\" e \"at\"", quoted(name))
+                  : Words("there are {1} hinges at {0}; make them one with all their bodies, or give the one meant a \"name\"",
+                          "in {0} ci sono {1} cerniere; farne una sola con tutti i corpi, o dare un \"name\" a quella voluta",
+                          quoted(name), std::to_string(named.size())));
+        return none;
     }
 
     void read_force(JsonValue value) {
-        const Members form = members(value, {"force", "body", "at", "value", "magnitude", "along", "couple", "bodies", "between"},
-                                     {"a force", "una forza"});
-        if (form.has_or_misspells("couple") || form.has_or_misspells("bodies") || form.has_or_misspells("between")) return;
+        const Members form = members(
+            value,
+            {"force", "body", "at", "value", "magnitude", "along", "pressure", "area", "couple", "bodies", "between", "pin"},
+            {"a force", "una forza"});
+        for (const std::string_view key : {"couple", "bodies", "between", "pin"})
+            if (form.has_or_misspells(key)) return;
         if (!form.has_or_misspells("force")) {
             fault(value,
                   {"the load's name is missing: \"force\" or \"couple\"", "manca il nome del carico: \"force\" o \"couple\""});
@@ -906,16 +1026,30 @@ private:
             force.name = name_of_load(name, {"the force's name", "il nome della forza"});
         force.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
         force.at = point(required(form, "at", {"the point at which it acts", "il punto in cui agisce"}));
-        const JsonValue how = one_of(form, {"value", "magnitude"});
+        read_size(form, force);
+        mechanism_.loads.emplace_back(std::move(force));
+    }
+
+    /// Components, or magnitude and direction, or a pressure on an area and a direction.
+    void read_size(const Members& form, ForceLoad& force) {
+        const JsonValue how =
+            form["pressure"] ? one_of(form, {"value", "magnitude", "pressure"}) : one_of(form, {"value", "magnitude"});
         if (how && how.key() == "value") {
             one_of(form, {"value", "along"});
             force.value = vector(how, QuantityKind::force, {"a force [Fx, Fy]", "una forza [Fx, Fy]"});
         } else if (how) {
-            const auto magnitude = quantity(how, QuantityKind::force);
+            const auto magnitude = how.key() == "pressure" ? pressure_on_area(form) : quantity(how, QuantityKind::force);
             const auto along = bearing(required(form, "along", {"the direction of the force", "la direzione della forza"}));
             if (magnitude && along) force.magnitude = {*magnitude, *along};
         }
-        mechanism_.loads.emplace_back(std::move(force));
+        if (form["area"] && !form["pressure"])
+            fault(form["area"], {"\"area\" goes with a \"pressure\"; give one", "\"area\" va con una \"pressure\"; assegnarla"});
+    }
+    std::optional<Exact> pressure_on_area(const Members& form) {
+        const auto pressure = quantity(form["pressure"], QuantityKind::pressure);
+        const JsonValue on = required(form, "area", {"the area on which it presses", "l’area su cui preme"});
+        if (!on || !pressure) return std::nullopt;
+        return *pressure * not_negative(on, QuantityKind::area, {"an area", "un’area"});
     }
 
     void read_effort(JsonValue value) {

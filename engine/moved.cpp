@@ -137,6 +137,9 @@ Pose Mover::pose_of(const Mechanism& moved, int bits) const {
 Moved Mover::moved(Positions& positions, const Exact& coordinate) const {
     Moved result;
     result.mechanism = mechanism_at(drawn_, positions.refined(drawn_.closure, coordinate));
+    for (Load& load : result.mechanism.loads)
+        if (auto* torsion = std::get_if<TorsionLoad>(&load))
+            torsion->turned += Exact::from_double(positions.turn(torsion->bodies[0]) - positions.turn(torsion->bodies[1]));
     result.pose = pose_of(result.mechanism, drawn_.pose.bits);
     result.finer = pose_of(mechanism_at(finer_, positions.refined(finer_.closure, coordinate)), finer_.pose.bits);
     return result;

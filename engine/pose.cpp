@@ -585,6 +585,7 @@ private:
         for (const Load& load : mechanism_.loads) {
             const auto* force = std::get_if<ForceLoad>(&load);
             if (force != nullptr && force->magnitude) note(force->magnitude->second, force->where);
+            if (const auto* distributed = std::get_if<DistributedLoad>(&load)) note(distributed->along, distributed->where);
         }
         for (const Effort& effort : mechanism_.efforts) {
             if (const auto* force = std::get_if<ForceEffort>(&effort)) note(force->along, force->where);

@@ -5,6 +5,7 @@
 #include "engine/drivers.hpp"
 #include "engine/mechanism.hpp"
 #include "engine/pose.hpp"
+#include "engine/spring_force.hpp"
 
 namespace kinegraph {
 namespace {
@@ -18,14 +19,18 @@ Vector act_vector(const GivenMotion& given, const Pose& pose) {
     return std::get<Vector>(given.value);
 }
 
-Exact load_magnitude(const Load& load) {
+Exact load_magnitude(const Load& load, const Pose& pose) {
     if (const auto* force = std::get_if<ForceLoad>(&load)) return force->magnitude->first;
     if (const auto* couple = std::get_if<CoupleLoad>(&load)) return couple->value;
-    return std::get<SpringLoad>(load).magnitude;
+    if (const auto* torsion = std::get_if<TorsionLoad>(&load)) return couple_of(*torsion);
+    if (const auto* distributed = std::get_if<DistributedLoad>(&load)) return force_of(*distributed, pose);
+    return pull_of(std::get<SpringLoad>(load), pose);
 }
 Vector load_unit(const Load& load, const Pose& pose) {
     if (const auto* force = std::get_if<ForceLoad>(&load))
         return unit_along(direction_of(force->magnitude->second, pose), pose.bits);
+    if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+        return unit_along(direction_of(distributed->along, pose), pose.bits);
     const auto& [from, to] = std::get<SpringLoad>(load).between;
     return unit_along(pose.at(to) - pose.at(from), pose.bits);
 }
@@ -83,7 +88,7 @@ Value given_value(const Given& given, const Mechanism& mechanism, const Pose& po
         case Kind::load_force:
             return *std::get<ForceLoad>(mechanism.loads[i]).value;
         case Kind::load_magnitude:
-            return load_magnitude(mechanism.loads[i]);
+            return load_magnitude(mechanism.loads[i], pose);
         case Kind::load_unit:
             return load_unit(mechanism.loads[i], pose);
         case Kind::load_unit_back:

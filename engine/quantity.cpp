@@ -69,6 +69,10 @@ private:
                 return "acceleration pole " + body(q.body);
             case Kind::virtual_power:
                 return "virtual power";
+            case Kind::resultant:
+                return "resultant " + body(q.body);
+            case Kind::resultant_couple:
+                return "resultant " + body(q.body) + " couple";
         }
         KG_ASSERT(false, "a quantity has a kind");
     }
@@ -160,6 +164,8 @@ Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
             return {.kind = Kind::inertia, .given = applied.given};
         case AppliedForce::Kind::effort:
             return {.kind = Kind::effort, .given = applied.given};
+        case AppliedForce::Kind::resultant:
+            return {.kind = Kind::resultant, .body = body.body};
     }
     KG_ASSERT(false, "what acts is of one kind");
 }

@@ -31,7 +31,9 @@ struct Quantity {
         radius,               ///< of curvature, of the path of `point` as `body` carries it
         inflection_diameter,  ///< of the inflection circle of `body`
         acceleration_pole,    ///< of `body`
-        virtual_power         ///< of all that acts from outside
+        virtual_power,        ///< of all that acts from outside
+        resultant,            ///< of all that is given on `body` and what hangs on it
+        resultant_couple      ///< the same, about the origin
     } kind = Kind::unnamed;
     BodyIndex body = none, other = none;
     PointIndex point = none;

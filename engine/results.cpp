@@ -189,6 +189,7 @@ public:
             file.emplace_back("forces", forces());
             file.emplace_back("effort", effort());
         }
+        if (!solution_.resultants.empty()) file.emplace_back("resultant", resultants());
         if (solution_.problem) file.emplace_back("hertz", contacts());
         if (solution_.equations && solution_.equations->why_not.empty())
             file.emplace_back("equations", equations_json(*solution_.equations));
@@ -252,7 +253,7 @@ private:
 
     bool forces_asked() const {
         if (mechanism_.find.stated) return mechanism_.find.forces;
-        return !mechanism_.loads.empty() || !mechanism_.efforts.empty();
+        return !mechanism_.loads.empty() || !mechanism_.efforts.empty() || !solution_.resultants.empty();
     }
 
     std::string points() const {
@@ -462,6 +463,24 @@ private:
         Members all;
         for (const EffortValue& found : solution_.efforts) {
             if (found.value) all.emplace_back(found.name, number(*found.value));
+        }
+        return object_of_lines(all);
+    }
+
+    /// By the bodies that hang together: "2", "2,3".
+    std::string resultants() const {
+        Members all;
+        for (const Resultant& found : solution_.resultants) {
+            std::string name;
+            for (const BodyIndex body : found.bodies) name += (name.empty() ? "" : ",") + name_of_body(body);
+            Entry here = entry();
+            here.add("force", found.force);
+            here.add("couple", found.couple);
+            if (found.through)
+                here.add("through", found.through);
+            else
+                here.add("through", std::string("null"));
+            all.emplace_back(name, here.json());
         }
         return object_of_lines(all);
     }

@@ -112,7 +112,19 @@ private:
         visit(load.magnitude->second);
     }
     void visit(CoupleLoad& load) { see_(load.value, Measure::other, units_.moment.si); }
-    void visit(SpringLoad& load) { see_(load.magnitude, Measure::other, units_.force.si); }
+    void visit(SpringLoad& load) {
+        if (!load.elastic) return see_(load.magnitude, Measure::other, units_.force.si);
+        see_(load.elastic->stiffness, Measure::other, Exact(1));
+        see_(load.elastic->free_length, Measure::length, units_.length.si);
+    }
+    void visit(DistributedLoad& load) {
+        for (Exact& intensity : load.intensity) see_(intensity, Measure::other, Exact(1));
+        visit(load.along);
+    }
+    void visit(TorsionLoad& load) {
+        see_(load.stiffness, Measure::other, Exact(1));
+        see_(load.turned, Measure::other, Exact(1));
+    }
     void visit(GivenMotion& given, const Unit& unit) {
         if (auto* vector = std::get_if<Vector>(&given.value)) return visit(*vector, Measure::other, unit);
         visit(std::get<Bearing>(given.value));

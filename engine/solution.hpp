@@ -85,7 +85,15 @@ struct EffortValue {
 /// One force or couple on a free body.
 struct AppliedForce {
     Symbol symbol;
-    enum class Kind { load, weight, inertia, spring, reaction, effort } kind = Kind::load;
+    enum class Kind {
+        load,
+        weight,
+        inertia,
+        spring,
+        reaction,
+        effort,
+        resultant  ///< of all that is given: it acts on nothing, it is what is missing to equilibrium
+    } kind = Kind::load;
     JointIndex joint = none;  ///< reactions
     BodyIndex from = none;    ///< which body acts, none: no body or a pin
     Vector force;             ///< N; zero for a pure couple
@@ -214,6 +222,16 @@ struct Curvature {
     std::vector<PathCentre> points;
     std::vector<EnvelopeCentre> envelopes;
 };
+/// All that is given on bodies that hang together and that no effort balances, as one force along a line, one couple, or nothing.
+struct Resultant {
+    std::vector<BodyIndex> bodies;  ///< in the file's order
+    Recorded<Vector> force;         ///< N
+    Recorded<Exact> couple;         ///< N m about the frame's origin
+    Recorded<Vector> through;       ///< the foot of the perpendicular from the origin on its line, m; none: there is no force
+    bool vanishes = false;          ///< the bodies are in equilibrium under what is given
+    int polygon = -1;               ///< index in Protocol::polygons: the given forces, with the gap; −1: all vanish
+    StatementIndex statement = none;
+};
 /// One scalar held against the check.
 struct CheckRow {
     Quantity quantity;  ///< of a vector: one component
@@ -249,6 +267,7 @@ struct Solution {
     std::vector<JointForce> forces;
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
+    std::vector<Resultant> resultants;               ///< where the file asks whether bodies are in equilibrium
     std::vector<Curvature> curvature;                ///< where it is asked for: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;         ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;          ///< where the file gives one body's act of motion
@@ -292,6 +311,11 @@ void for_each_found(Solution& solution, See see) {
             held(applied.elements.at, applied.at);
         }
         for (FreeBody::Meet& meet : body.meets) held(meet.element, meet.place);
+    }
+    for (Resultant& resultant : solution.resultants) {
+        resultant.force.visit(see);
+        resultant.couple.visit(see);
+        resultant.through.visit(see);
     }
     if (solution.virtual_work) {
         for (VirtualWork::Entry& entry : solution.virtual_work->entries) {

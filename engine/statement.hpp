@@ -102,13 +102,20 @@ enum class Sentence {
     parallel_forces,        ///< {0} body, {1} {2} symbols: parallel forces, by moments (funicular polygon)
     culmann,       ///< {0} body, {1} meet of the lines of {3} and {4}, {2} symbol: by moments about {1}, then the triangle
     culmann_line,  ///< {0} body, {1} {2} the meets that give Culmann's line, {3} {4} {5} symbols: {3} at {1}, the others at {2}
-    force_and_couple,   ///< {0} body, {1} symbol of the force, equal and opposite to the rest, {2} symbol of the couple M = F·b
-    single_reaction,    ///< {0} body, {1} symbol: what is left balances the rest
-    superposition,      ///< {0} body whose loads act alone now
-    superposition_sum,  ///< the partial reactions are added
-    trial,              ///< {0} symbol: one trial value, then in proportion
-    act_given,          ///< {0} v_A or a_A: given, set off from the pole
-    act_projections,    ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
+    force_and_couple,    ///< {0} body, {1} symbol of the force, equal and opposite to the rest, {2} symbol of the couple M = F·b
+    single_reaction,     ///< {0} body, {1} symbol: what is left balances the rest
+    superposition,       ///< {0} body whose loads act alone now
+    superposition_sum,   ///< the partial reactions are added
+    trial,               ///< {0} symbol: one trial value, then in proportion
+    elastic_spring,      ///< {0} F, {1} {2} points: k (l − l_0), along their join
+    torsion_spring,      ///< {0} M on the first body, {1} first body, {2} second: −k φ
+    distributed_load,    ///< {0} body, {1} F, {2} {3} ends: its resultant at the centroid of its diagram
+    distributed_couple,  ///< {0} body, {1} M, {2} {3} ends: both halves are equal and opposite
+    in_equilibrium,      ///< {0} bodies: what acts on them closes its polygon and has no moment
+    resultant_force,     ///< {0} bodies, {1} R: what acts on them leaves a force
+    resultant_couple,    ///< {0} bodies, {1} M: the polygon closes, and a couple is left
+    act_given,           ///< {0} v_A or a_A: given, set off from the pole
+    act_projections,     ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
     act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
     act_direction,                 ///< {0} image of B, {1} v_B, {2} segment AB, {3} v_A: projections are equal, so the lines meet
     act_direction_acceleration,    ///< {0} image of B, {1} a_B, {2} segment AB, {3} a_A

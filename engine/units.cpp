@@ -63,10 +63,13 @@ std::vector<KnownUnit> make_units() {
         {mass, "t", 1000},
         {mass, "lb", pound},
         {mass, "slug", pound_force / foot},
+        {mass, "lb s²/in", pound_force / inch},
+        {mass, "lbf s²/in", pound_force / inch},
         {force, "N", 1},
         {force, "kN", 1000},
         {force, "MN", 1000000},
         {force, "lbf", pound_force},
+        {force, "kgf", decimal("9.80665")},
         {moment, "N m", 1},
         {moment, "N mm", Exact::ratio(1, 1000)},
         {moment, "kN m", 1000},
@@ -75,12 +78,34 @@ std::vector<KnownUnit> make_units() {
         {inertia, "kg m²", 1},
         {inertia, "kg cm²", Exact::ratio(1, 10000)},
         {inertia, "kg mm²", Exact::ratio(1, 1000000)},
+        {inertia, "lb in s²", pound_force * inch},
+        {inertia, "lbf in s²", pound_force * inch},
+        {inertia, "lb in²", pound * inch * inch},
+        {inertia, "lb ft²", pound * foot * foot},
+        {inertia, "slug ft²", pound_force * foot},
         {pressure, "Pa", 1},
         {pressure, "kPa", 1000},
         {pressure, "MPa", 1000000},
         {pressure, "GPa", 1000000000},
         {pressure, "bar", 100000},
         {pressure, "psi", pound_force / (inch * inch)},
+        {area, "m²", 1},
+        {area, "cm²", Exact::ratio(1, 10000)},
+        {area, "mm²", Exact::ratio(1, 1000000)},
+        {area, "in²", inch * inch},
+        {force_per_length, "N/m", 1},
+        {force_per_length, "N/cm", 100},
+        {force_per_length, "N/mm", 1000},
+        {force_per_length, "kN/m", 1000},
+        {force_per_length, "lbf/in", pound_force / inch},
+        {force_per_length, "lbf/ft", pound_force / foot},
+        {force_per_length, "kgf/m", decimal("9.80665")},
+        {torsional_stiffness, "N m/rad", 1},
+        {torsional_stiffness, "N mm/rad", Exact::ratio(1, 1000)},
+        {torsional_stiffness, "N m/deg", Exact(1) / degree},
+        {torsional_stiffness, "N mm/deg", Exact::ratio(1, 1000) / degree},
+        {torsional_stiffness, "lbf in/rad", pound_force * inch},
+        {torsional_stiffness, "lbf ft/rad", pound_force * foot},
         {time, "s", 1},
         {time, "ms", Exact::ratio(1, 1000)},
         {time, "min", 60},
@@ -179,6 +204,12 @@ Words name_of(QuantityKind kind) {
             return {"pressure", "pressione"};
         case QuantityKind::time:
             return {"time", "durata"};
+        case QuantityKind::area:
+            return {"area", "area"};
+        case QuantityKind::force_per_length:
+            return {"force per length", "forza per unità di lunghezza"};
+        case QuantityKind::torsional_stiffness:
+            return {"torsional stiffness", "rigidezza torsionale"};
         case QuantityKind::wear:
             return {"coefficient of wear", "coefficiente d’usura"};
     }

@@ -28,7 +28,10 @@ enum class QuantityKind {
     inertia,
     pressure,
     time,
-    wear,  ///< volume worn off for each unit of the work of friction over the coefficient: m³/(N m)
+    area,
+    force_per_length,     ///< of distributed loads and of springs, N/m
+    torsional_stiffness,  ///< N m/rad
+    wear,                 ///< volume worn off for each unit of the work of friction over the coefficient: m³/(N m)
 };
 
 /// "length", "angular velocity": as the keys of `units` call it.
@@ -36,7 +39,8 @@ Words name_of(QuantityKind kind);
 /// "a length", "an angle".
 Words with_article(QuantityKind kind);
 
-/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m, kg m², Pa, s or m²/N.
+/// One row of the table: `si` is the unit's size in m, rad, rad/s, rad/s², m/s, m/s², kg, N, N m, kg m², Pa, s, m², N/m, N m/rad
+/// or m²/N.
 struct KnownUnit {
     QuantityKind kind = QuantityKind::dimensionless;
     std::string_view symbol;  ///< as it is printed: "kg m²"

@@ -141,6 +141,9 @@ private:
     void pins_are_in_equilibrium() const {
         for (std::size_t j = 0; j < mechanism_.joints.size(); ++j) {
             Vector sum;
+            for (const Load& load : mechanism_.loads)
+                if (const auto* push = std::get_if<ForceLoad>(&load); push != nullptr && push->pin == JointIndex(j))
+                    sum = sum - given(*push);
             for (const JointForce& action : solution_.forces)
                 if (action.joint == JointIndex(j) && action.from == none) sum = sum + *action.force;
             expect_nothing(sum, largest_, "the pin of " + mechanism_.joints[j].name);
@@ -251,6 +254,15 @@ private:
                 if (push->body == body) force(given(*push), push->at);
             } else if (const auto* couple = std::get_if<CoupleLoad>(&load)) {
                 if (couple->body == body) moment += couple->value;
+            } else if (const auto* distributed = std::get_if<DistributedLoad>(&load)) {
+                if (distributed->body != body) continue;
+                for (const auto& [place, part] : parts_of(*distributed)) {
+                    sum = sum + part;
+                    moment += cross(place, part);
+                }
+            } else if (const auto* torsion = std::get_if<TorsionLoad>(&load)) {
+                for (const std::size_t side : {0U, 1U})
+                    if (torsion->bodies[side] == body) moment += (side == 0 ? -1 : 1) * torsion->stiffness * torsion->turned;
             } else {
                 const auto& spring = std::get<SpringLoad>(load);
                 if (spring.bodies[0] == body) force(pull(spring), spring.between[0]);
@@ -271,8 +283,21 @@ private:
         if (load.value) return *load.value;
         return load.magnitude->first * unit(direction_of(load.magnitude->second, solution_.pose));
     }
+    /// By Simpson's rule, exact for moments of what runs straight.
+    std::vector<std::pair<Vector, Vector>> parts_of(const DistributedLoad& load) const {
+        const Vector &p = solution_.pose.at(load.from), &q = solution_.pose.at(load.to);
+        const Vector per_intensity = (dot(q - p, unit(q - p)) / 6) * unit(direction_of(load.along, solution_.pose));
+        const auto& [first, last] = load.intensity;
+        return {{p, first * per_intensity},
+                {Exact(1) / Exact(2) * (p + q), 2 * (first + last) * per_intensity},
+                {q, last * per_intensity}};
+    }
     /// On the spring's first body.
     Vector pull(const SpringLoad& spring) const {
+        if (spring.elastic) {
+            const Vector join = solution_.pose.at(spring.between[1]) - solution_.pose.at(spring.between[0]);
+            return spring.elastic->stiffness * (dot(join, unit(join)) - spring.elastic->free_length) * unit(join);
+        }
         return spring.magnitude * unit(solution_.pose.at(spring.between[1]) - solution_.pose.at(spring.between[0]));
     }
     Vector inertia(const Mass& mass) const {
@@ -311,9 +336,13 @@ private:
         };
         for (const Load& load : mechanism_.loads) {
             if (const auto* push = std::get_if<ForceLoad>(&load)) {
-                force(push->body, push->at, given(*push));
+                force(push->pin == none ? push->body : mechanism_.joint(push->pin).bodies.back(), push->at, given(*push));
             } else if (const auto* couple = std::get_if<CoupleLoad>(&load)) {
                 add(couple->value * omega(couple->body));
+            } else if (const auto* distributed = std::get_if<DistributedLoad>(&load)) {
+                for (const auto& [place, part] : parts_of(*distributed)) add(dot(part, velocity(distributed->body, place)));
+            } else if (const auto* torsion = std::get_if<TorsionLoad>(&load)) {
+                add(-torsion->stiffness * torsion->turned * (omega(torsion->bodies[0]) - omega(torsion->bodies[1])));
             } else {
                 const auto& spring = std::get<SpringLoad>(load);
                 force(spring.bodies[0], spring.between[0], pull(spring));

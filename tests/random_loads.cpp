@@ -1,6 +1,7 @@
 #include "tests/random_loads.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <variant>
 #include <vector>
@@ -15,8 +16,8 @@ std::size_t at(auto index) { return at_index(index); }
 /// Adds loads, weights, springs and efforts of every kind to the file of a random mechanism.
 class Loading {
 public:
-    Loading(const Mechanism& mechanism, const Pose& pose, std::uint64_t seed, int efforts)
-        : mechanism_(mechanism), pose_(pose), random_(seed * 7919 + 1) {
+    Loading(const Mechanism& mechanism, const Pose& pose, std::uint64_t seed, int efforts, bool all_kinds)
+        : mechanism_(mechanism), pose_(pose), all_kinds_(all_kinds), random_(seed * 7919 + 1) {
         const int loads = random_.whole(1, 4);
         for (int i = 0; i < loads || (loads_.empty() && masses_.empty()); ++i) load(std::to_string(i));
         if (random_.chance(30)) inertia_ = true;
@@ -77,7 +78,7 @@ private:
     void load(const std::string& number) {
         const BodyIndex body = body_with_points();
         const PointIndex point = point_of(body);
-        switch (random_.whole(0, 4)) {
+        switch (random_.whole(0, all_kinds_ ? 8 : 4)) {
             case 0:
                 loads_.push_back("{\"force\": \"P" + number + "\", \"body\": " + quoted(name(body)) +
                                  ", \"at\": " + quoted(point_name(point)) + ", \"value\": " + components(50) + "}");
@@ -95,6 +96,18 @@ private:
                 masses_.insert({body, "{\"mass\": " + decimal(1, 5) + ", \"centre\": " + quoted(point_name(point)) +
                                           ", \"inertia\": " + decimal(0.01, 1) + "}"});
                 break;
+            case 5:
+                elastic(number, body, point);
+                break;
+            case 6:
+                torsion(number, body, point);
+                break;
+            case 7:
+                distributed(number, body, point);
+                break;
+            case 8:
+                on_pin(number);
+                break;
             default:
                 spring(number, body, point);
         }
@@ -110,6 +123,44 @@ private:
         loads_.push_back("{\"force\": \"S" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
                          "], \"between\": [" + quoted(point_name(point)) + ", " + quoted(point_name(end)) +
                          "], \"magnitude\": " + decimal(1, 40) + "}");
+    }
+
+    void elastic(const std::string& number, BodyIndex body, PointIndex point) {
+        const BodyIndex other = body_with_points();
+        if (other == body) return;
+        const PointIndex end = point_of(other);
+        const Vector join = pose_.at(end) - pose_.at(point);
+        if (squared_length(join) <= Exact::power_of_two(-40) * square(pose_.size)) return;
+        loads_.push_back("{\"spring\": \"K" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
+                         "], \"between\": [" + quoted(point_name(point)) + ", " + quoted(point_name(end)) +
+                         "], \"stiffness\": " + decimal(1, 900) + ", \"free length\": " + decimal(0.01, 2) + "}");
+    }
+    void torsion(const std::string& number, BodyIndex body, PointIndex point) {
+        const BodyIndex other = random_.chance(40) ? frame : any_body();
+        if (other == body) return;
+        loads_.push_back("{\"spring\": \"T" + number + "\", \"bodies\": [" + quoted(name(body)) + ", " + quoted(name(other)) +
+                         "], \"at\": " + quoted(point_name(point)) + ", \"stiffness\": " + decimal(1, 20) +
+                         ", \"turned\": " + decimal(-90, 90) + "}");
+    }
+    void distributed(const std::string& number, BodyIndex body, PointIndex point) {
+        const PointIndex end = point_of(body);
+        if (pose_.at(end) == pose_.at(point)) return;
+        const std::string first = decimal(-60, 60);
+        // Now and then a couple: equal and opposite at both ends.
+        const std::string last = random_.chance(15) ? (first[0] == '-' ? first.substr(1) : "-" + first) : decimal(-60, 60);
+        loads_.push_back("{\"distributed\": \"q" + number + "\", \"body\": " + quoted(name(body)) +
+                         ", \"from\": " + quoted(point_name(point)) + ", \"to\": " + quoted(point_name(end)) +
+                         ", \"intensity\": [" + first + ", " + last + "], \"along\": " + decimal(-180, 180) + "}");
+    }
+    void on_pin(const std::string& number) {
+        std::map<std::string, int> hinges;
+        for (const Joint& joint : mechanism_.joints)
+            if (joint.kind == JointKind::revolute) ++hinges[joint.name];
+        std::erase_if(hinges, [](const auto& each) { return each.second > 1; });
+        if (hinges.empty()) return;
+        const auto chosen = std::next(hinges.begin(), random_.whole(0, static_cast<int>(hinges.size()) - 1));
+        loads_.push_back("{\"force\": \"N" + number + "\", \"pin\": " + quoted(chosen->first) + ", \"value\": " + components(50) +
+                         "}");
     }
 
     void effort(const std::string& named) {
@@ -136,6 +187,7 @@ private:
 
     const Mechanism& mechanism_;
     const Pose& pose_;
+    bool all_kinds_;
     Random random_;
     std::vector<std::string> loads_, efforts_;
     std::map<BodyIndex, std::string> masses_;
@@ -145,8 +197,8 @@ private:
 }  // namespace
 
 std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose, std::uint64_t seed,
-                               int efforts) {
-    return Loading(mechanism, pose, seed, efforts).entered_in(text);
+                               int efforts, bool all_kinds) {
+    return Loading(mechanism, pose, seed, efforts, all_kinds).entered_in(text);
 }
 
 }  // namespace kinegraph

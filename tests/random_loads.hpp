@@ -11,7 +11,8 @@
 namespace kinegraph {
 
 /// The mechanism's file with one to four loads and so many efforts at random places (0: the file has its own).
+/// `all_kinds`: elastic and torsion springs, distributed loads and loads on pins, too.
 std::string under_random_loads(const std::string& text, const Mechanism& mechanism, const Pose& pose, std::uint64_t seed,
-                               int efforts);
+                               int efforts, bool all_kinds = false);
 
 }  // namespace kinegraph

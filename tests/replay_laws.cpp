@@ -151,9 +151,15 @@ Mechanism with_other_givens(Mechanism mechanism) {
             if (force->magnitude) force->magnitude->first = changed(force->magnitude->first);
         } else if (auto* couple = std::get_if<CoupleLoad>(&load)) {
             couple->value = changed(couple->value);
+        } else if (auto* distributed = std::get_if<DistributedLoad>(&load)) {
+            const Exact times = changed(1);
+            for (Exact& intensity : distributed->intensity) intensity *= times;
+        } else if (auto* torsion = std::get_if<TorsionLoad>(&load)) {
+            torsion->stiffness = changed(torsion->stiffness);
         } else {
             auto& spring = std::get<SpringLoad>(load);
             spring.magnitude = changed(spring.magnitude);
+            if (spring.elastic) spring.elastic->stiffness = changed(spring.elastic->stiffness);
         }
     }
     for (Mass& mass : mechanism.masses) {

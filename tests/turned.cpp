@@ -191,11 +191,13 @@ Mechanism turned(const Mechanism& mechanism, const Pose& pose, int digits) {
     for (Driver& driver : now.drivers)
         if (auto* point = std::get_if<PointDriver>(&driver)) turner.turn(point->along);
     if (now.gravity) turner.turn(*now.gravity, 1);
-    for (Load& load : now.loads)
+    for (Load& load : now.loads) {
+        if (auto* distributed = std::get_if<DistributedLoad>(&load)) turner.turn(distributed->along);
         if (auto* force = std::get_if<ForceLoad>(&load)) {
             if (force->value) turner.turn(*force->value, now.units.force.si);
             if (force->magnitude) turner.turn(force->magnitude->second);
         }
+    }
     for (Effort& effort : now.efforts)
         if (auto* force = std::get_if<ForceEffort>(&effort)) turner.turn(force->along);
     if (now.motion) {

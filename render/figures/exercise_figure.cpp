@@ -78,6 +78,24 @@ private:
                with_powers(" = " + given_number(newtons / unit.si.to_double(), sketch_.context.language) + " " + unit.symbol));
         draw_arrow_at(sketch_.spot(force.at), along, std::move(text), sketch_.theme.colour_of(force.body));
     }
+    /// The arrows are the mechanism's own; here the intensities stand at its ends, or once where they are one.
+    void draw_load(const DistributedLoad& load) {
+        const bool even = load.intensity[0] == load.intensity[1];
+        for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+            if (load.intensity[end].is_zero() || (even && end == 1)) continue;
+            RichText text = one_piece(load.name, Face::italic);
+            append(text, intensity_words(load.intensity[end], sketch_.context.language));
+            const Spot from = sketch_.spot(load.from), to = sketch_.spot(load.to);
+            const Spot along = paper_direction(direction_of(load.along, sketch_.subject.solution.pose));
+            const Spot foot = even ? 0.5 * (from + to) : end == 0 ? from : to;
+            sketch_.add_label(std::move(text), sketch_.theme.colour_of(load.body).letter, foot - 10.5 * along, 1.0);
+        }
+    }
+    RichText intensity_words(const Exact& si, Language language) const {
+        return with_powers(" = " + given_number(si.to_double(), language) + " N/m");
+    }
+    /// The spiral is the mechanism's own; what it is given by stands in words.
+    static void draw_load(const TorsionLoad& /*torsion*/) {}
     void draw_load(const CoupleLoad& couple) {
         if (couple.value.is_zero()) return;
         const BodyColour colour = sketch_.theme.colour_of(couple.body);
@@ -99,7 +117,9 @@ private:
     }
     void draw_load(const SpringLoad& spring) {
         RichText text = named(spring.name, Symbol::Letter::F);
-        append(text, value(spring.magnitude, mechanism_.units.force));
+        // What an elastic one pulls is for the reader to find.
+        if (!spring.elastic)
+            append(text, value(spring.magnitude.sign() < 0 ? -spring.magnitude : spring.magnitude, mechanism_.units.force));
         const Spot from = sketch_.spot(spring.between[0]), to = sketch_.spot(spring.between[1]);
         sketch_.add_label(std::move(text), sketch_.theme.text, 0.5 * (from + to), 3.0).toward = to;
     }

@@ -7,6 +7,7 @@
 #include "render/figures/fit.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
+#include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
 
@@ -243,6 +244,11 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     return text;
 }
 
+/// A resultant acts on nothing: its shaft is broken.
+const std::vector<double>& shaft_of(const AppliedForce& applied, const BodyColour& colour) {
+    return applied.kind == AppliedForce::Kind::resultant ? dashes() : colour.dashes;
+}
+
 bool acts_at_centre(const AppliedForce& applied) {
     return applied.kind == AppliedForce::Kind::weight || applied.kind == AppliedForce::Kind::inertia;
 }
@@ -273,6 +279,10 @@ public:
         else
             sketch_.pins.emplace_back(ring(sketch_.spot(body_.pin), 1.8, sketch_.theme.paper, sketch_.outline()));
         name_points(sketch_);
+        for (const Load& load : sketch_.mechanism.loads)
+            if (const auto* distributed = std::get_if<DistributedLoad>(&load);
+                distributed != nullptr && distributed->body == body_.body)
+                draw_distributed(sketch_, *distributed, sketch_.over_bodies);
         clutter_.add(sketch_.bodies);
         for (const AppliedForce& applied : body_.forces) {
             if (!applied.couple.is_zero())
@@ -359,7 +369,8 @@ private:
                                                {{"data-name", unique}, {"data-value", shortest(value)}},
                                                statement});
         if (to_scale) sketch_.arrows.emplace_back(Axis{arrow.from, arrow.to});
-        draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? theme.vector : theme.outline, colour_.line, colour_.dashes);
+        draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? theme.vector : theme.outline, colour_.line,
+                   shaft_of(applied, colour_));
         sketch_.arrows.emplace_back(GroupEnd{});
         RichText text = typeset(applied.symbol, sketch_.context.language);
         if (!to_scale && scale_.says_values)
@@ -376,8 +387,8 @@ private:
     }
     void add_line_of(const AppliedForce& applied) {
         ActionLine action = lines_.line_of(applied, meets_);
-        if (action.joins() || carries_two_forces() || (applied.joint != none && applied.line_by_construction))
-            lines_.add(std::move(action));
+        const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
+        if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
     }
 
     void remark_guide(const AppliedForce& applied) {
@@ -456,7 +467,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     if (applied.force.is_zero()) return;
     const Bar arrow = free_arrow(clutter, applied, at);
     const std::size_t first = sketch.arrows.size();
-    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);
+    draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, shaft_of(applied, colour));
     belong(sketch.arrows, first, statement);
     clutter.add(arrow.from, arrow.to);
     LabelRequest& label =

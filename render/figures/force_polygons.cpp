@@ -23,7 +23,10 @@ void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to
 class ForcePolygon {
 public:
     ForcePolygon(const DrawingContext& context, int polygon)
-        : context_(context), scene_(polygon_scene(context.solution, polygon)), along_{scene_.along.x, -scene_.along.y} {
+        : context_(context),
+          polygon_(polygon),
+          scene_(polygon_scene(context.solution, polygon)),
+          along_{scene_.along.x, -scene_.along.y} {
         // So thin that its sides would lie on each other.
         constexpr double thin = 0.035;
         if (scene_.vectors.empty()) return;
@@ -43,12 +46,18 @@ public:
     /// All forces have one direction: drawn side by side.
     bool flat() const { return flat_; }
 
+    /// With a gap: its last side is the resultant.
+    bool is_open() const {
+        return std::any_of(context_.solution.resultants.begin(), context_.solution.resultants.end(),
+                           [&](const Resultant& each) { return each.polygon == polygon_ && !each.force->is_zero(); });
+    }
+
     Figure empty_at(double scale) const {
         const bool joined = scene_.kind == PolygonScene::Kind::closure;
         Figure figure;
         figure.kind = joined ? "closure" : "forces";
         figure.id = legal_id(scene_.id);
-        figure.caption = one_piece(word(joined ? "closed force polygon" : "force polygon", context_.language));
+        figure.caption = one_piece(word(joined && !is_open() ? "closed force polygon" : "force polygon", context_.language));
         figure.scale = scale;
         figure.unit = scene_.unit.symbol;
         open_group(figure);
@@ -77,6 +86,7 @@ public:
             }
             side.text = typeset(each.symbol, context_.language);
             side.colour = context_.theme.colour_of(each.body);
+            if (is_open() && &each == &scene_.vectors.back()) side.colour.dashes = dashes();
             // An inner side met again (a two-force body lies between): one stroke, both names.
             side.internal = each.falls_out;
             side.statement = each.statement;
@@ -117,6 +127,7 @@ private:
     }
 
     const DrawingContext& context_;
+    int polygon_;
     PolygonScene scene_;
     Spot along_;  // the longest side
     bool flat_ = true;
@@ -257,7 +268,8 @@ private:
     }
     std::string caption() const {
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
-            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat();
+            return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat() &&
+                   !item.drawing.is_open();
         });
         return std::string(triangles ? "force triangle" : "force polygon") + (items_.size() == 1 ? "" : "s");
     }
@@ -402,7 +414,7 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         const auto close = [&](Figure& figure) {
             set_scale_bar(context, figure, 24, {figure.box.min.x, figure.box.max.y + 3});
             figure.marks.emplace_back(GroupEnd{});
-            figure.caption = one_piece(word("closed force polygon", context.language));
+            figure.caption = empty.caption;
         };
         const Spot room{room_x, room_y - 8};
         std::size_t letters = 0;

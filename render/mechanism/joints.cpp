@@ -88,7 +88,9 @@ void draw_clamp(Sketch& sketch, const Joint& joint) {
     sketch.pins.emplace_back(filled(patch, sketch.theme.colour_of(joint.bodies[0]).line));
 }
 
-void draw_spring(Sketch& sketch, const SpringLoad& spring) {
+namespace {
+
+void draw_coil(Sketch& sketch, const SpringLoad& spring) {
     const Spot from = sketch.spot(spring.between[0]), to = sketch.spot(spring.between[1]);
     const Spot along = unit(to - from), across = turned(along);
     const double whole = length(to - from), straight = std::clamp(0.15 * whole, 2.5, 8.0);
@@ -108,6 +110,16 @@ void draw_spring(Sketch& sketch, const SpringLoad& spring) {
     sketch.ground.emplace_back(GroupBegin{"spring", sketch.id("spring", spring.name), spring.name, {}});
     sketch.ground.emplace_back(polyline(spots, sketch.outline()));
     sketch.ground.emplace_back(GroupEnd{});
+}
+
+}  // namespace
+
+void draw_spring(Sketch& sketch, const SpringLoad& spring) {
+    if (!spring.elastic && spring.magnitude.sign() < 0)
+        draw_gas_spring(sketch, spring);
+    else
+        draw_coil(sketch, spring);
+    const Spot from = sketch.spot(spring.between[0]), to = sketch.spot(spring.between[1]), along = unit(to - from);
     const std::vector<Joint>& joints = sketch.mechanism.joints;
     for (const std::size_t end : {0U, 1U}) {
         const Spot at = end == 0 ? from : to, away = end == 0 ? -1.0 * along : along;

@@ -36,9 +36,12 @@ Subject::Subject(const Solution& s)
 void Subject::show_points() {
     for (const Mass& mass : mechanism.masses)
         if (mass.centre != none) mass_centre[at_index(mass.centre)] = shown[at_index(mass.centre)] = true;
-    for (const Load& load : mechanism.loads)
+    for (const Load& load : mechanism.loads) {
         if (const auto* spring = std::get_if<SpringLoad>(&load))
             for (const PointIndex end : spring->between) shown[at_index(end)] = true;
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+            for (const PointIndex end : {distributed->from, distributed->to}) shown[at_index(end)] = true;
+    }
     for (const Body& body : mechanism.bodies)
         for (const PointIndex point : body.points) shown[at_index(point)] = true;
     for (const Joint& joint : mechanism.joints)

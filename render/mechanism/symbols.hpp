@@ -65,5 +65,11 @@ void draw_point(Sketch& sketch, PointIndex point);
 void draw_dot(Sketch& sketch, Spot at);
 /// A coil between two points; where they are too near for one, a line (a rope looks so, too).
 void draw_spring(Sketch& sketch, const SpringLoad& spring);
+/// A spring whose given force pushes: a cylinder with its rod.
+void draw_gas_spring(Sketch& sketch, const SpringLoad& spring);
+/// A spiral about its point.
+void draw_torsion_spring(Sketch& sketch, const TorsionLoad& torsion);
+/// Arrows with the line of intensities over them; their size tells proportions only.
+void draw_distributed(Sketch& sketch, const DistributedLoad& load, std::vector<Mark>& layer);
 
 }  // namespace kinegraph::render::drawing

@@ -227,6 +227,7 @@ private:
     }
     void add_load(const ForceLoad& force) {
         const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
+        if (force.pin != none) return add_pin_load(force);
         const RichText body = plain_words(mechanism_.body(force.body).name);
         if (force.value)
             say("data force", {symbol, body, name(force.at), vector(*force.value, units_.force)});
@@ -234,11 +235,42 @@ private:
             say("data force along",
                 {symbol, body, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
     }
+    void add_pin_load(const ForceLoad& force) {
+        const RichText symbol = symbol_of_force(force.name, Symbol::Letter::F);
+        if (force.value)
+            say("data pin load", {symbol, name(force.at), vector(*force.value, units_.force)});
+        else
+            say("data pin load along",
+                {symbol, name(force.at), amount(force.magnitude->first, units_.force), bearing(force.magnitude->second)});
+    }
+    /// Of a body that is given no name of its own unit: SI.
+    RichText si(const Exact& value, const char* unit) const { return amount(value, Unit{unit, 1}); }
+    void add_load(const DistributedLoad& load) {
+        if (load.intensity[0] == load.intensity[1])
+            return say("data evenly distributed",
+                       {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from), name(load.to),
+                        si(load.intensity[0], "N/m"), bearing(load.along)});
+        say("data distributed", {plain_words(load.name), plain_words(mechanism_.body(load.body).name), name(load.from),
+                                 name(load.to), si(load.intensity[0], "N/m"), si(load.intensity[1], "N/m"), bearing(load.along)});
+    }
+    void add_load(const TorsionLoad& torsion) {
+        say("data torsion",
+            {symbol_of_force(torsion.name, Symbol::Letter::M), plain_words(mechanism_.body(torsion.bodies[0]).name),
+             plain_words(mechanism_.body(torsion.bodies[1]).name), name(torsion.at), si(torsion.stiffness, "N m/rad"),
+             angle(Angle{torsion.turned / pi() * 180, true})});
+    }
     void add_load(const CoupleLoad& couple) {
         say("data couple", {symbol_of_force(couple.name, Symbol::Letter::M), plain_words(mechanism_.body(couple.body).name),
                             amount(couple.value, units_.moment)});
     }
     void add_load(const SpringLoad& spring) {
+        if (spring.elastic)
+            return say("data elastic spring",
+                       {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
+                        si(spring.elastic->stiffness, "N/m"), amount(spring.elastic->free_length, units_.length)});
+        if (spring.magnitude.sign() < 0)
+            return say("data gas spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]),
+                                           name(spring.between[1]), amount(-spring.magnitude, units_.force)});
         say("data spring", {symbol_of_force(spring.name, Symbol::Letter::F), name(spring.between[0]), name(spring.between[1]),
                             amount(spring.magnitude, units_.force)});
     }

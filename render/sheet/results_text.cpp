@@ -44,7 +44,7 @@ public:
         const std::string& title = in(solution_.mechanism.title, language_);
         std::string text = title.empty() ? "" : title + "\n";
         text += mobility();
-        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts();
+        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() + resultants();
         const auto list = [&](const std::string& key, const std::vector<std::string>& lines) {
             if (lines.empty()) return;
             text += "\n" + word(key, language_) + "\n";
@@ -181,6 +181,19 @@ private:
             rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
         }
         return table(word("efforts", language_), rows);
+    }
+
+    std::string resultants() const {
+        const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
+        std::vector<Cells> rows{{word("body", language_), "Fx [" + force.symbol + "]", "Fy [" + force.symbol + "]",
+                                 "M [" + moment.symbol + "]", ""}};
+        for (const Resultant& each : solution_.resultants) {
+            std::string names;
+            for (const BodyIndex b : each.bodies) names += (names.empty() ? "" : ", ") + body(b);
+            rows.push_back({names, value(each.force->x, force), value(each.force->y, force), value(*each.couple, moment),
+                            word(each.vanishes ? "in equilibrium" : "not in equilibrium", language_)});
+        }
+        return table(word("resultant of what is given", language_), rows);
     }
 
     std::string centres() const {

@@ -25,6 +25,12 @@ RichText point(const Mechanism& mechanism, PointIndex p, Language language) {
 }
 bool is_load(Kind kind) { return kind != Kind::reaction && kind != Kind::effort; }
 
+/// What is given on it does not close: there is nothing to be found.
+bool is_open(const FreeBody& body) {
+    return std::any_of(body.forces.begin(), body.forces.end(),
+                       [](const AppliedForce& each) { return each.kind == Kind::resultant; });
+}
+
 /// The free body on which the other end of a reaction acts; none for the frame.
 const FreeBody* opposite(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
     for (const FreeBody& other : solution.free_bodies) {
@@ -121,7 +127,7 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     const Theme& theme = context.theme;
     const Language language = context.language;
     Block block;
-    if (body.polygon < 0 || body.in_parts) return block;
+    if (body.polygon < 0 || body.in_parts || is_open(body)) return block;
     // Forces of one direction are found by moments: no triangle to be closed.
     const auto is_parallel = [&](const AppliedForce& each) {
         const Vector& first = body.forces.front().force;
@@ -353,7 +359,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         name_width = std::max(name_width, context.fonts.shape(one_piece(name), theme.body_text).width);
         std::vector<RichText> active;
         for (const AppliedForce& applied : body.forces)
-            if (applied.kind != Kind::reaction) {
+            if (applied.kind != Kind::reaction && applied.kind != Kind::resultant) {
                 active.push_back(symbol_of(applied));
                 if (applied.joint != none) append(active.back(), " (M)");
             }
@@ -416,6 +422,7 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         const FreeBody& body = solution.free_bodies[i];
         std::vector<RichText> active, reactions;
         for (const AppliedForce& applied : body.forces) {
+            if (applied.kind == Kind::resultant) continue;  // it acts on nothing
             RichText text = symbol_of(applied);
             if (applied.kind == Kind::reaction && !example && applied.from != none && body.body != none) {
                 kept.push_back(text);
