@@ -240,7 +240,7 @@ struct AskedScale {
     std::string where;
 };
 
-/// Contact, wear or impact (engine/problem.hpp), which a file may state in place of joints.
+/// Contact, wear or impact (engine/problem.hpp), which a file may state in place of joints; or contact at some of them.
 struct Problem;
 
 struct Mechanism {
@@ -259,7 +259,7 @@ struct Mechanism {
     std::vector<Load> loads;
     std::vector<Effort> efforts;
     std::optional<ActOfMotion> motion;
-    std::shared_ptr<const Problem> problem;  ///< in place of joints, where the file states one
+    std::shared_ptr<const Problem> problem;  ///< in place of joints, or contacts at them; none: neither
     Find find;
     std::vector<AskedScale> scales;
 
