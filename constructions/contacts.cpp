@@ -139,6 +139,12 @@ void find_contacts(Solution& solution) {
             continue;
         }
         const std::string& joint = solution.mechanism.joint(given.joint).name;
+        for (const HertzBody& body : std::get<HertzProblem>(contact->stated->of).bodies)
+            if (body.depth && !body.radii[0].is_zero() && !body.inside[0])
+                all.remarks.emplace_back(
+                    "At {0}: the depth of body {1} is not used; a convex body is counted from its axis.",
+                    "In {0}: la profondità del corpo {1} non serve; un corpo convesso si misura dal suo asse.", joint,
+                    solution.mechanism.body(body.body).name);
         for (const Words& remark : contact->found->remarks) all.remarks.emplace_back("At {0}: {1}", "In {0}: {1}", joint, remark);
         contacts.push_back(*std::move(contact));
     }

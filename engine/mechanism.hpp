@@ -269,7 +269,7 @@ struct AskedScale {
     std::string where;
 };
 
-/// Contact, wear or impact (engine/problem.hpp), which a file may state in place of joints.
+/// Contact, wear or impact (engine/problem.hpp), which a file may state in place of joints; or contact at some of them.
 struct Problem;
 
 /// What a file asks of its students: results, and how it may vary (engine/exercise.hpp).
@@ -291,7 +291,7 @@ struct Mechanism {
     std::vector<Load> loads;
     std::vector<Effort> efforts;
     std::optional<ActOfMotion> motion;
-    std::shared_ptr<const Problem> problem;    ///< in place of joints, where the file states one
+    std::shared_ptr<const Problem> problem;    ///< in place of joints, or contacts at them; none: neither
     std::shared_ptr<const Exercise> exercise;  ///< where the file is one
     Find find;
     std::vector<AskedScale> scales;

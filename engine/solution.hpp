@@ -242,7 +242,7 @@ struct Unsolved {
     Message why;
 };
 
-/// What was found of contact, wear or impact (engine/problem.hpp).
+/// What was found of contact, wear or impact, or of contacts at joints (engine/problem.hpp).
 struct ProblemSolution;
 /// The closure equations (engine/equations.hpp).
 struct Equations;
@@ -271,7 +271,7 @@ struct Solution {
     std::vector<Curvature> curvature;                ///< where it is asked for: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;         ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;          ///< where the file gives one body's act of motion
-    std::shared_ptr<const ProblemSolution> problem;  ///< where the file states one; all of motion and forces is empty then
+    std::shared_ptr<const ProblemSolution> problem;  ///< where the file states one; in place of joints it is all there is
     std::shared_ptr<const Equations> equations;      ///< where they are asked for
     std::vector<CheckRow> checks;
     /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not determine it.

@@ -12,6 +12,8 @@
 #include "render/sheet/steps.hpp"
 #include "tests/pages.hpp"
 #include "tests/problem_tests.hpp"
+#include "tests/schema_gate.hpp"
+#include "tests/through_all.hpp"
 
 namespace kinegraph {
 namespace {
@@ -100,6 +102,11 @@ TEST(Contacts, WhatPressesNothingIsSaid) {
     };
     EXPECT_NE(remark(on_flat("500")).en.find("pulls the bodies apart"), std::string::npos);
     EXPECT_NE(remark(on_flat("500")).it.find("separa i corpi"), std::string::npos);
+    std::string deep = on_flat("-500");
+    deep.replace(deep.find("\"steel\""), 7,
+                 R"({"1": {"material": "steel", "depth": 5}, "2": {"material": "steel", "depth": 5}})");
+    EXPECT_EQ(solved(deep).problem->remarks.size(), 1u) << "a depth is of use on the flat body alone";
+    EXPECT_EQ(stated_at(solved(deep)).bodies[1].depth, Exact::ratio(5, 1000));
     std::string unloaded = on_flat("-500");
     const std::size_t loads = unloaded.find("\"loads\"");
     unloaded.replace(loads, unloaded.find("\"effort\"") - loads, "");
@@ -153,6 +160,13 @@ TEST_P(ContactSheets, FollowTheMechanismInBothLanguages) {
         EXPECT_TRUE(lay_out_alone(solution, {}, figure + joint, fonts())) << figure;
     EXPECT_TRUE(lay_out_alone(solution, {}, "mechanism", fonts()));
     EXPECT_FALSE(lay_out_alone(solution, {}, "contact-" + joint + "x", fonts()));
+}
+
+TEST_P(ContactSheets, FollowTheSchemaAndComeThroughAll) {
+    const std::string text = tests::contents(tests::example_file(std::string("joint_contact/") + GetParam()));
+    const Errors refused = refused_by_schema(text);
+    EXPECT_TRUE(refused.empty()) << refused.front().where;
+    EXPECT_TRUE(tests::through_all(text, fonts()).drawn);
 }
 
 TEST_P(ContactSheets, HaveResultsUnderTheirJointAndChecks) {
