@@ -256,8 +256,9 @@ TEST_F(Batch, KilledItLeavesWholeFilesAndIsResumed) {
 TEST_F(Batch, StopsInOrderOnASignal) {
     write("lines", cranks(3, R"(["json"])", "out"));
     write("stop.sh",
-          "{ cat lines; sleep 5; } | '" + program_ +
-              "' batch >answers 2>said &\nuntil [ -e out/2.json ]; do sleep 0.01; done\nkill -TERM $!\nwait $!\n[ $? = 143 ]\n");
+          "mkfifo pipe\n'" + program_ +
+              "' batch <pipe >answers 2>said &\nexec 3>pipe\ncat lines >&3\nuntil [ -e out/2.json ]; do sleep 0.01; done\n" +
+              "kill -TERM $!\nwait $!\n[ $? = 143 ]\n");
     ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && bash stop.sh 2>/dev/null").c_str()), 0);
     EXPECT_EQ(answers(contents(folder_ / "answers")).size(), 3U);
     EXPECT_TRUE(lines_are(contents(folder_ / "said"), "kinegraph: stopped after 3 lines; --resume goes on from there"));
