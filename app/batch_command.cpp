@@ -35,13 +35,12 @@ LineReader::Event feed(LineReader& lines, InOrder& workers) {
 void sum_up(const BatchTally& tally, Language language) {
     const auto number = [](long count) { return std::to_string(count); };
     if (tally.resumed > 0)
-        refuse({"of {0} lines {1} had been done before", "{1} righe su {0} erano già state svolte", number(tally.answered),
-                number(tally.resumed)},
+        refuse({"lines done before: {1} of {0}", "righe già svolte: {1} su {0}", number(tally.answered), number(tally.resumed)},
                language);
     if (tally.refused > 0)
-        refuse({"of {0} lines {1} could not be carried out: see \"errors\" in their answers",
-                "{1} righe su {0} non si sono potute svolgere: vedere \"errors\" nelle risposte", number(tally.answered),
-                number(tally.refused)},
+        refuse({"lines that could not be carried out: {1} of {0} (\"errors\" in their answers say why)",
+                "righe che non si sono potute svolgere: {1} su {0} (il perché è in \"errors\" nelle risposte)",
+                number(tally.answered), number(tally.refused)},
                language);
 }
 
@@ -75,7 +74,7 @@ Status batch_command(const BatchRequest& request) {
     sum_up(tally, language);
     if (failure) return fail_to_write(*failure, language);
     if (signal != 0) {
-        refuse({"stopped after {0} lines; --resume goes on from there", "interrotto dopo {0} righe; --resume riprende da lì",
+        refuse({"stopped, lines answered: {0}; --resume does the rest", "interrotto, righe svolte: {0}; --resume fa il resto",
                 std::to_string(tally.answered)},
                language);
         std::raise(signal);
