@@ -210,8 +210,8 @@ public:
                   "1 riga è omessa, dove il meccanismo non dà una risposta unica: {0}", text(first)});
         if (count > 1)
             line({"{0} rows are left out, where the mechanism gives no unique answer; the first is {1}, the last {2}",
-                  "{0} righe sono omesse, dove il meccanismo non dà una risposta unica; la prima è {1}, l’ultima {2}", std::to_string(count),
-                  text(first), text(last)});
+                  "{0} righe sono omesse, dove il meccanismo non dà una risposta unica; la prima è {1}, l’ultima {2}",
+                  std::to_string(count), text(first), text(last)});
     }
 
     /// Where a row is: a coordinate, or a time.

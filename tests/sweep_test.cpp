@@ -186,7 +186,8 @@ TEST_F(Sweep, SaysItInItalianToo) {
          R"(four_bar\.json: --driver 3: nessun movente si chiama così \(forse "2"\?\); ci sono 2)");
     says("sweep four_bar.json --plot x", 2, R"(four_bar\.json: --plot: non c’è la grandezza "x".*)");
     says("sweep four_bar.json --from 20mm", 2, R"(four_bar\.json: --from "20mm" è una lunghezza; qui serve un angolo)");
-    says("sweep four_bar.json -o out.txt", 2, R"(kinegraph: -o out\.txt: .* può essere \.csv, \.json, \.svg, \.png o \.pdf .*)");
+    says("sweep four_bar.json -o out.txt", 2,
+         R"(kinegraph: -o out\.txt: .* può essere \.csv, \.json, \.svg, \.png, \.pdf o \.tex .*)");
     says("sweep four_bar.json --steps 4", 0,
          R"(four_bar\.json: massimo scarto dalla verifica numerica: [0-9],[0-9]e-[0-9]+ della .*)");
 }

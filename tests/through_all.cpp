@@ -8,6 +8,7 @@
 #include "constructions/solve.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/sheet.hpp"
+#include "render/text/subset.hpp"
 #include "render/text/words.hpp"
 
 namespace kinegraph::tests {
@@ -70,6 +71,8 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     for (const Page& page : pages)
         for (const Mark& mark : page.marks) std::visit(IsFinite(), mark);
     to_svg(pages, fonts);
+    to_live_svg(pages, fonts, font_subset);
+    to_tex(pages, fonts);
     far.drawn = true;
     return far;
 }

@@ -28,9 +28,10 @@ std::optional<std::string> tex_of(const RichText& text, NameOfColour&& name_of) 
     }
     // Blanks at the ends, also those that are told to stay: "\\ ".
     const std::string_view told = "\\ ";
-    while (tex.starts_with(' ') || tex.starts_with(told)) tex.erase(0, tex.front() == ' ' ? 1 : told.size());
-    while (tex.ends_with(' ')) tex.resize(tex.size() - (tex.ends_with(told) ? told.size() : 1));
-    return tex;
+    std::string_view inner = tex;
+    while (inner.starts_with(' ') || inner.starts_with(told)) inner.remove_prefix(inner.front() == ' ' ? 1 : told.size());
+    while (inner.ends_with(' ')) inner.remove_suffix(inner.ends_with(told) ? told.size() : 1);
+    return std::string(inner);
 }
 
 }  // namespace kinegraph::render
