@@ -112,7 +112,7 @@ TEST_F(EquationsCommand, PrintsTextLatexAndJson) {
 
 TEST_F(EquationsCommand, IsRefusedWithThePlace) {
     write("open.json",
-          spoilt("{\"revolute\": \"B\", \"bodies\": [3, 4]}", "{\"contact\": \"B\", \"bodies\": [3, 4], \"tangent\": 30}"));
+          spoilt("{\"revolute\": \"B\",  \"bodies\": [3, 4]}", "{\"rolling\": \"B\", \"bodies\": [3, 4], \"tangent\": 30}"));
     const tests::Outcome open = run("equations open.json");
     EXPECT_EQ(open.status, 2);
     EXPECT_NE(open.err.find("joint B: without the \"profiles\""), std::string::npos) << open.err;
