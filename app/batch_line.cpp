@@ -14,7 +14,7 @@
 namespace kinegraph::app {
 namespace {
 
-constexpr std::array<std::string_view, 5> endings{".svg", ".png", ".pdf", ".json", ".csv"};  // in the order of Format
+constexpr std::array<std::string_view, 6> endings{".svg", ".png", ".pdf", ".tex", ".json", ".csv"};  // in the order of Format
 
 std::string_view ending_of(Format format) { return endings.at(static_cast<std::size_t>(format)); }
 
@@ -30,13 +30,14 @@ public:
                 fault(twice, {"\"{0}\" is given twice", "\"{0}\" è dato due volte", std::string(twice.key())});
         for (const JsonValue member : root) read_member(member);
         read_input(root);
-        const bool binary = std::any_of(line_.want.begin(), line_.want.end(),
-                                        [](Format format) { return format == Format::png || format == Format::pdf; });
-        if (binary && line_.to.empty())
-            line_.errors.push_back(
-                {ErrorCode::bad_input,
-                 "/want",
-                 {"png and pdf are files: say with \"to\" where they go", "png e pdf sono file: dire con \"to\" dove vanno"}});
+        const bool is_file = std::any_of(line_.want.begin(), line_.want.end(), [](Format format) {
+            return format == Format::png || format == Format::pdf || format == Format::tex;
+        });
+        if (is_file && line_.to.empty())
+            line_.errors.push_back({ErrorCode::bad_input,
+                                    "/want",
+                                    {"png, pdf and tex are files: say with \"to\" where they go",
+                                     "png, pdf e tex sono file: dire con \"to\" dove vanno"}});
     }
 
 private:
@@ -189,8 +190,10 @@ private:
             return wrong(value, {"an array of json, svg, png, pdf, tex", "un array di json, svg, png, pdf, tex"});
         for (const JsonValue each : value) {
             Format format = Format::json;
-            choice<Format>(each, {{"json", Format::json}, {"svg", Format::svg}, {"png", Format::png}, {"pdf", Format::pdf}, {"tex", Format::tex}},
-                           format);
+            choice<Format>(
+                each,
+                {{"json", Format::json}, {"svg", Format::svg}, {"png", Format::png}, {"pdf", Format::pdf}, {"tex", Format::tex}},
+                format);
             if (std::find(line_.want.begin(), line_.want.end(), format) == line_.want.end()) line_.want.push_back(format);
         }
     }

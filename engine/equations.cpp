@@ -530,7 +530,7 @@ private:
         letter.is_angle = true;
         letter.role = role;
         letter.unit = direction;
-        letter.value = std::atan2(direction.y.to_double(), direction.x.to_double());
+        letter.value = (degrees_of(direction.y, direction.x, pose_.bits) * pi() / 180).to_double();
         return add(std::move(letter));
     }
     /// 0 … 3 where it is a quarter turn or several.

@@ -46,16 +46,24 @@ public:
         return {};
     }
 
+    /// The boxes of a row's parts, side by side.
     Typeset row(std::span<const Formula> parts, double size) const {
+        std::vector<Typeset> boxes;
+        for (const Formula& part : parts) boxes.push_back(set(part, size));
+        return joined(parts, boxes, size);
+    }
+    static Typeset joined(std::span<const Formula> parts, std::span<Typeset> boxes, double size) {
         Typeset all;
-        const double em = millimetres(size);
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            // Factors stand a thin space apart.
-            const bool factor = i > 0 && parts[i].kind != Formula::Kind::sign && parts[i - 1].kind != Formula::Kind::sign;
-            if (factor) all.width += thin * em;
-            add(all, set(parts[i], size), all.width, 0);
+            const double x = all.width + air_before(parts, i, size);
+            add(all, std::move(boxes[i]), x, 0);
         }
         return all;
+    }
+    /// Factors stand a thin space apart.
+    static double air_before(std::span<const Formula> parts, std::size_t i, double size) {
+        const bool factor = i > 0 && parts[i].kind != Formula::Kind::sign && parts[i - 1].kind != Formula::Kind::sign;
+        return factor ? thin * millimetres(size) : 0;
     }
 
 private:
@@ -170,25 +178,25 @@ private:
 /// The parts of a row in lines, each begun at a sign or at the beginning.
 std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, double size, double measure) {
     if (formula.kind != Formula::Kind::row) return {setter.set(formula, size)};
-    const std::vector<Formula>& parts = formula.parts;
-    std::vector<Typeset> lines;
-    std::size_t first = 0;
-    while (first < parts.size()) {
-        std::size_t end = parts.size();
-        Typeset box = setter.row(std::span(parts).subspan(first, end - first), size);
+    const std::span<const Formula> parts = formula.parts;
+    std::vector<Typeset> boxes, lines;
+    for (const Formula& part : parts) boxes.push_back(setter.set(part, size));
+    for (std::size_t first = 0; first < parts.size();) {
         const double indent = lines.empty() ? 0 : millimetres(size);
-        while (box.width + indent > measure) {
-            std::size_t next = end - 1;
-            while (next > first + 1 && parts[next].kind != Formula::Kind::sign) --next;
-            if (next <= first + 1 || parts[next].kind != Formula::Kind::sign) break;
-            end = next;
-            box = setter.row(std::span(parts).subspan(first, end - first), size);
+        // As far as the measure goes, back to the last sign before.
+        std::size_t end = first, last_sign = first;
+        for (double x = indent; end < parts.size(); ++end) {
+            if (end > first + 1 && parts[end].kind == Formula::Kind::sign) last_sign = end;
+            x += Setter::air_before(parts.subspan(first), end - first, size) + boxes[end].width;
+            if (x > measure && last_sign > first) break;
         }
+        if (end < parts.size()) end = last_sign;
+        Typeset line = Setter::joined(parts.subspan(first, end - first), std::span(boxes).subspan(first, end - first), size);
         if (indent > 0) {
-            move(box.marks, indent, 0);
-            box.width += indent;
+            move(line.marks, indent, 0);
+            line.width += indent;
         }
-        lines.push_back(std::move(box));
+        lines.push_back(std::move(line));
         first = end;
     }
     return lines;
@@ -198,14 +206,16 @@ std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, doub
 
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour) {
     const Setter setter(fonts, colour);
-    constexpr double least = 0.6, smaller = 0.93, leading = 0.5;
+    constexpr double least = 0.6, leading = 0.5, hair = 0.995;
+    constexpr int most_trials = 4;
     std::vector<Typeset> lines;
     double own = size;
-    for (;; own *= smaller) {
+    for (int trial = 0; trial < most_trials; ++trial) {
         lines = lines_of(formula, setter, own, measure);
-        const bool fits =
-            std::all_of(lines.begin(), lines.end(), [&](const Typeset& box) { return box.width <= measure + 1e-6; });
-        if (fits || own < least * size) break;
+        double widest = 0;
+        for (const Typeset& line : lines) widest = std::max(widest, line.width);
+        if (widest <= measure || own <= least * size) break;
+        own = std::max(least * size, own * hair * measure / widest);
     }
     Block block;
     for (const Typeset& box : lines) {

@@ -1,6 +1,7 @@
 #include "render/tables/equation_block.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "render/page/set_formula.hpp"
 #include "render/page/shapes.hpp"
@@ -57,25 +58,37 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
 std::vector<Block> equation_blocks(const DrawingContext& context, const std::vector<EquationItem>& items, double measure) {
     constexpr double indent = 3, air = 1.3;
     std::vector<Block> blocks;
+    bool announced = false;  // a sentence stays with the formula that it announces
+    const auto add = [&](Block block) {
+        if (!std::exchange(announced, false)) {
+            blocks.push_back(std::move(block));
+            return;
+        }
+        Block& before = blocks.back();
+        set(before.marks, block, {0, before.height});
+        before.width = std::max(before.width, block.width);
+        before.height += block.height;
+    };
     for (const EquationItem& item : items) {
         switch (item.kind) {
             case EquationItem::Kind::heading:
                 break;
             case EquationItem::Kind::words:
-                blocks.push_back(paragraph_block(context, measure, formula(item.words)));
+                add(paragraph_block(context, measure, formula(item.words)));
+                announced = item.words.ends_with(':');
                 break;
             case EquationItem::Kind::formula: {
-                const Block set_alone =
+                const Block alone =
                     formula_block(item.formula, context.fonts, context.theme.derived, measure - indent, context.theme.text);
                 Block block;
-                set(block.marks, set_alone, {indent, 0});
+                set(block.marks, alone, {indent, 0});
                 block.width = measure;
-                block.height = set_alone.height + air;
-                blocks.push_back(std::move(block));
+                block.height = alone.height + air;
+                add(std::move(block));
                 break;
             }
             case EquationItem::Kind::table:
-                for (Block& line : lines_of(context, item.rows, measure)) blocks.push_back(std::move(line));
+                for (Block& line : lines_of(context, item.rows, measure)) add(std::move(line));
                 break;
         }
     }

@@ -597,19 +597,20 @@ private:
     }
     void write_block(const Equations::Block& block, int dots) {
         if (block.unknowns.empty()) return;
-        // A system of many unknowns has its matrix apart: J ẏ = …
+        // A system of many unknowns has its matrix apart: J ẏ = …, and long right sides stand one under the other.
         constexpr std::size_t most_in_line = 4;
-        if (block.unknowns.size() > most_in_line) {
-            if (dots == 1) write_in_parts(block);
-            set(equal(Formula::letter("J") + unknowns_column(block, dots), right_side(block, dots, true)));
-        } else {
-            set(equal(matrix(block, true) + unknowns_column(block, dots), right_side(block, dots, true)));
-        }
+        const bool is_large = block.unknowns.size() > most_in_line;
+        if (is_large && dots == 1) write_in_parts(block);
+        Formula left = (is_large ? Formula::letter("J") : matrix(block, true)) + unknowns_column(block, dots);
+        if (const bool is_long = longest_right_side(block, dots) > most_in_line; !is_long)
+            set(equal(std::move(left), right_side(block, dots, true)));
+        else
+            write_long_right_side(block, dots, std::move(left));
         if (rates_known(block, dots)) {
             std::vector<Formula> values;
             for (const LetterIndex each : block.unknowns)
                 values.push_back(amount_formula(each, (dots == 1 ? letter(each).rate : letter(each).acceleration).value(), dots));
-            if (block.unknowns.size() > most_in_line) {
+            if (is_large) {
                 if (dots == 1) set(equal(Formula::letter("J"), matrix(block, false)));
             } else {
                 set(equal(matrix(block, false) + unknowns_column(block, dots), right_side(block, dots, false)));
@@ -619,6 +620,18 @@ private:
             set(equal(Formula::letter("J"), matrix(block, false)));
         }
         if (dots == 1) write_determinant(block);
+    }
+    std::size_t longest_right_side(const Equations::Block& block, int dots) const {
+        std::size_t longest = 0;
+        for (const int r : block.rows) longest = std::max(longest, known_terms(block, at_index(r), dots).size());
+        return longest;
+    }
+    void write_long_right_side(const Equations::Block& block, int dots, Formula left) {
+        std::vector<Formula> names;
+        for (std::size_t i = 0; i < block.rows.size(); ++i) names.push_back(Formula::letter("r", std::to_string(i + 1)));
+        set(equal(std::move(left), column(names)));
+        for (std::size_t i = 0; i < block.rows.size(); ++i)
+            set(equal(names[i], joined(terms(known_terms(block, at_index(block.rows[i]), dots), -1))));
     }
     /// J = [J_1 J_2 …], a few columns each.
     void write_in_parts(const Equations::Block& block) {
@@ -780,8 +793,8 @@ private:
         const std::vector<LetterIndex> others(letters.begin(), letters.end() - 1);
         const std::string point = mechanism_.point(reach.point).name;
         const BodyIndex observer = letter(own).against;
-        say(Words("With the terms in {0} apart, as seen by an observer on body {1}: transport and relative motion",
-                  "Separando i termini in {0}, per un osservatore sul corpo {1}: trascinamento e moto relativo",
+        say(Words("With the terms in {0} apart, as seen by an observer on body {1}: transport and relative motion:",
+                  "Separando i termini in {0}, per un osservatore sul corpo {1}: trascinamento e moto relativo:",
                   spoken_dotted(own), observer == none ? std::string("?") : mechanism_.body(observer).name));
         Group transport, relative, coriolis;
         std::vector<Signed> v_t, v_r;
