@@ -56,7 +56,8 @@ const auto always = [](const Solution&, Condition::Polygon) { return true; };
 
 TEST(Vary, GoesInExactStepsInTheUnitOfTheFile) {
     const Mechanism m = read(crank(
-        R"("vary": {"r": {"from": "35 mm", "to": "61 mm", "step": "0.5 cm"}, "phi": {"choose": ["30°", "45°"]}, "k": {"from": 0.1, "to": 0.4, "step": 0.1}})"));
+        R"("vary": {"r": {"from": "35 mm", "to": "61 mm", "step": "0.5 cm"},
+            "phi": {"choose": ["30°", "45°"]}, "k": {"from": 0.1, "to": 0.4, "step": 0.1}})"));
     const std::vector<Variation>& vary = m.exercise->vary;
     ASSERT_EQ(vary.size(), 3U);
     EXPECT_EQ(vary[0].count, 6U) << "the last is no more than \"to\"";
@@ -117,7 +118,8 @@ TEST(Require, ReadsComparisonsOfParametersAndResults) {
 
 TEST(Require, HoldsOfResultsInTheirUnits) {
     const Solution solution = tests::solved(crank(
-        R"("require": ["omega 2 > 20 rpm", "omega 2 = 3", "|v A| <= 0.1 m/s", "abs(vx A) between 0.1 and 0.11", "vx A > vy A", "v A = k*r/1 s", "angle 2 <= 59°"])"));
+        R"("require": ["omega 2 > 20 rpm", "omega 2 = 3", "|v A| <= 0.1 m/s", "abs(vx A) between 0.1 and 0.11", "vx A > vy A",
+            "v A = k*r/1 s", "angle 2 <= 59°"])"));
     const auto results = results_for(*solution.mechanism.exercise, solution);
     std::vector<bool> held;
     for (const Condition& each : solution.mechanism.exercise->require) {
@@ -256,10 +258,10 @@ TEST(Variants, DoNotHangOnHowManyAreWanted) {
 }
 
 TEST(Variants, AreCountedWhereTheConditionsLeaveTooFew) {
-    auto variants = Variants::of(
-        crank(
-            R"("vary": {"k": {"from": 1, "to": 10, "step": 1}, "r": {"choose": ["10 mm", "20 mm"]}}, "require": ["omega 2 > 7", "r < 15 mm"])"),
-        "test.json", {}, 1);
+    auto variants = Variants::of(crank(
+                                     R"("vary": {"k": {"from": 1, "to": 10, "step": 1}, "r": {"choose": ["10 mm", "20 mm"]}},
+            "require": ["omega 2 > 7", "r < 15 mm"])"),
+                                 "test.json", {}, 1);
     ASSERT_TRUE(variants);
     std::size_t count = 0;
     while (*variants->next(always)) ++count;
@@ -314,6 +316,23 @@ TEST(Variants, QuestionsOfProblemsKeepBackWhatIsFound) {
     EXPECT_TRUE(pages::says(question, "energy lost")) << "it is sought";
     EXPECT_FALSE(pages::says(question, "impulse x")) << "it is not";
     for (const char* found : {"and after", "′", "ψ", "oblique", "Results"}) EXPECT_FALSE(pages::says(question, found)) << found;
+}
+
+TEST(Questions, OfAllProblemsAreOneCleanPage) {
+    const std::filesystem::path folder = std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "contact";
+    render::SheetOptions options;
+    options.kind = render::SheetKind::question;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        SCOPED_TRACE(entry.path().string());
+        const Solution solution = tests::solved(tests::contents(entry.path()));
+        const auto question = render::lay_out(solution, options, tests::fonts());
+        EXPECT_EQ(question.size(), 1U);
+        pages::expect_clean(question);
+        for (const char* found : {"and after", "pressures and", "and pressures", "Results"})
+            EXPECT_FALSE(pages::says(question, found)) << found;
+        for (const ProblemValue& each : solution.problem->values)
+            EXPECT_TRUE(pages::says(question, each.name.en)) << "sought: " << each.name.en;
+    }
 }
 
 TEST(Variants, HaveAPrintableKeyOnAsManyPagesAsItNeeds) {
