@@ -30,8 +30,11 @@ tl::expected<Mechanism, Status> mechanism_of(const std::string& file, Language l
 }
 
 Words no_mechanism(const char* command) {
-    return {"{0} is for mechanisms; this file has no joints, and \"solve\" and \"check\" alone take it",
-            "{0} è per i meccanismi; questo file non ha coppie, e lo prendono solo \"solve\" e \"check\"", std::string(command)};
+    return {
+        "{0} is for mechanisms; this file has no joints, and \"solve\", \"check\" and \"variants\" alone "
+        "take it",
+        "{0} è per i meccanismi; questo file non ha coppie, e lo prendono solo \"solve\", \"check\" e \"variants\"",
+        std::string(command)};
 }
 
 namespace {

@@ -307,7 +307,8 @@ private:
         else
             line(
                 {"the conditions leave too few: {0} were found, then {1} combinations one after the other failed; {2} were asked for",
-                 "le condizioni ne lasciano troppo poche: ne sono state trovate {0}, poi {1} combinazioni di fila non le soddisfano; ne sono chieste {2}",
+                 "le condizioni ne lasciano troppo poche: ne sono state trovate {0}, poi {1} combinazioni di fila non le "
+                 "soddisfano; ne sono chieste {2}",
                  std::to_string(key_.size()), std::to_string(Variants::most_in_a_row), std::to_string(count_)});
         return Status::unsolved;
     }

@@ -15,6 +15,7 @@
 #include "engine/problem.hpp"
 #include "engine/result_names.hpp"
 #include "engine/variation.hpp"
+#include "render/sheet/key_sheet.hpp"
 #include "render/sheet/sheet.hpp"
 #include "tests/files.hpp"
 #include "tests/page_checker.hpp"
@@ -55,7 +56,8 @@ const auto always = [](const Solution&, Condition::Polygon) { return true; };
 
 TEST(Vary, GoesInExactStepsInTheUnitOfTheFile) {
     const Mechanism m = read(crank(
-        R"("vary": {"r": {"from": "35 mm", "to": "61 mm", "step": "0.5 cm"}, "phi": {"choose": ["30°", "45°"]}, "k": {"from": 0.1, "to": 0.4, "step": 0.1}})"));
+        R"("vary": {"r": {"from": "35 mm", "to": "61 mm", "step": "0.5 cm"},
+            "phi": {"choose": ["30°", "45°"]}, "k": {"from": 0.1, "to": 0.4, "step": 0.1}})"));
     const std::vector<Variation>& vary = m.exercise->vary;
     ASSERT_EQ(vary.size(), 3U);
     EXPECT_EQ(vary[0].count, 6U) << "the last is no more than \"to\"";
@@ -116,7 +118,8 @@ TEST(Require, ReadsComparisonsOfParametersAndResults) {
 
 TEST(Require, HoldsOfResultsInTheirUnits) {
     const Solution solution = tests::solved(crank(
-        R"("require": ["omega 2 > 20 rpm", "omega 2 = 3", "|v A| <= 0.1 m/s", "abs(vx A) between 0.1 and 0.11", "vx A > vy A", "v A = k*r/1 s", "angle 2 <= 59°"])"));
+        R"("require": ["omega 2 > 20 rpm", "omega 2 = 3", "|v A| <= 0.1 m/s", "abs(vx A) between 0.1 and 0.11", "vx A > vy A",
+            "v A = k*r/1 s", "angle 2 <= 59°"])"));
     const auto results = results_for(*solution.mechanism.exercise, solution);
     std::vector<bool> held;
     for (const Condition& each : solution.mechanism.exercise->require) {
@@ -251,14 +254,14 @@ TEST(Variants, DoNotHangOnHowManyAreWanted) {
     for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(values_of(few[i]), values_of(many[i]));
     EXPECT_NE(values_of(few[0]), values_of(others[0]));
     // The same on every machine.
-    EXPECT_EQ(values_of(few[0]), (std::vector<std::string>{"2.5 mm", "22", "16", "30°", "-8 rad/s"}));
+    EXPECT_EQ(values_of(few[0]), (std::vector<std::string>{"2 mm", "24", "18", "120°", "12 rad/s"}));
 }
 
 TEST(Variants, AreCountedWhereTheConditionsLeaveTooFew) {
-    auto variants = Variants::of(
-        crank(
-            R"("vary": {"k": {"from": 1, "to": 10, "step": 1}, "r": {"choose": ["10 mm", "20 mm"]}}, "require": ["omega 2 > 7", "r < 15 mm"])"),
-        "test.json", {}, 1);
+    auto variants = Variants::of(crank(
+                                     R"("vary": {"k": {"from": 1, "to": 10, "step": 1}, "r": {"choose": ["10 mm", "20 mm"]}},
+            "require": ["omega 2 > 7", "r < 15 mm"])"),
+                                 "test.json", {}, 1);
     ASSERT_TRUE(variants);
     std::size_t count = 0;
     while (*variants->next(always)) ++count;
@@ -287,17 +290,65 @@ TEST(Variants, AFileOfTheirOwnSolvesToTheSame) {
 
 TEST(Variants, HaveSheetsWithoutFaults) {
     using namespace render;
+    const auto expect_none = [](const Variant& variant, SheetKind kind, const char* name) {
+        SheetOptions options;
+        options.kind = kind;
+        const std::vector<Page> sheets = lay_out(variant.solution, options, tests::fonts());
+        pages::expect_clean(sheets);
+        for (const Page& page : sheets)
+            for (const render::Fault& fault : faults_of(page, tests::fonts())) ADD_FAILURE() << name << ": " << said(fault);
+    };
     for (const char* name : {"four_bar", "impact", "cam"}) {
         for (const Variant& each : drawn(example_text(name), 7, unless_sanitized(2, 1))) {
-            for (const SheetKind kind : {SheetKind::question, SheetKind::solution}) {
-                SheetOptions options;
-                options.kind = kind;
-                for (const Page& page : lay_out(each.solution, options, tests::fonts()))
-                    for (const render::Fault& fault : faults_of(page, tests::fonts()))
-                        ADD_FAILURE() << name << ": " << said(fault);
-            }
+            expect_none(each, SheetKind::question, name);
+            if (!each.solution.problem) expect_none(each, SheetKind::solution, name);
         }
     }
+}
+
+TEST(Variants, QuestionsOfProblemsKeepBackWhatIsFound) {
+    const Variant variant = drawn(example_text("impact"), 7, 1).front();
+    render::SheetOptions options;
+    options.kind = render::SheetKind::question;
+    const auto question = render::lay_out(variant.solution, options, tests::fonts());
+    EXPECT_EQ(question.size(), 1U);
+    EXPECT_TRUE(pages::says(question, "Bodies, and velocities before"));
+    EXPECT_TRUE(pages::says(question, "energy lost")) << "it is sought";
+    EXPECT_FALSE(pages::says(question, "impulse x")) << "it is not";
+    for (const char* found : {"and after", "′", "ψ", "oblique", "Results"}) EXPECT_FALSE(pages::says(question, found)) << found;
+}
+
+TEST(Questions, OfAllProblemsAreOneCleanPage) {
+    const std::filesystem::path folder = std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "contact";
+    render::SheetOptions options;
+    options.kind = render::SheetKind::question;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        SCOPED_TRACE(entry.path().string());
+        const Solution solution = tests::solved(tests::contents(entry.path()));
+        const auto question = render::lay_out(solution, options, tests::fonts());
+        EXPECT_EQ(question.size(), 1U);
+        pages::expect_clean(question);
+        for (const char* found : {"and after", "pressures and", "and pressures", "Results"})
+            EXPECT_FALSE(pages::says(question, found)) << found;
+        for (const ProblemValue& each : solution.problem->values)
+            EXPECT_TRUE(pages::says(question, each.name.en)) << "sought: " << each.name.en;
+    }
+}
+
+TEST(Variants, HaveAPrintableKeyOnAsManyPagesAsItNeeds) {
+    render::KeyTable table{"Key", {{"variant", "", true}}, {}};
+    for (int c = 0; c < 30; ++c) table.columns.push_back({"omega " + std::to_string(c), "rad/s", false});
+    for (int r = 0; r < 100; ++r) {
+        table.rows.push_back({std::to_string(r + 1)});
+        for (int c = 0; c < 30; ++c) table.rows.back().push_back(std::to_string(1000 * c + r) + ".5");
+    }
+    const auto sheets = render::lay_out_key(table, {}, tests::fonts());
+    EXPECT_GT(sheets.size(), 4U);
+    pages::expect_clean(sheets);
+    std::size_t cells = 0;
+    for (const render::Page& page : sheets)
+        for (const render::TextMark* text : pages::texts_of(page)) cells += text->words.ends_with(".5") ? 1 : 0;
+    EXPECT_EQ(cells, 3000U) << "none is lost";
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "constructions/conditions.hpp"
 #include "constructions/oversights.hpp"
 #include "constructions/solve.hpp"
+#include "engine/variation.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/sheet.hpp"
 #include "render/text/subset.hpp"
@@ -48,6 +50,24 @@ struct IsFinite {
     void operator()(const GroupEnd&) const {}
 };
 
+/// What an exercise asks and requires is found, or said to be missing in both languages.
+void through_exercise(const Solution& solution) {
+    if (!solution.mechanism.exercise) return;
+    const Exercise& exercise = *solution.mechanism.exercise;
+    if (const auto size = Lattice::size(exercise.vary)) Lattice::at(exercise.vary, *size - 1);
+    const auto results = results_for(exercise, solution);
+    const auto expect_words = [](const Errors& errors) {
+        for (const Error& error : errors)
+            expect(!error.message.en.empty() && !error.message.it.empty(), "a fault has words in both languages");
+    };
+    if (const auto asked = asked_of_results(solution, results); !asked) expect_words(asked.error());
+    for (const Condition& each : exercise.require) {
+        if (each.holds || each.kind == Condition::Kind::crank_turns_fully || each.kind == Condition::Kind::polygon_readable)
+            continue;
+        if (const auto fits = holds(each, solution, results); !fits) expect_words(fits.error());
+    }
+}
+
 }  // namespace
 
 HowFar through_all(std::string_view text, const Fonts& fonts) {
@@ -62,6 +82,7 @@ HowFar through_all(std::string_view text, const Fonts& fonts) {
     const auto solution = solve(*std::move(mechanism));
     if (!solution) return far;
     far.solved = true;
+    through_exercise(*solution);
     oversights(solution->mechanism, solution->pose, solution->mobility);
     // What is no number is no JSON.
     const std::string results = results_json(*solution, false, [](const Message& said) { return tell(said, Language::en); });

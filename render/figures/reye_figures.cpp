@@ -19,13 +19,15 @@ using Kind = ReyeProblem::Kind;
 
 class ContactFigure {
 public:
-    ContactFigure(const DrawingContext& context, Spot room)
+    /// `as_question`: without the pressures.
+    ContactFigure(const DrawingContext& context, Spot room, bool as_question)
         : context_(context),
           theme_(context.theme),
           problem_(std::get<ReyeProblem>(context.solution.mechanism.problem->of)),
           found_(std::get<ReyeSolution>(context.solution.problem->of)),
           units_(context.solution.mechanism.units),
-          room_(room) {}
+          room_(room),
+          as_question_(as_question) {}
 
     Figure draw() {
         if (problem_.kind == Kind::disc)
@@ -75,10 +77,11 @@ private:
 
     void draw_pad() {
         const double a = problem_.length.to_double();
-        begin({"Pad, pressures and their centroid", "Pattino, pressioni e loro baricentro"},
+        begin(as_question_ ? Words("Pad and force", "Pattino e forza")
+                           : Words("Pad, pressures and their centroid", "Pattino, pressioni e loro baricentro"),
               choose_scale(a, 0, room_.x - 30, 1, std::nullopt));
         const double sum = found_.first + found_.second;
-        press_to_scale(std::max(sum, found_.greatest), std::max(room_.y - 52, 12.0));
+        if (!as_question_) press_to_scale(std::max(sum, found_.greatest), std::max(room_.y - 52, 12.0));
         const double width = a / scale_;
         constexpr double high = 9;
         add(panel({{0, -high}, {width, -high}, {width, 0}, {0, 0}}, colour().tint, pen(2 * theme_.outline, colour().line)));
@@ -94,7 +97,7 @@ private:
             arrow({width + 14, -2.5}, {width + 1, -2.5}, theme_.vector, theme_.secondary);
             name("{f}{Q}", {width + 8, -2.5}, Spot{width, -2.5});
         }
-        draw_pressures(at);
+        if (!as_question_) draw_pressures(at);
     }
     void draw_pressures(double at) {
         constexpr double top = 3;
@@ -156,15 +159,16 @@ private:
     void draw_shoe() {
         const double r = problem_.radius.to_double(), h = problem_.pivot.to_double();
         const double span = std::max(r, h) + r;
-        begin({"Shoe, drum and pressures", "Ceppo, tamburo e pressioni"},
+        begin(as_question_ ? Words("Shoe and drum", "Ceppo e tamburo")
+                           : Words("Shoe, drum and pressures", "Ceppo, tamburo e pressioni"),
               choose_scale(span, 2 * r, room_.x - 20, room_.y - 24, std::nullopt));
-        press_to_scale(found_.greatest, 12);
+        if (!as_question_) press_to_scale(found_.greatest, 12);
         const double drum = r / scale_;
         add(circle({0, 0}, drum, pen(2 * theme_.outline, theme_.text)));
         add(disc({0, 0}, 0.7, theme_.text));
         name("{O}", {0, 0});
         draw_lining(drum);
-        draw_shoe_pressures(drum);
+        if (!as_question_) draw_shoe_pressures(drum);
         const Spot pin{h / scale_, 0};
         add(line({0, 0}, pin, pen(theme_.thin, theme_.secondary, dash_dot())));
         add(ring(pin, 1.4, theme_.paper, pen(2 * theme_.outline, colour().line)));
@@ -237,6 +241,7 @@ private:
     const ReyeSolution& found_;
     const Units& units_;
     Spot room_;
+    bool as_question_;
     double scale_ = 1, pressure_scale_ = 1;
     Figure figure_;
 };
@@ -244,7 +249,10 @@ private:
 }  // namespace
 
 Figure reye_contact_figure(const DrawingContext& context, double room_x, double room_y) {
-    return ContactFigure(context, {room_x, room_y}).draw();
+    return ContactFigure(context, {room_x, room_y}, false).draw();
+}
+Figure reye_question_figure(const DrawingContext& context, double room_x, double room_y) {
+    return ContactFigure(context, {room_x, room_y}, true).draw();
 }
 
 Figure reye_pressure_figure(const DrawingContext& context, double room_x, double room_y) {

@@ -197,12 +197,13 @@ std::vector<ProblemSection> reye_sections(const DrawingContext& context) {
     const auto figure = [&context](const char* id, auto draw, double height) {
         return ProblemFigure{id, [&context, draw](double x, double y) { return draw(context, x, y); }, height};
     };
+    ProblemFigure bodies = figure("contact", reye_contact_figure, 1.1);
+    bodies.as_question = [&context](double x, double y) { return reye_question_figure(context, x, y); };
     std::vector<ProblemFigure> plots;
     if (found.torque) plots.push_back(figure("pressures", reye_pressure_figure, 0.8));
-    std::vector<ProblemSection> sections{
-        {"given", {"Given", "Dati"}, {figure("contact", reye_contact_figure, 1.1)}, text.given()},
-        {"hypothesis", {"Reye’s hypothesis", "Ipotesi di Reye"}, {}, text.hypothesis()},
-        {"pressure", {"Equilibrium", "Equilibrio"}, plots, text.equilibrium()}};
+    std::vector<ProblemSection> sections{{"given", {"Given", "Dati"}, {std::move(bodies)}, text.given()},
+                                         {"hypothesis", {"Reye’s hypothesis", "Ipotesi di Reye"}, {}, text.hypothesis()},
+                                         {"pressure", {"Equilibrium", "Equilibrio"}, plots, text.equilibrium()}};
     if (found.worn) sections.push_back({"wear", {"Depth worn off", "Profondità d’usura"}, {}, text.wear()});
     sections.push_back({"hypotheses",
                         {"Hypotheses", "Ipotesi"},
