@@ -259,6 +259,9 @@ Unit unit_of(QuantityKind kind, const Units& units) {
         case QuantityKind::angular_acceleration:
         case QuantityKind::time:
         case QuantityKind::wear:
+        case QuantityKind::area:
+        case QuantityKind::force_per_length:
+        case QuantityKind::torsional_stiffness:
             break;
     }
     const KnownUnit& si = default_unit(kind);
