@@ -17,6 +17,7 @@
 #include "engine/check_forces.hpp"
 #include "engine/moved.hpp"
 #include "engine/units.hpp"
+#include "render/tables/force_tables.hpp"
 #include "tests/force_laws.hpp"
 #include "tests/near_the_check.hpp"
 #include "tests/random_loads.hpp"
@@ -44,6 +45,26 @@ TEST(DistributedLoads, TheCantileversClampHoldsForceAndCouple) {
     const Solution solution = example("cantilever");
     EXPECT_EQ(*action(solution, "A", "2").force, (Vector{0, 1250}));
     EXPECT_EQ(*action(solution, "A", "2").couple, Exact(2050));
+}
+
+TEST(SupportsWithCouples, AreToldAsForceAndCoupleAndAsOneForceAside) {
+    // M = 2050 N m beside 1250 N: one force at d = M/F = 1.64 m.
+    const Solution solution = example("cantilever");
+    const FreeBody& beam = solution.free_bodies.at(0);
+    int found = 0;
+    for (const AppliedForce& applied : beam.forces) {
+        const JointForce* pair = render::at_the_pair(solution, beam, applied);
+        EXPECT_EQ(pair != nullptr, applied.kind == AppliedForce::Kind::reaction);
+        if (pair == nullptr) continue;
+        ++found;
+        EXPECT_EQ(*pair->couple, Exact(2050));
+        EXPECT_EQ(applied.at, (Vector{fraction(41, 25), 0}));
+    }
+    EXPECT_EQ(found, 1);
+    // A hinge holds none.
+    const Solution beams = example("gerber_beam");
+    for (const FreeBody& body : beams.free_bodies)
+        for (const AppliedForce& applied : body.forces) EXPECT_EQ(render::at_the_pair(beams, body, applied), nullptr);
 }
 
 TEST(DistributedLoads, AGerberBeamIsSolvedFromItsSuspendedPart) {

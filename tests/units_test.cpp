@@ -87,7 +87,7 @@ TEST(Units, RefusalsNameTheRemedy) {
 }
 
 TEST(Units, AnExponentNeedsItsDigits) {
-    EXPECT_EQ(refusal("2 e", QuantityKind::mass), "unknown unit \"e\"; the units of mass are kg, g, t, lb, slug");
+    EXPECT_EQ(refusal("2 e", QuantityKind::mass), "unknown unit \"e\"; the units of mass are kg, g, t, lb, slug, lb s²/in");
 }
 
 TEST(Decimals, AreExactAsWritten) {

@@ -260,6 +260,7 @@ struct ForceScale {
     double si = 1;          // of the unit
     double per_millimetre;  // in the unit
     bool says_values;       // in a narrow room the words would cost the body its scale; the table of results has the value
+    bool at_pairs;          // force and couple of a sleeve at its pair, too
 };
 
 class FreeBodyDrawing {
@@ -305,6 +306,8 @@ private:
         clutter_.add(arrow.from, arrow.to);
         draw_arrow_of(applied, arrow, value, to_scale);
         add_line_of(applied);
+        if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied); pair != nullptr && scale_.at_pairs)
+            draw_at_pair(applied, *pair, arrow);
         if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
     }
 
@@ -390,6 +393,32 @@ private:
         const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
     }
+
+    /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
+    void draw_at_pair(const AppliedForce& applied, const JointForce& pair, const Bar& arrow) {
+        const Spot at = sketch_.spot(sketch_.mechanism.joint(pair.joint).point), foot = sketch_.spot(applied.at);
+        const double aside = length(foot - at);
+        AppliedForce couple = applied;
+        couple.couple = *pair.couple;
+        draw_couple(sketch_, clutter_, couple_words(sketch_.context, couple), at, pair.couple->sign() > 0, colour_,
+                    applied.force_statement);
+        constexpr double least = 2;
+        if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
+        const std::size_t first = sketch_.arrows.size();
+        draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line, dashes());
+        belong(sketch_.arrows, first, applied.force_statement);
+        const Unit& unit = sketch_.mechanism.units.length;
+        const double metres =
+            kinegraph::length(applied.at - sketch_.subject.solution.pose.at(sketch_.mechanism.joint(pair.joint).point));
+        const Spot off = -6.0 * unit_along_arrow(arrow);
+        sketch_.construction.emplace_back(line(at + off, foot + off, sketch_.thin()));
+        for (const Spot end : {at, foot}) sketch_.construction.emplace_back(line(end, end + 1.2 * off, sketch_.thin()));
+        RichText text = one_piece("d", Face::italic);
+        append(text, with_powers(" = " + number(metres / unit.si.to_double(), 4, sketch_.context.language) + " " + unit.symbol));
+        sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (at + foot) + off, 1.0, applied.force_statement).size =
+            sketch_.theme.small;
+    }
+    static Spot unit_along_arrow(const Bar& arrow) { return (1 / length(arrow.to - arrow.from)) * (arrow.to - arrow.from); }
 
     void remark_guide(const AppliedForce& applied) {
         const RichText words = beside_guide(sketch_.context, body_, applied);
@@ -496,7 +525,7 @@ Box extent_of_free_body(const Solution& solution, std::size_t index) {
     return extent_of(Subject(solution), solution.free_bodies[index]).all;
 }
 
-Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = solution.free_bodies[index];
@@ -518,7 +547,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                             asked         ? *asked / si
                             : longest > 0 ? choose_scale(longest / si, 0, reach, reach, std::nullopt)
                                           : 1,
-                            room_x >= roomy};
+                            room_x >= roomy, at_pairs};
     const double around = std::min(30.0, longest / si / forces.per_millimetre);
     // A lone block has no length of its own: the mechanism's scale would do, whatever it is.
     const bool has_length = std::max(own_box.width(), own_box.height()) > 0;

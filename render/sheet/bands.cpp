@@ -464,7 +464,7 @@ void Bands::number_steps() {
 
 std::vector<ResultRow> Bands::results_on(const std::vector<Figure>& drawn) const {
     std::vector<ResultRow> rows = result_rows(context_, drawn);
-    for (ResultRow& row : force_rows(context_, drawn)) rows.push_back(std::move(row));
+    for (ResultRow& row : force_rows(context_, drawn, detail_ == SolutionDetail::full)) rows.push_back(std::move(row));
     return rows;
 }
 

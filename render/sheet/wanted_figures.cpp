@@ -178,7 +178,9 @@ void WantedFigures::add_free_bodies() {
         body.least = 12;
         body.enough = 70;
         body.weight = 0.6;
-        body.draw = [this, i](double x, double y) { return free_body_figure(context_, i, x, y); };
+        body.draw = [this, i](double x, double y) {
+            return free_body_figure(context_, i, x, y, detail_ == SolutionDetail::full);
+        };
         add(std::move(body));
     }
 }

@@ -208,6 +208,15 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
     return block;
 }
 
+const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied) {
+    if (applied.kind != Kind::reaction || applied.force.is_zero()) return nullptr;
+    for (const JointForce& each : solution.forces)
+        if (each.joint == applied.joint && each.on == body.body && each.from == applied.from && each.couple &&
+            !each.couple->is_zero())
+            return &each;
+    return nullptr;
+}
+
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
@@ -241,8 +250,12 @@ namespace {
 /// Rows of forces and couples, each action and its reaction once.
 class ForceRows {
 public:
-    ForceRows(const DrawingContext& context, const std::vector<Figure>& figures)
-        : solution_(context.solution), mechanism_(context.solution.mechanism), figures_(figures), checks_(context.solution) {}
+    ForceRows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs)
+        : solution_(context.solution),
+          mechanism_(context.solution.mechanism),
+          figures_(figures),
+          at_pairs_(at_pairs),
+          checks_(context.solution) {}
 
     std::vector<ResultRow> rows() && {
         for (const FreeBody& body : solution_.free_bodies)
@@ -251,6 +264,11 @@ public:
                 const auto [on, own] = own_end(body, applied);
                 if (!own->force.is_zero()) forces_.push_back(force_row(*on, *own));
                 if (!own->couple.is_zero()) couples_.push_back(couple_row(*on, *own));
+                if (const JointForce* pair = at_the_pair(solution_, *on, *own); pair != nullptr && at_pairs_) {
+                    AppliedForce there = *own;
+                    there.couple = *pair->couple;
+                    couples_.push_back(couple_row(*on, there));
+                }
             }
         forces_.insert(forces_.end(), std::make_move_iterator(couples_.begin()), std::make_move_iterator(couples_.end()));
         return std::move(forces_);
@@ -314,6 +332,7 @@ private:
     const Solution& solution_;
     const Mechanism& mechanism_;
     const std::vector<Figure>& figures_;
+    bool at_pairs_;
     CheckedNumbers checks_;
     std::set<std::pair<Quantity, bool>> seen_;
     std::vector<ResultRow> forces_, couples_;
@@ -321,8 +340,8 @@ private:
 
 }  // namespace
 
-std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
-    return ForceRows(context, figures).rows();
+std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs) {
+    return ForceRows(context, figures, at_pairs).rows();
 }
 
 std::vector<const FreeBody*> closed_by(const Solution& solution, StatementIndex statement) {

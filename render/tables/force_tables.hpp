@@ -21,12 +21,17 @@ Block force_equation_block(const DrawingContext& context, const FreeBody& body, 
 /// The names of the rows alone, for several tables in a row.
 Block force_row_names(const DrawingContext& context);
 
+/// The same reaction reduced to its pair's point, where it has a couple there (a sleeve, a clamp): the force with that couple is
+/// the single force of `applied`, moved aside by d = M/F. Null where there is none.
+const JointForce* at_the_pair(const Solution& solution, const FreeBody& body, const AppliedForce& applied);
+
 /// Where a slider's reaction passes beside its guide: how far from the joint's point, or that it is outside of the points of
 /// slider that the guide holds, so that it tips. Empty where it passes through the joint's point.
 RichText beside_guide(const DrawingContext& context, const FreeBody& body, const AppliedForce& applied);
 
 /// Rows for the results table: loads, reactions once for each joint, efforts; their axes on `figures` are measured.
-std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures);
+/// `at_pairs`: the couples of sleeves and clamps beside their forces, too.
+std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs = true);
 
 /// Active forces and reactions, body by body, the frame last; head and rows, `width` mm wide.
 std::vector<Block> reaction_lines(const DrawingContext& context, double width);
