@@ -70,18 +70,18 @@ private:
             if (in(group, load.member)) loads.push_back(&load);
         if (loads.empty()) return;
         const auto origin = board_.pole<drawing>();
-        std::optional<Force> force;
-        std::optional<ScalarHandle> couple;
-        const auto turn_by = [&](ScalarHandle moment) { couple = couple ? board_.sum(*couple, moment) : moment; };
+        std::optional<Force> sum;
+        std::optional<ScalarHandle> turn;
+        const auto turn_by = [&](ScalarHandle moment) { turn = turn ? board_.sum(*turn, moment) : moment; };
         for (const Load* load : loads) {
             if (load->force) {
-                force = force ? board_.add(*force, *load->force) : *load->force;
+                sum = sum ? board_.add(*sum, *load->force) : *load->force;
                 turn_by(board_.moment(board_.vector(origin, load->place), *load->force));
             }
             if (load->couple) turn_by(*load->couple);
         }
-        if (force && board_.is_zero(*force)) force.reset();
-        if (board_.is_zero(*couple)) couple.reset();
+        const std::optional<Force> force = unless_zero(sum);
+        const std::optional<ScalarHandle> couple = unless_zero(turn);
         Resultant result;
         for (const MemberIndex member : group)
             if (!model_.is_pin(member)) result.bodies.push_back(model_.body_of(member));
@@ -98,6 +98,10 @@ private:
             cut_unbalanced(group, loads, result, force, couple);
         }
         results_.resultants.push_back(std::move(result));
+    }
+    template <class Handle>
+    std::optional<Handle> unless_zero(const std::optional<Handle>& value) {
+        return value && !board_.is_zero(*value) ? value : std::nullopt;
     }
     static Symbol resultant_symbol(bool is_force) {
         return {is_force ? Symbol::Letter::F : Symbol::Letter::M, is_force ? "F_R" : "M_R", {}};
