@@ -301,7 +301,8 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
     std::vector<render::Page> pages;
     const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
     if (draws) {
-        const auto ready = Press::prepare(press, targets, request.language, request.live_text ? Lettering::live : Lettering::outlines);
+        const auto ready =
+            Press::prepare(press, targets, request.language, request.live_text ? Lettering::live : Lettering::outlines);
         if (!ready) return tl::unexpected(ready.error());
         for (const Solution& solution : solutions) {
             auto more = pages_of(solution, theme, request, press->fonts());

@@ -68,10 +68,10 @@ private:
 
     void read_file(JsonValue root) {
         const Members file =
-            members(root, {"$schema", "kinegraph", "title",   "units",  "parameters", "precision",      "frame", "points",
-                           "bodies",  "joints",    "drivers", "masses", "gravity",    "inertia forces", "loads", "effort",
-                           "motion",  "find",      "scales",  "hertz",  "reye",       "impact",         "ask",   "vary",
-                           "require"},
+            members(root, {"$schema", "kinegraph", "title",  "units",   "parameters", "precision", "frame",
+                           "points",  "bodies",    "joints", "drivers", "masses",     "gravity",   "inertia forces",
+                           "loads",   "effort",    "motion", "find",    "scales",     "hertz",     "reye",
+                           "impact",  "ask",       "vary",   "require"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",

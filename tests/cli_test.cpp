@@ -33,7 +33,8 @@ TEST_F(CommandLine, ThatIsWrongTouchesNothing) {
         const char* said;
     } rows[] = {
         {"", "kinegraph: a command is missing; there are solve, sweep, variants, cam, check, diff, pairs.*"},
-        {"slove four_bar.json", "kinegraph: no command is named \"slove\"; there are solve, sweep, variants, cam, check, diff, pairs.*"},
+        {"slove four_bar.json",
+         "kinegraph: no command is named \"slove\"; there are solve, sweep, variants, cam, check, diff, pairs.*"},
         {"--exact", "kinegraph: .*"},
         {"solve", "kinegraph: FILE is required.*"},
         {"check", "kinegraph: FILE is required.*"},

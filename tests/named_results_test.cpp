@@ -35,7 +35,8 @@ const NamedResult* find(const std::vector<NamedResult>& results, const std::stri
 }
 
 TEST(NamedResults, AreTheRowOfASweepInTheDrawnPosition) {
-    for (const char* example : {"four_bar", "quick_return", "slider_crank", "gas_force", "cam_roller_follower", "sluice_gate_travel"}) {
+    for (const char* example :
+         {"four_bar", "quick_return", "slider_crank", "gas_force", "cam_roller_follower", "sluice_gate_travel"}) {
         const Mechanism mechanism = read_or_throw(tests::contents(tests::example_file(example)));
         const Pose pose = *draw_pose(mechanism);
         auto cycle = Cycle::of(mechanism, pose, 0);
@@ -106,8 +107,7 @@ TEST(Ask, GivesTheResultsInTheOrderOfTheFile) {
 }
 
 TEST(Ask, KnowsWhatAProblemFinds) {
-    const auto asked =
-        asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse x", "energy lost"])")));
+    const auto asked = asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse x", "energy lost"])")));
     ASSERT_TRUE(asked);
     EXPECT_EQ((*asked)[0].unit, "N s");
     const auto wrong = asked_results(tests::solved(asking("contact/ball_against_wall", R"(["impulse z"])")));

@@ -54,8 +54,7 @@ public:
                               std::nullopt);
         double fastest = 0;
         for (const ImpactSolution::Body& body : found_.bodies)
-            for (const Vector& v : {body.before, body.after})
-                fastest = std::max(fastest, kinegraph::length(v));
+            for (const Vector& v : {body.before, body.after}) fastest = std::max(fastest, kinegraph::length(v));
         const Unit& unit = context.solution.mechanism.units.velocity;
         speed_scale_ = choose_scale(fastest / unit.si.to_double(), 0, longest_, 1, std::nullopt) * unit.si.to_double();
         origin_ = spot_of(found_.at, scale_);

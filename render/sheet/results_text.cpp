@@ -44,7 +44,8 @@ public:
         const std::string& title = in(solution_.mechanism.title, language_);
         std::string text = title.empty() ? "" : title + "\n";
         text += mobility();
-        text += bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() + resultants();
+        text +=
+            bodies() + points(true) + points(false) + sliding() + relative() + centres() + reactions() + efforts() + resultants();
         const auto list = [&](const std::string& key, const std::vector<std::string>& lines) {
             if (lines.empty()) return;
             text += "\n" + word(key, language_) + "\n";
@@ -185,8 +186,8 @@ private:
 
     std::string resultants() const {
         const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
-        std::vector<Cells> rows{{word("body", language_), "Fx [" + force.symbol + "]", "Fy [" + force.symbol + "]",
-                                 "M [" + moment.symbol + "]", ""}};
+        std::vector<Cells> rows{
+            {word("body", language_), "Fx [" + force.symbol + "]", "Fy [" + force.symbol + "]", "M [" + moment.symbol + "]", ""}};
         for (const Resultant& each : solution_.resultants) {
             std::string names;
             for (const BodyIndex b : each.bodies) names += (names.empty() ? "" : ", ") + body(b);

@@ -24,6 +24,7 @@ struct Row {
     std::string_view en, it;
 };
 
+// clang-format off: rows too long for a line make it break the head of the table
 constexpr std::array
     sentences{
         Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the magnitude {4}~{1}{2}.",
@@ -521,6 +522,7 @@ constexpr std::array
             "no order of bodies resolves them, and more unknowns hang together than are tried at once[; not determined: {0}]",
             "nessun ordine dei corpi le risolve, e le incognite legate fra loro sono più di quante se ne provino insieme[; non determinate: {0}]"},
     };
+// clang-format on
 
 struct FixedWords {
     std::string_view key, en, it;
