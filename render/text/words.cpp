@@ -24,7 +24,8 @@ struct Row {
     std::string_view en, it;
 };
 
-// clang-format off: rows too long for a line make it break the head of the table
+// Rows too long for a line make clang-format break the head of the table.
+// clang-format off
 constexpr std::array
     sentences{
         Row{Sentence::crank_velocity, "Body {0} turns about {1}: {3} is normal to {1}{2} and has the magnitude {4}~{1}{2}.",
