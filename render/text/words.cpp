@@ -848,9 +848,10 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"data gas spring", "{0} pushes {1} and {2} apart: {3}.", "{0} allontana l’uno dall’altro {1} e {2}: {3}."},
     FixedWords{"data elastic spring", "Spring {0} between {1} and {2}: stiffness {3}, free length {4}.",
                "Molla {0} fra {1} e {2}: rigidezza {3}, lunghezza a riposo {4}."},
-    FixedWords{"data torsion",
-               "Torsion spring {0} at {3} between bodies {1} and {2}: stiffness {4}; body {1}, seen from {2}, is turned by {5}.",
-               "Molla di torsione {0} in {3} fra i corpi {1} e {2}: rigidezza {4}; il corpo {1}, visto da {2}, è ruotato di {5}."},
+    FixedWords{
+        "data torsion",
+        "Torsion spring {0} at {3} between bodies {1} and {2}: stiffness {4}; body {1}, seen from {2}, is turned by {5}.",
+        "Molla di torsione {0} in {3} fra i corpi {1} e {2}: rigidezza {4}; il corpo {1}, visto da {2}, è ruotato di {5}."},
     FixedWords{"data distributed", "Load {0} on body {1} from {2} to {3}: intensity from {4} to {5} along {6}.",
                "Carico {0} sul corpo {1} da {2} a {3}: intensità da {4} a {5} lungo {6}."},
     FixedWords{"data evenly distributed", "Load {0} on body {1} from {2} to {3}: {4} along {5}.",
