@@ -193,7 +193,7 @@ void add_sheet(CLI::App& command, SolveWords& words) {
 }
 
 /// What stands in the title block, and how a page looks.
-void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, bool& live_text, double& dpi) {
+void add_print(CLI::App& command, std::string& date, std::string& author, std::string& theme, double& dpi) {
     command.add_option("--date", date, "A date for the title block, as it is to be printed")->type_name("TEXT");
     command.add_option("--author", author, "A name for the title block")->type_name("TEXT");
     command
@@ -201,22 +201,26 @@ void add_print(CLI::App& command, std::string& date, std::string& author, std::s
                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
         ->type_name("THEME")
         ->capture_default_str();
-    command
-        .add_option_function<std::string>(
-            "--text", [&live_text](const std::string& how) { live_text = how == "live"; },
-            "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)")
-        ->transform(CLI::IsMember({"outlines", "live"}, CLI::ignore_case))
-        ->type_name("HOW")
-        ->default_str("outlines");
     command.add_option("--dpi", dpi, "Resolution of a PNG, dots per inch, 20 to 1200")
         ->check(resolution_fits)
         ->type_name("N")
         ->capture_default_str();
 }
 
+void add_text(CLI::App& command, bool& live) {
+    command
+        .add_option_function<std::string>(
+            "--text", [&live](const std::string& how) { live = how == "live"; },
+            "How SVG and PDF carry their words: outlines, or live (they can be selected, searched and read aloud)")
+        ->transform(CLI::IsMember({"outlines", "live"}, CLI::ignore_case))
+        ->type_name("HOW")
+        ->default_str("outlines");
+}
+
 /// How it looks, and what is added.
 void add_look(CLI::App& command, SolveRequest& request) {
-    add_print(command, request.date, request.author, request.theme, request.live_text, request.dpi);
+    add_print(command, request.date, request.author, request.theme, request.dpi);
+    add_text(command, request.live_text);
     command
         .add_option("--with", request.with,
                     "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
@@ -354,7 +358,8 @@ void add_plots(CLI::App& command, SweepRequest& request) {
     command.add_option("--poses", request.poses, "So many positions thin behind the mechanism")
         ->check(CLI::Range(0, 360))
         ->type_name("N");
-    add_print(command, request.sheet.date, request.sheet.author, request.theme, request.live_text, request.dpi);
+    add_print(command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_text(command, request.live_text);
 }
 
 void add_sweep(CLI::App& program, Action& action) {
@@ -441,7 +446,8 @@ void add_cam(CLI::App& program, Action& action) {
             "The cam's turn at which it is drawn and its mechanism written: 30°, 0.5 rad; without it where the law begins")
         ->type_name("TURN");
     command->add_option("--steps", request.steps, "Rows over the whole turn")->type_name("N")->capture_default_str();
-    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.live_text, request.dpi);
+    add_print(*command, request.sheet.date, request.sheet.author, request.theme, request.dpi);
+    add_text(*command, request.live_text);
     add_paper(*command, words->sheet);
     command->callback([&action, words] { action = [words] { return cam_command(words->meant()); }; });
 }

@@ -14,7 +14,8 @@ namespace kinegraph::render {
 struct ProblemFigure {
     std::string id;
     std::function<Figure(double room_x, double room_y)> draw;
-    double height = 1;  ///< beside that of others
+    double height = 1;                                       ///< beside that of others
+    std::function<Figure(double, double)> as_question = {};  ///< where a question keeps something of it back
 };
 struct ProblemSection {
     std::string question;  ///< its data-question

@@ -98,6 +98,8 @@ public:
         signature_.subtitle = word("subtitle question", context_.language);
         ProblemSection given = sections_.front();
         given.sentences.resize(given.sentences.size() - given.found);
+        for (ProblemFigure& figure : given.figures)
+            if (figure.as_question) figure.draw = figure.as_question;
         ProblemSection sought{"sought", {word("sought", Language::en), word("sought", Language::it)}, {}, {}};
         const auto& asked = asked_of(context_.solution.mechanism);
         for (const ProblemValue& each : context_.solution.problem->values) {
