@@ -177,7 +177,9 @@ std::vector<Message> oversights(const Mechanism& mechanism, const Pose& pose, co
     // Of a mechanism that nothing drives, holds or loads the one freedom is what its centres are asked for.
     const bool bare = mechanism.drivers.empty() && mechanism.efforts.empty() && mechanism.loads.empty();
     const int meant = std::max({mobility.driven, efforts, bare ? 1 : 0});
-    if (mechanism.motion || mobility.effective <= meant) return {};
+    // Loads on bodies that nothing joins or drives ask for their resultant.
+    const bool adrift = mechanism.joints.empty() && mechanism.drivers.empty() && !mechanism.loads.empty();
+    if (mechanism.motion || adrift || mobility.effective <= meant) return {};
     return Search(mechanism, pose).run();
 }
 

@@ -70,7 +70,7 @@ private:
         for (const BodyIndex on : joint.bodies) {
             for (const BodyIndex from : joint.bodies)
                 if (on != from) add_action({.kind = Kind::force, .body = on, .other = from, .joint = index}, joint);
-            if (joint.bodies.size() > 2) add_action({.kind = Kind::force, .body = on, .joint = index}, joint);
+            if (joint.has_own_node()) add_action({.kind = Kind::force, .body = on, .joint = index}, joint);
         }
     }
     void add_action(Quantity quantity, const Joint& joint) {

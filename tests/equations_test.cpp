@@ -115,7 +115,7 @@ TEST_P(EquationsOfExample, GiveTheMotionOfThePolygons) {
     if (!equations.why_not.empty()) {
         const bool open = std::any_of(solution.mechanism.joints.begin(), solution.mechanism.joints.end(),
                                       [](const Joint& joint) { return joint.pair().touches() && joint.profiles.size() < 2; });
-        EXPECT_TRUE(solution.mechanism.motion || open) << equations.why_not.en;
+        EXPECT_TRUE(solution.mechanism.motion || open || solution.mechanism.joints.empty()) << equations.why_not.en;
         return;
     }
     EXPECT_LT(gap(equations), 1e-11);

@@ -102,7 +102,7 @@ TEST_F(Sweep, LeavesRowsOutWhereTheAnswerIsNotOne) {
     EXPECT_EQ(swept.out.find("nan"), std::string::npos);
     const Outcome through = run("sweep parallel_crank.json --steps 100");
     EXPECT_EQ(through.status, 0) << through.err;
-    EXPECT_NE(through.err.find("a change point at 126.8698"), std::string::npos) << through.err;
+    EXPECT_NE(through.err.find("a change point at 126.8699°"), std::string::npos) << through.err;
     EXPECT_NE(through.err.find("the branch is a choice"), std::string::npos) << through.err;
 }
 
