@@ -428,10 +428,9 @@ void ProblemReader::read_shoe(const Members& form, ReyeProblem& problem) {
                               {"a radius", "un raggio"});
     problem.width =
         positive(required(form, "width", {"the shoe’s width", "la larghezza del ceppo"}), QuantityKind::length, length);
-    problem.pivot = positive(
-        required(form, "pivot",
-                 {"the distance of the pivot from the drum’s centre", "la distanza della cerniera dal centro del tamburo"}),
-        QuantityKind::length, length);
+    const JsonValue pivot = required(
+        form, "pivot", {"the distance of the pivot from the drum’s centre", "la distanza della cerniera dal centro del tamburo"});
+    problem.pivot = positive(pivot, QuantityKind::length, length);
     problem.arm =
         positive(required(form, "arm", {"the arm of the force about the pivot", "il braccio della forza rispetto alla cerniera"}),
                  QuantityKind::length, length);
@@ -445,8 +444,8 @@ void ProblemReader::read_shoe(const Members& form, ReyeProblem& problem) {
                "un ceppo va da un angolo non minore di 0° a uno maggiore, al più 180°; oltre si staccherebbe dal tamburo"});
     if (form["inside"] && expect(form["inside"], Kind::boolean, {"true or false", "true o false"})) {
         problem.inside = is_true(form["inside"]);
-        if (problem.inside && problem.pivot >= problem.radius)
-            fault(form["pivot"],
+        if (problem.inside && pivot && problem.pivot >= problem.radius)
+            fault(pivot,
                   {"the pivot of an inner shoe lies within the drum", "la cerniera di un ceppo interno sta dentro il tamburo"});
     }
     if (const JsonValue sense = form["sense"]) {
