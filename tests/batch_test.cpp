@@ -281,6 +281,7 @@ TEST_F(Batch, WhatCannotBeWrittenIsSaid) {
 }
 
 TEST_F(Batch, MemoryDoesNotGrowWithTheLines) {
+    if (unless_sanitized(0, 1) == 1) GTEST_SKIP() << "sanitizers hold on to what is freed, to see whether it is used again";
     const auto peak = [&](int count) {
         std::string lines;
         for (int i = 0; i < count; ++i)
@@ -302,7 +303,7 @@ TEST_F(Batch, MemoryDoesNotGrowWithTheLines) {
         return usage.ru_maxrss;  // KiB
     };
     const long few = peak(100);
-    EXPECT_LT(peak(unless_sanitized(1500, 200)), few + unless_sanitized(3000, 60'000));
+    EXPECT_LT(peak(1500), few + 3000);
 }
 
 }  // namespace
