@@ -11,6 +11,7 @@
 #include "tests/files.hpp"
 #include "tests/fonts.hpp"
 #include "tests/page_checker.hpp"
+#include "tests/pages.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/solved.hpp"
 
@@ -34,7 +35,11 @@ TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
     std::size_t pixels = 0;
     std::string first;
     const auto look_at = [&](const std::string& name) {
-        for (const Page& page : lay_out(tests::example(name), options, fonts())) {
+        SCOPED_TRACE(name);
+        const std::vector<Page> pages = lay_out(tests::example(name), options, fonts());
+        pages::expect_clean(pages);
+        for (const Page& page : pages) {
+            EXPECT_EQ(page.height > page.width, options.orientation == Orientation::portrait);
             for (const Fault& fault : faults_of(page, fonts())) {
                 ++counts[fault.kind];
                 if (first.size() < 2000) first += name + ", " + said(fault) + "\n";
