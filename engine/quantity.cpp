@@ -69,6 +69,8 @@ private:
                 return "acceleration pole " + body(q.body);
             case Kind::virtual_power:
                 return "virtual power";
+            case Kind::virtual_effort:
+                return name({.kind = Kind::effort, .given = q.given}) + " by virtual work";
             case Kind::resultant:
                 return "resultant " + body(q.body);
             case Kind::resultant_couple:
