@@ -200,7 +200,9 @@ private:
     }
     static double size_of(const VirtualWork& work) {
         double largest = 0;
-        for (const VirtualWork::Entry& entry : work.entries) largest = std::max(largest, std::abs(entry.power.to_double()));
+        for (const VirtualWork::Entry& entry : work.entries)
+            largest = std::max(
+                {largest, length(entry.force) * length(entry.velocity), std::abs((entry.couple * entry.omega).to_double())});
         return largest;
     }
     /// Rows [efforts | right side]; `judges`: by it the works are said to vanish or not.
@@ -248,7 +250,7 @@ private:
     std::vector<Driver> drivers_;
     std::size_t of_file_ = 0;
     std::vector<Load> loads_;
-    std::vector<double> largest_;  // by freedom: the largest work of what is given
+    std::vector<double> largest_;  // by freedom: the largest work that what is given could do
     Displacements found_;
 };
 

@@ -2,7 +2,6 @@
 // arrow, in proportion to that of the one coordinate displaced.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "engine/displacements.hpp"
 #include "render/figures/figure.hpp"
@@ -90,7 +89,6 @@ Spot pivot_of(const Sketch& sketch, BodyIndex body) {
 
 /// What acts, in its direction; an effort as one unit of it.
 void draw_actions(Sketch& sketch, const Solution& moved) {
-    std::set<std::string> named;
     for (const VirtualWork::Entry& entry : moved.virtual_work->entries) {
         if (!entry.force.is_zero()) {
             draw_force(sketch, entry.symbol, sketch.spot(entry.at), unit(paper_spot(entry.force)));

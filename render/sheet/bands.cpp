@@ -277,9 +277,9 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
+    if (detail_ == SolutionDetail::full) collect_apart();
     if (solution_.equations) collect_equations();
     if (has_forces(solution_)) collect_forces();
-    if (detail_ == SolutionDetail::full) collect_apart();
     if (solution_.displacements) collect_virtual_work();
     Band& given = list.front();
     if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});

@@ -64,10 +64,9 @@ private:
             return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"), upright("d") + Formula::letter("t"));
         };
         const auto turned = [&](const char* of) { return omega() + upright(wedge()) + Formula::letter(of) + upright("′"); };
-        set(equal(equal(rate("i"), turned("i")), scalar_omega() + Formula::letter("j") + upright("′")) + upright(",   ") +
-            equal(equal(rate("j"), turned("j")), upright("−") + scalar_omega() + Formula::letter("i") + upright("′")));
+        set(equal(equal(rate("i"), turned("i")), omega() + Formula::letter("j") + upright("′")) + upright(",   ") +
+            equal(equal(rate("j"), turned("j")), upright("−") + omega() + Formula::letter("i") + upright("′")));
     }
-    Formula scalar_omega() const { return omega(); }
 
     struct Term {
         Formula name, rule;
