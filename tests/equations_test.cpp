@@ -272,6 +272,24 @@ TEST(EquationsOfGears, AreWillisLaws) {
     EXPECT_NEAR(ratio(equations, "theta 4", "theta 2"), 30.0 / (30 + 70), 1e-12);
 }
 
+TEST(EquationsOfContacts, HoldToTheFirstOrderWhereOnlyTheTangentIsKnown) {
+    const Solution solution = tests::solved(R"({"kinegraph": 1, "frame": 1, "points": {"O": [0, 0], "C": [3, 0], "P": [1, 1]},
+      "bodies": {"2": {"points": ["O", "P"]}, "3": {"points": ["C", "P"]}},
+      "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "C", "bodies": [1, 3]},
+                 {"contact": "P", "bodies": [2, 3], "tangent": 30}],
+      "drivers": [{"body": 2, "omega": 2}], "find": ["velocity"]})");
+    const Equations equations = equations_of(solution.mechanism, solution.pose);
+    ASSERT_TRUE(equations.why_not.empty()) << equations.why_not.en;
+    EXPECT_EQ(equations.by_tangent.size(), 1U);
+    EXPECT_LT(gap(equations), 1e-11);
+    EXPECT_TRUE(equations.second_ratios.empty());
+    const Agreement found = agreement(solution, equations);
+    EXPECT_LT(found.worst, 1e-9) << found.where;
+    EXPECT_EQ(found.missing, 0) << found.where;
+    EXPECT_GE(found.compared, 4);
+    EXPECT_FALSE(equations.bodies[2].alpha) << "the profiles' curvatures are not known";
+}
+
 TEST(EquationsAsJson, HaveTheKeysOfTheFormat) {
     const std::string text =
         equations_json(equations_of(tests::example("slider_crank").mechanism, tests::example("slider_crank").pose));

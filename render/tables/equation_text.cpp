@@ -72,7 +72,7 @@ public:
         if (!e_.unknowns.empty() && !e_.free.empty()) {
             write_velocities();
             write_ratios();
-            write_accelerations();
+            if (e_.by_tangent.empty()) write_accelerations();
         }
         write_reaches();
         if (!e_.free.empty()) write_values();
@@ -277,6 +277,13 @@ private:
             write_solved(loop, i);
         }
         for (const Equations::Law& law : e_.laws) write_law(law);
+        for (const JointIndex joint : e_.by_tangent)
+            say(Words(
+                "Of the contact {0} only the tangent is known. A slide along it stands for it: right for velocities in this "
+                "position, not for accelerations.",
+                "Del contatto {0} è nota solo la tangente. Lo sostituisce uno scorrimento lungo di essa: valido per le velocità "
+                "in questa posizione, non per le accelerazioni.",
+                mechanism_.joint(joint).name));
     }
     /// Left = right; terms that vanish are left out.
     Formula both_sides(const Equations::Loop& loop, const std::function<Signed(const Side&)>& of) const {
