@@ -39,10 +39,11 @@ std::string slider_crank(const std::string& more) {
 int hold_efforts_together(const Solution& solution, const std::string& name) {
     const Displacements& found = *solution.displacements;
     int held = 0;
-    double largest = 0;
+    double largest = 1e-6;  // N, N m: what balances nothing is nothing up to rounding
     for (const EffortValue& effort : solution.efforts)
         if (effort.value) largest = std::max(largest, std::abs(effort.value->to_double()));
     for (const Displacements::Effort& effort : found.efforts) {
+        if (solution.efforts.empty()) break;  // forces are not asked for
         const EffortValue& by_forces = solution.efforts[at_index(effort.given)];
         if (!effort.value || !by_forces.value) continue;
         ++held;
@@ -57,7 +58,7 @@ int hold_efforts_together(const Solution& solution, const std::string& name) {
     }
     for (const CheckRow& row : solution.checks)
         if (row.quantity.kind == Quantity::Kind::virtual_effort) {
-            EXPECT_LE(std::abs(row.difference), 1e-9 * largest) << name;
+            EXPECT_LE(std::abs(row.difference), 1e-9 * std::max(largest, std::abs(row.numeric))) << name;
         }
     return held;
 }
@@ -112,7 +113,7 @@ TEST(VirtualWork, AgreesWithTheForcePolygonsOfEveryExample) {
 
 TEST(VirtualWork, AgreesWithTheForcePolygonsOfRandomMechanisms) {
     int held = 0;
-    for (int seed = 1; seed <= unless_sanitized(40, 6); ++seed) {
+    for (int seed = 1; seed <= unless_sanitized(25, 5); ++seed) {
         const RandomMechanism drawn = random_mechanism(static_cast<std::uint64_t>(seed) * 29);
         const Solution bare = tests::solved(drawn.text);
         const std::string text =
@@ -121,7 +122,7 @@ TEST(VirtualWork, AgreesWithTheForcePolygonsOfRandomMechanisms) {
         ASSERT_TRUE(solution.displacements->why_not.empty()) << solution.displacements->why_not.en << text;
         held += hold_efforts_together(solution, drawn.recipe + text);
     }
-    EXPECT_GE(held, unless_sanitized(20, 2));
+    EXPECT_GE(held, unless_sanitized(12, 2));
 }
 
 TEST(VirtualWork, HasAnEquationForEachFreedom) {
