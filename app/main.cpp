@@ -222,11 +222,13 @@ void add_look(CLI::App& command, SolveRequest& request) {
     add_print(command, request.date, request.author, request.theme, request.dpi);
     add_text(command, request.live_text);
     command
-        .add_option("--with", request.with,
-                    "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
-                    "moments about the pole of the velocities; equations: the closure equations with their Jacobian")
+        .add_option(
+            "--with", request.with,
+            "A figure more on the sheet; may be given again. joukowsky: Joukowsky's lever, the powers of the forces as "
+            "moments about the pole of the velocities; equations: the closure equations with their Jacobian; virtual work: virtual displacements and "
+            "what they say of the efforts")
         ->allow_extra_args(false)
-        ->check(CLI::IsMember({"joukowsky", "equations"}))
+        ->check(CLI::IsMember({"joukowsky", "equations", "virtual work"}))
         ->type_name("FIGURE");
     command.add_flag("--exact", request.exact, "Add exact values to the JSON results, as fractions");
 }

@@ -10,6 +10,7 @@
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
 #include "constructions/solve.hpp"
+#include "engine/displacements.hpp"
 #include "engine/drivers.hpp"
 #include "engine/equations.hpp"
 #include "engine/moved.hpp"
@@ -190,6 +191,7 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
         return tl::unexpected(Status::bad_input);
     }
     if (wants(request, "equations")) mechanism->find.equations = true;
+    if (wants(request, "virtual work")) mechanism->find.virtual_work = true;
     if (!request.at.empty()) return solved_at(*mechanism, request);
     auto solution = solve(*std::move(mechanism));
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
@@ -243,6 +245,7 @@ Words meaningless(const SolveRequest& request) {
     if (request.steps && (!solution || brief)) return both("--steps", solution ? "--detail brief" : kind);
     if (!solution && wants_lever(request)) return both("--with joukowsky", kind);
     if (!solution && wants(request, "equations")) return both("--with equations", kind);
+    if (!solution && wants(request, "virtual work")) return both("--with \"virtual work\"", kind);
     if (request.sheet == render::SheetKind::question && request.dimensions == render::Dimensions::on)
         return both("--dimensions on", kind);
     return {};
@@ -266,6 +269,11 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
                 solution.equations ? solution.equations->why_not
                                    : Words("a problem of contact, wear or impact has no joints",
                                            "un problema di contatto, usura o urto non ha coppie")});
+    if (wants(request, "virtual work") && (!solution.displacements || !solution.displacements->why_not.empty()))
+        remark({"no virtual work: {0}", "niente lavori virtuali: {0}",
+                solution.displacements ? solution.displacements->why_not
+                                       : Words("a problem of contact, wear or impact has no joints",
+                                               "un problema di contatto, usura o urto non ha coppie")});
     if (!request.figure.empty() && !draws)
         remark({"--figure chooses what is drawn, and no drawing is asked for",
                 "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});

@@ -329,6 +329,7 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
         case Kind::resultant_couple:
             return "N m";
         case Kind::effort:
+        case Kind::virtual_effort:
             return std::holds_alternative<CoupleEffort>(mechanism.efforts[at(quantity.given)]) ? "N m" : "N";
         case Kind::virtual_power:
             return "W";

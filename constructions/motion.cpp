@@ -362,10 +362,38 @@ private:
         return board_.along_sign(board_.direction(radii[0]), radii[1]) < 0 ? RollingLever::outside : RollingLever::inside;
     }
 
+    /// Where the file asks that the motion be found through an observer, what the meet that follows is for him.
+    template <Plane plane>
+    void say_observer(const Step& step) {
+        if (hand_ != Hand::solution) return;
+        for (const RelativeMotionQuery& query : mechanism_.find.relative_motion) {
+            if (!query.solves) continue;
+            for (const Locus* locus : {&step.first, &step.second}) {
+                if (!is_seen_from(structure_, query.observer, query.point, *locus)) continue;
+                const auto& carriers = node(locus->node).bodies;
+                const bool is_place = std::find(carriers.begin(), carriers.end(), query.observer) != carriers.end();
+                const NodeIndex point = is_place ? locus->base : locus->node, place = is_place ? locus->node : locus->base;
+                std::vector<Argument> arguments{PointName{mechanism_.point(query.point).name}, body(query.observer),
+                                                absolute<plane>(point), absolute<plane>(place),
+                                                relative<plane>(point, place, is_velocity<plane> ? "" : "rel")};
+                if constexpr (!is_velocity<plane>) {
+                    const ScalarHandle omega = motion_.velocity.spin(query.observer);
+                    const auto seen = board_.vector(motion_.velocity.tip(place), motion_.velocity.tip(point));
+                    if (!board_.is_zero(omega) && !board_.is_zero(seen))
+                        arguments.emplace_back(relative<plane>(point, place, "cor"));
+                }
+                begin<plane>(either<plane>(Sentence::observer_velocity, Sentence::observer_acceleration), std::move(arguments),
+                             is_velocity<plane> ? "" : "Coriolis");
+                return;
+            }
+        }
+    }
+
     /// Two loci meet in the tip sought: the dyad's vector equation, closed.
     template <Plane plane>
     void draw_meet(Track<plane>& track, const Step& step) {
         if (!ready(track, step.first) || !ready(track, step.second)) return;
+        say_observer<plane>(step);
         const StatementIndex statement =
             begin<plane>(either<plane>(Sentence::two_lines_velocity, Sentence::two_lines_acceleration), {}, "");
         const Chain<plane> first = chain(track, step.first);

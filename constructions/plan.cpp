@@ -548,9 +548,30 @@ private:
     bool meet_some_node() {
         for (const bool thrifty : {true, false}) {
             thrifty_ = thrifty;
-            if (meet_among(candidates())) return true;
+            const std::vector<NodeIndex> nodes = candidates();
+            if (meet_through_observer() || meet_among(nodes)) return true;
         }
         return false;
+    }
+
+    /// First what the file asks to be found through an observer: where the place under the point, or the point, lies by what the
+    /// observer's guide lets through.
+    bool meet_through_observer() {
+        for (const RelativeMotionQuery& query : mechanism_.find.relative_motion) {
+            if (!query.solves) continue;
+            for (const NodeIndex node : indices_of(structure_.nodes())) {
+                if (structure_.node(node).point != query.point || known(node)) continue;
+                const std::vector<Locus> loci = loci_of(node);
+                const bool seen = std::any_of(loci.begin(), loci.end(), [&](const Locus& locus) {
+                    return is_seen_from(query.observer, query.point, locus);
+                });
+                if (seen && (meet_at(node, false) || meet_at(node, true))) return true;
+            }
+        }
+        return false;
+    }
+    bool is_seen_from(BodyIndex observer, PointIndex point, const Locus& locus) const {
+        return kinegraph::is_seen_from(structure_, observer, point, locus);
     }
 
     /// Loci of the node itself first: a meet of those is easier seen than one of loci carried from elsewhere.
@@ -918,6 +939,18 @@ private:
 };
 
 }  // namespace
+
+bool is_seen_from(const Structure& structure, BodyIndex observer, PointIndex point, const Locus& locus) {
+    if (locus.kind != Locus::Kind::sleeve && locus.kind != Locus::Kind::slot) return false;
+    if (locus.base == none || !locus.carries.empty()) return false;
+    const auto& first = structure.node(locus.node);
+    const auto& second = structure.node(locus.base);
+    if (first.point != point || second.point != point) return false;
+    const auto on = [&](const Node& node) {
+        return std::find(node.bodies.begin(), node.bodies.end(), observer) != node.bodies.end();
+    };
+    return on(first) != on(second);
+}
 
 Plan plan_motion(Structure& structure, Board& scratch, const std::vector<bool>& drivers, const std::vector<bool>& determined) {
     return Planner(structure, scratch, drivers, determined).run();

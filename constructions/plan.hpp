@@ -65,6 +65,10 @@ struct Plan {
     std::vector<DeadPoint> dead_points;
 };
 
+/// Whether a locus is what a guide, slot or slider of the observer's body lets through at the point: a direction of its velocity
+/// as seen from there.
+bool is_seen_from(const Structure& structure, BodyIndex observer, PointIndex point, const Locus& locus);
+
 /// `drivers` tells which drivers to use (one that fixes nothing new is left out); `determined` which bodies' motion follows from
 /// them by the rank, so that trials are made for those alone. The frame's nodes are known at the start. Adds to the structure the
 /// nodes that the plan needs.

@@ -1,10 +1,12 @@
 #include "constructions/relative_motion.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "constructions/polygon_pen.hpp"
 #include "constructions/space_diagram.hpp"
+#include "engine/assert.hpp"
 
 namespace kinegraph {
 namespace {
@@ -139,7 +141,62 @@ private:
         result.acceleration = found(to);
         result.transport_acceleration = found(from);
         result.coriolis = found(coriolis);
-        result.relative_acceleration = found(board_.vector(middle, to));
+        const auto seen = board_.vector(middle, to);
+        result.relative_acceleration = found(seen);
+        if (!translating_ && observer_ != frame) result.apart = apart(relative, seen);
+    }
+
+    /// A place of the observer's body whose motion is drawn, at rest where there is one: the origin of the moving axes.
+    NodeIndex origin() const {
+        NodeIndex best = none;
+        for (const NodeIndex node : structure_.nodes_of(observer_)) {
+            if (structure_.node(node).point == none || !motion_.velocity.has(node) || !motion_.acceleration.has(node)) continue;
+            const auto& bodies = structure_.node(node).bodies;
+            if (std::find(bodies.begin(), bodies.end(), frame) != bodies.end()) return node;
+            if (best == none || best == transport_) best = node;
+        }
+        return best;
+    }
+    /// a_tr = a_O′ + α ∧ O′P − ω² O′P, and what the observer sees in axes of his own. Nothing where α is not known.
+    std::optional<RelativeMotion::Apart> apart(VectorOn<Plane::velocity> velocity, VectorOn<Plane::acceleration> acceleration) {
+        const NodeIndex from = origin();
+        if (from == none || !motion_.acceleration.turns(observer_)) return std::nullopt;
+        RelativeMotion::Apart result;
+        result.origin = structure_.node(from).point;
+        const auto at = diagram_.place(from);
+        const auto reach = board_.vector(at, diagram_.place(transport_));
+        const ScalarHandle omega = motion_.velocity.spin(observer_), alpha = motion_.acceleration.spin(observer_);
+        result.omega = Recorded<Exact>::at(omega.element);
+        result.alpha = Recorded<Exact>::at(alpha.element);
+        result.origin_velocity = found(motion_.velocity.tip(from));
+        result.turning_velocity = found(board_.scale<Plane::velocity>(omega, board_.turn(reach)));
+        result.origin_acceleration = found(motion_.acceleration.tip(from));
+        result.tangential = found(board_.scale<Plane::acceleration>(alpha, board_.turn(reach)));
+        result.normal = found(board_.negate(board_.scale<Plane::acceleration>(board_.product(omega, omega), reach)));
+        DirectionHandle axis = board_.own_direction({1, 0});
+        for (const PointIndex point : structure_.mechanism().body(observer_).points) {
+            if (board_.coincide(board_.place(point), at)) continue;
+            result.towards = point;
+            axis = board_.direction(board_.vector(at, board_.place(point)));
+            break;
+        }
+        parted(velocity, axis, result.velocity_along, result.velocity_across);
+        parted(acceleration, axis, result.acceleration_along, result.acceleration_across);
+        using NoCoriolis = RelativeMotion::Apart::NoCoriolis;
+        result.no_coriolis = board_.is_zero(omega)      ? NoCoriolis::observer_does_not_turn
+                             : board_.is_zero(velocity) ? NoCoriolis::rests_for_observer
+                                                        : NoCoriolis::there_is;
+        return result;
+    }
+    /// A vector as the sum of one along a direction and one square to it.
+    template <Plane plane>
+    void parted(VectorOn<plane> whole, DirectionHandle axis, Recorded<Vector>& along, Recorded<Vector>& across) {
+        const auto pole = board_.pole<plane>();
+        const auto tip = board_.carry(pole, whole);
+        const auto foot = board_.meet(board_.through(pole, axis), board_.through(tip, board_.perpendicular(axis)));
+        KG_ASSERT(foot.has_value(), "lines square to each other meet");
+        along = found(board_.vector(pole, *foot));
+        across = found(board_.vector(*foot, tip));
     }
 
     Structure& structure_;

@@ -9,6 +9,7 @@
 #include "constructions/contacts.hpp"
 #include "constructions/curvature.hpp"
 #include "constructions/degeneracy.hpp"
+#include "constructions/displacements.hpp"
 #include "constructions/forces.hpp"
 #include "constructions/free_bodies.hpp"
 #include "constructions/hairs.hpp"
@@ -48,6 +49,8 @@ Wanted wanted_of(const Mechanism& mechanism) {
     Wanted wanted{find.instant_centres, find.velocity, find.acceleration, find.forces && loaded, true, find.curvature};
     // The equations' values stand beside the polygons'.
     if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
+    // Inertia is a load as the motion has it.
+    if (find.virtual_work && driven && mechanism.inertia_forces) wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
         wanted.velocities = true;
         wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();
@@ -74,8 +77,9 @@ bool is_moving(const Mechanism& mechanism) {
 /// Draws everything on one board and collects what it found.
 class Solver {
 public:
-    Solver(Solution& solution, FinerPose finer)
-        : solution_(solution),
+    Solver(Solution& solution, FinerPose finer, bool displaces = false)
+        : displaces_(displaces),
+          solution_(solution),
           draw_finer_(std::move(finer)),
           mechanism_(solution.mechanism),
           wanted_(wanted_of(mechanism_)),
@@ -127,6 +131,7 @@ private:
             solution_.sliding = draw_slidings(structure_, board_, motion_, wanted_.accelerations);
             solution_.relative_motion = draw_relative_motions(structure_, board_, motion_, wanted_.accelerations);
             if (wanted_.curvature) solution_.curvature = draw_curvature(structure_, board_, motion_);
+            if (displaces_) solution_.virtual_work = works_of_displacement(structure_, board_, motion_);
             collect_motion();
             explain_missing_motion();
             if (wanted_.curvature) explain_missing_curvature();
@@ -156,11 +161,27 @@ private:
         keep(protocol.values);
         std::for_each(protocol.shifted.begin(), protocol.shifted.end(), keep);
         protocol.program = std::move(record.program);
+        remark_observers();
         read_values(solution_, protocol.values);
         forget_noise(solution_);
         statics::note_first_use_of_lines(solution_.free_bodies, solution_.pose);
         say_projections();
         add_workings(solution_);
+    }
+
+    /// Observers through which the motion was asked to be found, and was not.
+    void remark_observers() {
+        for (const RelativeMotionQuery& query : mechanism_.find.relative_motion) {
+            if (!query.solves) continue;
+            const std::string &point = mechanism_.point(query.point).name, &body = body_name(query.observer);
+            const auto& said = solution_.protocol.statements;
+            const bool through = std::any_of(said.begin(), said.end(), [&](const Statement& each) {
+                return each.message.sentence == Sentence::observer_velocity &&
+                       std::get<PointName>(each.message.arguments[0]).name == point &&
+                       std::get<BodyName>(each.message.arguments[1]).name == body;
+            });
+            if (!through) solution_.remarks.push_back({Sentence::not_through_observer, {PointName{point}, BodyName{body}}});
+        }
     }
 
     /// By how much the projections of two velocities on the join of their points differ, in the file's unit.
@@ -444,6 +465,7 @@ private:
         }
     }
 
+    bool displaces_;  ///< its velocities are virtual displacements
     Solution& solution_;
     FinerPose draw_finer_;
     const Mechanism& mechanism_;
@@ -463,6 +485,19 @@ void add_equations(Solution& solution) {
     solution.equations = std::make_shared<const Equations>(equations_of(solution.mechanism, solution.pose));
 }
 
+/// Draws a mechanism whose pose and mobility are known.
+void draw(Solution& solution, bool displaces = false) {
+    Solver(
+        solution,
+        [&solution] {
+            auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
+            KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
+            return *std::move(finer);
+        },
+        displaces)
+        .run();
+}
+
 }  // namespace
 
 Result<Solution> solve(Mechanism mechanism) {
@@ -478,13 +513,21 @@ Result<Solution> solve(Mechanism mechanism) {
         return solution;
     }
     solution.mobility = mobility_of(solution.mechanism, solution.pose);
-    Solver(solution, [&solution] {
-        auto finer = draw_pose(solution.mechanism, 2 * solution.pose.bits);
-        KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
-        return *std::move(finer);
-    }).run();
+    draw(solution);
     find_contacts(solution);
     add_equations(solution);
+    if (solution.mechanism.find.virtual_work) add_displacements(solution);
+    return solution;
+}
+
+Result<Solution> solve_displaced(Mechanism mechanism, int bits) {
+    auto pose = draw_pose(mechanism, bits);
+    if (!pose) return tl::unexpected(std::move(pose.error()));
+    Solution solution;
+    solution.mechanism = std::move(mechanism);
+    solution.pose = *std::move(pose);
+    solution.mobility = mobility_of(solution.mechanism, solution.pose);
+    draw(solution, true);
     return solution;
 }
 
@@ -496,6 +539,7 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer) {
     Solver(solution, finer).run();
     find_contacts(solution);
     add_equations(solution);
+    if (solution.mechanism.find.virtual_work) add_displacements(solution);
     return solution;
 }
 

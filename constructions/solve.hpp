@@ -13,4 +13,8 @@ Result<Solution> solve(Mechanism mechanism);
 /// The same in a pose that is not drawn from the file; `finer` gives it with twice the bits.
 Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer);
 
+/// The velocities alone of a mechanism whose drivers move at the rate one or rest, and the powers of its loads and of one unit of
+/// each effort in them: virtual displacements and works (Solution::virtual_work; none where the motion is not found).
+Result<Solution> solve_displaced(Mechanism mechanism, int bits);
+
 }  // namespace kinegraph

@@ -173,6 +173,7 @@ private:
     }
     void add_contact(const Joint& joint) {
         const auto sides = sides_of(mechanism_, pose_, joint);
+        if (!sides && !joint.pair().holds_tangent && !joint.pair().meshes()) return add_tangent(joint);
         if (!sides) {
             found_.why_not =
                 Words("joint {0}: without the \"profiles\" of both bodies its vectors are not known",
@@ -206,6 +207,16 @@ private:
             rolling.edge = static_cast<int>(edges_.size());
             rollings_.push_back(std::move(rolling));
         }
+        edges_.push_back(std::move(edge));
+    }
+
+    /// A contact of unknown curvatures: the place on the one body slides along the common tangent on the other, to the first
+    /// order.
+    void add_tangent(const Joint& joint) {
+        Edge edge = edge_of(joint, Edge::Kind::guide, joint.bodies[1], joint.bodies[0]);
+        edge.head = edge.place;
+        edge.along = unit(pose_.tangents[at_index(edge.joint)]);
+        found_.by_tangent.push_back(edge.joint);
         edges_.push_back(std::move(edge));
     }
 

@@ -115,6 +115,9 @@ struct Equations {
     };
 
     Words why_not;  ///< not empty: there are none, and this is the reason
+    /// Contacts of which only the tangent is known: a slide along it in their place has their velocities, and no more. Where
+    /// there are some, nothing is said of accelerations and of other positions.
+    std::vector<JointIndex> by_tangent;
     std::vector<Letter> letters;
     std::vector<Loop> loops;
     std::vector<Law> laws;

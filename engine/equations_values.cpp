@@ -312,7 +312,7 @@ private:
                 ratios_[j][k] = solution(gauss, j, k);
                 if (ratios_[j][k]) e_.ratios[j][k] = ratios_[j][k]->to_double();
             }
-        if (e_.is_regular()) find_second_ratios();
+        if (e_.is_regular() && e_.by_tangent.empty()) find_second_ratios();
     }
 
     /// The right sides −(second order) for velocities by letter.
@@ -384,7 +384,7 @@ private:
             rate[at_index(e_.unknowns[j])] = sum;
             e_.letters[at_index(e_.unknowns[j])].rate = sum.to_double();
         }
-        if (all) find_accelerations(rate, second);
+        if (all && e_.by_tangent.empty()) find_accelerations(rate, second);
     }
     void find_accelerations(const std::vector<Exact>& rate, const std::vector<Exact>& second) {
         const std::vector<Exact> own = bent(rate);
@@ -534,7 +534,7 @@ private:
         const std::array<double, 2> k = resultant(loop, -1);
         solved.resultant = std::hypot(k[0], k[1]);
         solved.direction = std::atan2(k[1], k[0]);
-        find_dead_points(loop);
+        if (e_.by_tangent.empty()) find_dead_points(loop);
     }
     /// What the unknown sides add up to, the first of them counted forwards, without a side that is left out.
     std::array<double, 2> resultant(const Equations::Loop& loop, int without) const {

@@ -138,6 +138,7 @@ double Magnitudes::of(const Quantity& quantity) const {
         case Kind::inertia:
             return force_;
         case Kind::effort:
+        case Kind::virtual_effort:
             return std::holds_alternative<CoupleEffort>(mechanism_.efforts[at(quantity.given)]) ? couple_ : force_;
         case Kind::virtual_power:
             return power_;

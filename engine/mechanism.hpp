@@ -244,11 +244,13 @@ struct RelativeMotionQuery {
     BodyIndex observer = frame;          ///< the frame is fixed in this body …
     PointIndex translating_with = none;  ///< … or, where there is one, it translates with this point
     std::string where;
+    bool solves = false;  ///< the motion itself is to be found through this observer where the mechanism lets it
 };
 struct Find {
     bool stated = false;  ///< false: all that the data allow
     bool instant_centres = false, velocity = false, acceleration = false, forces = false, curvature = false;
-    bool equations = false;  ///< the closure equations: of a file that states nothing else, too
+    bool equations = false;     ///< the closure equations: of a file that states nothing else, too
+    bool virtual_work = false;  ///< virtual displacements and what they say of the efforts: the same
     std::vector<RelativeMotionQuery> relative_motion;
 };
 

@@ -1166,12 +1166,22 @@ private:
         return motions;
     }
 
+    /// Whether the motion is to be found through the observer; one that translates gives no direction of a relative velocity.
+    void read_solve(JsonValue value, RelativeMotionQuery& query) {
+        if (!value || !expect(value, Kind::boolean, {"true or false", "true o false"})) return;
+        query.solves = is_true(value);
+        if (query.solves && query.translating_with != none)
+            fault(value, {"the motion is solved through an observer on a body: name one as \"observer\", or leave \"solve\" out",
+                          "il moto si risolve con un osservatore solidale a un corpo: indicarlo in \"observer\", o togliere "
+                          "\"solve\""});
+    }
+
     void read_wish(JsonValue value) {
-        constexpr std::array<std::string_view, 6> wishes{"instant centres", "velocity",  "acceleration",
-                                                         "forces",          "curvature", "equations"};
+        constexpr std::array<std::string_view, 7> wishes{"instant centres", "velocity",  "acceleration", "forces",
+                                                         "curvature",       "equations", "virtual work"};
         Find& find = mechanism_.find;
-        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity,  &find.acceleration,
-                                                     &find.forces,          &find.curvature, &find.equations};
+        const std::array<bool*, wishes.size()> flags{&find.instant_centres, &find.velocity,  &find.acceleration, &find.forces,
+                                                     &find.curvature,       &find.equations, &find.virtual_work};
         if (value.is_string()) {
             const auto* const known = std::find(wishes.begin(), wishes.end(), value.text());
             if (known != wishes.end()) {
@@ -1189,7 +1199,7 @@ private:
                     {"a wish, as \"velocity\" or {\"relative motion\": …, \"observer\": …},",
                      "una richiesta, come \"velocity\" o {\"relative motion\": …, \"observer\": …},"}))
             return;
-        const Members form = members(value, {"relative motion", "observer"}, {"a wish", "una richiesta"});
+        const Members form = members(value, {"relative motion", "observer", "solve"}, {"a wish", "una richiesta"});
         RelativeMotionQuery query;
         query.where = value.pointer();
         query.point = point(
@@ -1204,6 +1214,7 @@ private:
         } else {
             query.observer = body(observer);
         }
+        read_solve(form["solve"], query);
         find.relative_motion.push_back(std::move(query));
     }
 

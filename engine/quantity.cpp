@@ -60,7 +60,7 @@ private:
             case Kind::inertia:
                 return "inertia " + body(mechanism_.masses[at(q.given)].body);
             case Kind::effort:
-                return "effort " + std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(q.given)]);
+                return effort(q);
             case Kind::radius:
                 return "radius " + mechanism_.points[at(q.point)].name + " on " + body(q.body);
             case Kind::inflection_diameter:
@@ -69,6 +69,8 @@ private:
                 return "acceleration pole " + body(q.body);
             case Kind::virtual_power:
                 return "virtual power";
+            case Kind::virtual_effort:
+                return effort(q) + " by virtual work";
             case Kind::resultant:
                 return "resultant " + body(q.body);
             case Kind::resultant_couple:
@@ -103,6 +105,9 @@ private:
         // A place that the recipe needed and the file does not name.
         const std::string letter = q.point == none ? "S" : mechanism_.points[at(q.point)].name;
         return is_of_several_bodies(q.point) ? letter + " on " + body(q.body) : letter;
+    }
+    std::string effort(const Quantity& q) const {
+        return "effort " + std::visit([](const auto& effort) { return effort.name; }, mechanism_.efforts[at(q.given)]);
     }
     std::string action(const Quantity& q) const {
         return "force " + joint(q.joint) + " " + body(q.other) + " on " + body(q.body);

@@ -32,6 +32,7 @@ struct Quantity {
         inflection_diameter,  ///< of the inflection circle of `body`
         acceleration_pole,    ///< of `body`
         virtual_power,        ///< of all that acts from outside
+        virtual_effort,       ///< the effort `given`, by virtual displacements
         resultant,            ///< of all that is given on `body` and what hangs on it
         resultant_couple      ///< the same, about the origin
     } kind = Kind::unnamed;

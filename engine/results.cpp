@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/displacements.hpp"
 #include "engine/equations.hpp"
 #include "engine/json_text.hpp"
 #include "engine/problem.hpp"
@@ -193,6 +194,8 @@ public:
         if (solution_.problem) file.emplace_back("hertz", contacts());
         if (solution_.equations && solution_.equations->why_not.empty())
             file.emplace_back("equations", equations_json(*solution_.equations));
+        if (solution_.displacements && solution_.displacements->why_not.empty())
+            file.emplace_back("virtual work", displacements_json(mechanism_, *solution_.displacements));
         file.emplace_back("checks", checks());
         file.emplace_back("unsolved", unsolved());
         if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
@@ -403,6 +406,29 @@ private:
     }
     std::string reason(const Message& why) const { return quoted(tell_(why)); }
 
+    /// Components along the moving axes are signed.
+    std::string apart(const RelativeMotion::Apart& found) const {
+        const Vector axis =
+            found.towards == none ? Vector{1, 0} : solution_.pose.at(found.towards) - solution_.pose.at(found.origin);
+        const auto components = [&](const Recorded<Vector>& along, const Recorded<Vector>& across) {
+            return pair(number(std::copysign(length(*along), dot(*along, axis).to_double())),
+                        number(std::copysign(length(*across), cross(axis, *across).to_double())));
+        };
+        Entry entry = this->entry();
+        entry.add("origin", quoted(name_of_point(found.origin)));
+        entry.add("x axis", unit(axis));
+        entry.add("omega", found.omega);
+        entry.add("alpha", found.alpha);
+        entry.add("velocity of the origin", found.origin_velocity);
+        entry.add("velocity of turning", found.turning_velocity);
+        entry.add("acceleration of the origin", found.origin_acceleration);
+        entry.add("tangential acceleration", found.tangential);
+        entry.add("normal acceleration", found.normal);
+        entry.add("relative velocity in the axes", components(found.velocity_along, found.velocity_across));
+        entry.add("relative acceleration in the axes", components(found.acceleration_along, found.acceleration_across));
+        return entry.json();
+    }
+
     std::string relative_motion() const {
         std::vector<std::string> all;
         for (const RelativeMotion& motion : solution_.relative_motion) {
@@ -419,6 +445,7 @@ private:
             seen.add("transport acceleration", motion.transport_acceleration);
             seen.add("relative acceleration", motion.relative_acceleration);
             seen.add("coriolis", motion.coriolis);
+            if (motion.apart) seen.add("apart", apart(*motion.apart));
             all.push_back(seen.json());
         }
         return lines('[', all, ']');
@@ -687,7 +714,64 @@ private:
     const Equations& e_;
 };
 
+/// Virtual work: what is displaced, how far and by which work for each unit of it, and the efforts.
+class DisplacementResults {
+public:
+    DisplacementResults(const Mechanism& mechanism, const Displacements& found) : mechanism_(mechanism), found_(found) {}
+
+    std::string json() const {
+        std::vector<std::string> freedoms;
+        for (const Displacements::Freedom& freedom : found_.freedoms) freedoms.push_back(of(freedom));
+        return object_of_lines(
+            {{"freedoms", list(freedoms)},
+             {"effort", efforts([](const auto& effort) { return effort.value ? number(*effort.value) : std::string("null"); })},
+             {"effort by velocity ratios", efforts([](const auto& effort) { return number(effort.ratio); })},
+             {"balanced", found_.balanced ? "true" : "false"}});
+    }
+
+private:
+    template <class Value>
+    std::string efforts(Value value) const {
+        Members members;
+        for (const Displacements::Effort& effort : found_.efforts) members.emplace_back(name(effort.given), value(effort));
+        return object(members);
+    }
+    std::string name(int effort) const {
+        return std::visit([](const auto& given) { return given.name; }, mechanism_.efforts[at_index(effort)]);
+    }
+    std::string of(const Displacements::Freedom& freedom) const {
+        const VirtualWork& work = *freedom.moved->virtual_work;
+        Members points, turns, shares;
+        for (const PointMotion& point : freedom.moved->points)
+            if (point.bodies.front() != frame && point.velocity) points.emplace_back(point.label, pair(*point.velocity));
+        for (const BodyIndex body : mechanism_.moving_bodies())
+            if (const auto& turn = freedom.moved->bodies[at_index(body)].omega)
+                turns.emplace_back(mechanism_.body(body).name, number(*turn));
+        std::vector<std::string> works;
+        for (const VirtualWork::Entry& entry : work.entries)
+            works.push_back(object({{"of", quoted(name_of(entry.symbol))},
+                                    {"on", quoted(mechanism_.body(entry.body).name)},
+                                    {"work", number(entry.power)},
+                                    {"by velocity ratios", number(work_by_ratios(*freedom.equations, entry))}}));
+        for (const VirtualWork::Share& share : work.shares) shares.emplace_back(name(share.effort), number(*share.power));
+        return object({{"displaced", quoted(coordinate_name(mechanism_, freedom.driver))},
+                       {"chosen", freedom.chosen ? "true" : "false"},
+                       {"points", object(points)},
+                       {"turns", object(turns)},
+                       {"works", list(works)},
+                       {"given", number(work.total)},
+                       {"unit efforts", object(shares)}});
+    }
+
+    const Mechanism& mechanism_;
+    const Displacements& found_;
+};
+
 }  // namespace
+
+std::string displacements_json(const Mechanism& mechanism, const Displacements& displacements) {
+    return DisplacementResults(mechanism, displacements).json();
+}
 
 std::string equations_json(const Equations& equations) { return EquationResults(equations).json(); }
 

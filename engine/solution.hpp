@@ -62,6 +62,19 @@ struct RelativeMotion {
     RelativeMotionQuery query;
     Recorded<Vector> velocity, transport_velocity, relative_velocity;
     Recorded<Vector> acceleration, transport_acceleration, relative_acceleration, coriolis;
+    /// The transport parted about the origin O′ of the moving axes, a place of the observer's body: a_tr = a_O′ + α ∧ O′P − ω²
+    /// O′P.
+    struct Apart {
+        PointIndex origin = none, towards = none;  ///< the axis x′ points from the one to the other; no other: along x
+        Recorded<Exact> omega, alpha;
+        Recorded<Vector> origin_velocity, turning_velocity;  ///< v_tr = v_O′ + ω ∧ O′P
+        Recorded<Vector> origin_acceleration, tangential, normal;
+        /// The relative velocity and acceleration, parted along x′ and y′.
+        Recorded<Vector> velocity_along, velocity_across, acceleration_along, acceleration_across;
+        /// Why there is no Coriolis term.
+        enum class NoCoriolis { there_is, observer_does_not_turn, rests_for_observer } no_coriolis = NoCoriolis::there_is;
+    };
+    std::optional<Apart> apart;  ///< of observers on bodies, where accelerations are known
 };
 /// An angular velocity found a second time, by instant centres.
 struct SecondWay {
@@ -145,8 +158,17 @@ struct VirtualWork {
             ElementIndex at, velocity, force, couple, omega, power;
         } elements;  ///< of the record, none where it vanishes
     };
+    /// What one N or N m of an effort of unknown size does.
+    struct Share {
+        int effort = -1;            ///< index in Mechanism::efforts
+        Recorded<Vector> velocity;  ///< of the place where a force acts; of an actuator's, seen from its other body
+        Recorded<Exact> omega;      ///< of a couple's body, seen from the other
+        Recorded<Exact> power;
+        bool rests = false;  ///< the power is zero, by exact predicate
+    };
     std::vector<Entry> entries;
-    Exact total;  ///< exactly zero on an exact pose
+    std::vector<Share> shares;  ///< of virtual displacements alone (engine/displacements.hpp); else efforts are among the entries
+    Exact total;                ///< of the entries; exactly zero on an exact pose where efforts are among them
     ElementIndex total_element = none;
 };
 /// What a figure of one body's act of motion shows besides its velocities and centre.
@@ -246,6 +268,8 @@ struct Unsolved {
 struct ProblemSolution;
 /// The closure equations (engine/equations.hpp).
 struct Equations;
+/// Virtual displacements and their work (engine/displacements.hpp).
+struct Displacements;
 
 struct Solution {
     Mechanism mechanism;
@@ -267,12 +291,13 @@ struct Solution {
     std::vector<JointForce> forces;
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
-    std::vector<Resultant> resultants;               ///< where the file asks whether bodies are in equilibrium
-    std::vector<Curvature> curvature;                ///< where it is asked for: of the moving bodies in the file's order
-    std::optional<VirtualWork> virtual_work;         ///< where forces and velocities are known
-    std::optional<ActFigure> act_of_motion;          ///< where the file gives one body's act of motion
-    std::shared_ptr<const ProblemSolution> problem;  ///< where the file states one; in place of joints it is all there is
-    std::shared_ptr<const Equations> equations;      ///< where they are asked for
+    std::vector<Resultant> resultants;                   ///< where the file asks whether bodies are in equilibrium
+    std::vector<Curvature> curvature;                    ///< where it is asked for: of the moving bodies in the file's order
+    std::optional<VirtualWork> virtual_work;             ///< where forces and velocities are known
+    std::optional<ActFigure> act_of_motion;              ///< where the file gives one body's act of motion
+    std::shared_ptr<const ProblemSolution> problem;      ///< where the file states one; in place of joints it is all there is
+    std::shared_ptr<const Equations> equations;          ///< where they are asked for
+    std::shared_ptr<const Displacements> displacements;  ///< the same
     std::vector<CheckRow> checks;
     /// By Protocol::vectors: the modulus of a velocity or an acceleration by the check, SI; none where it does not determine it.
     std::vector<std::optional<double>> numeric_moduli;
@@ -298,6 +323,14 @@ void for_each_found(Solution& solution, See see) {
         for (auto* found : {&m.velocity, &m.transport_velocity, &m.relative_velocity, &m.acceleration, &m.transport_acceleration,
                             &m.relative_acceleration, &m.coriolis})
             found->visit(see);
+    for (RelativeMotion& m : solution.relative_motion) {
+        if (!m.apart) continue;
+        for (auto* found : {&m.apart->omega, &m.apart->alpha}) found->visit(see);
+        for (auto* found : {&m.apart->origin_velocity, &m.apart->turning_velocity, &m.apart->origin_acceleration,
+                            &m.apart->tangential, &m.apart->normal, &m.apart->velocity_along, &m.apart->velocity_across,
+                            &m.apart->acceleration_along, &m.apart->acceleration_across})
+            found->visit(see);
+    }
     for (SecondWay& way : solution.second_way) way.omega.visit(see);
     for (JointForce& force : solution.forces) {
         force.force.visit(see);
@@ -325,6 +358,10 @@ void for_each_found(Solution& solution, See see) {
             held(entry.elements.couple, entry.couple);
             held(entry.elements.omega, entry.omega);
             held(entry.elements.power, entry.power);
+        }
+        for (VirtualWork::Share& share : solution.virtual_work->shares) {
+            share.velocity.visit(see);
+            for (auto* found : {&share.omega, &share.power}) found->visit(see);
         }
         held(solution.virtual_work->total_element, solution.virtual_work->total);
     }

@@ -86,6 +86,9 @@ enum class Sentence {
     relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel
     relative_translating_velocity,    ///< {0} point, {1} origin, {2} v_tr, {3} v_rel
     relative_translating_acceleration,
+    observer_velocity,      ///< {0} point, {1} observer body, {2} v, {3} v_tr, {4} v_rel: what the meet that follows closes
+    observer_acceleration,  ///< … {2} a, {3} a_tr, {4} a_rel, {5} a_cor (absent: it vanishes)
+    not_through_observer,   ///< {0} point, {1} observer body: a remark, the motion was found another way
     inertia_force,          ///< {0} body, {1} F_i, {2} a_G, {3} G: equal to m a_G, opposite, through G
     inertia_couple,         ///< {0} body, {1} M_i, {2} α: J α, opposite
     two_force_body,         ///< {0} body, {1} {2} points: two forces only, so both act along their join

@@ -330,7 +330,7 @@ TEST(Reader, TextsServeWhereALanguageIsMissing) {
 TEST(Reader, FaultsComeInTheFilesOrder) {
     EXPECT_EQ(
         refusal(R"({"find": ["x"], "points": {"A": [0, true]}, "kinegraph": 1, "bodies": {"1": ["A", "a"]}, "joints": 3})"),
-        "/find/0: \"x\" is nothing to find; what can be found is \"instant centres\", \"velocity\", \"acceleration\", \"forces\", \"curvature\" and \"equations\" and "
+        "/find/0: \"x\" is nothing to find; what can be found is \"instant centres\", \"velocity\", \"acceleration\", \"forces\", \"curvature\", \"equations\" and \"virtual work\" and "
         "{\"relative motion\": …}\n"
         "/points/A/1: a length is wanted here, not true\n"
         "/bodies/1/1: no point is named \"a\" (did you mean \"A\"?)\n"

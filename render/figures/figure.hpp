@@ -41,6 +41,17 @@ Figure loops_figure(const DrawingContext& context, double room_x, double room_y)
 bool has_loops_figure(const Solution& solution);
 /// What it spans, m.
 Box extent_of_loops(const Solution& solution);
+/// Virtual displacements along the freedom `index` of Solution::displacements, with what acts (kind "displacements", id
+/// "displacements" or "displacements-2" …; arrows are groups of classes "displacement" and "force").
+Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+std::size_t displacement_figures(const Solution& solution);
+std::string displacement_figure_name(std::size_t index);
+/// Relative motion `index` of Solution::relative_motion taken apart: the moving axes on the mechanism, what their observer sees
+/// of the point, and how Coriolis' term comes from it (kind and id "moving-axes", "moving-axes-2" …). Only where
+/// has_moving_axes().
+Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y);
+bool has_moving_axes(const RelativeMotion& motion);
+std::string moving_axes_name(const Solution& solution, std::size_t index);
 /// The bookkeeping circle of the instant centres: bodies on a circle, centres as chords numbered in the order found.
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y);
 /// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.

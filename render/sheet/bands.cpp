@@ -11,9 +11,10 @@
 #include "render/page/shapes.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/answers.hpp"
-#include "render/tables/equation_block.hpp"
+#include "render/tables/apart_text.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
+#include "render/tables/work_text.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render {
@@ -26,7 +27,7 @@ class BandText {
 public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
-             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations)
+             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations, NaturalBlocks& natural)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -34,7 +35,8 @@ public:
           steps_(steps),
           likewise_(likewise),
           with_centres_(with_centres),
-          equations_(equations) {}
+          equations_(equations),
+          natural_(natural) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
                        const std::map<std::string, RichText>& on_figures) const {
@@ -133,7 +135,7 @@ private:
         return {heading_block(context_, measure_, words),
                 heading_block(context_, measure_, words + ", " + word("continued", context_.language)),
                 {},
-                equation_blocks(context_, {first + 1, end}, measure_)};
+                equation_blocks(context_, {first + 1, end}, measure_, natural_)};
     }
 
     Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results) const {
@@ -244,6 +246,7 @@ private:
     const Likewise& likewise_;
     bool with_centres_;
     const std::vector<EquationItem>& equations_;
+    NaturalBlocks& natural_;
 };
 
 /// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
@@ -274,8 +277,10 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
+    if (detail_ == SolutionDetail::full) collect_apart();
     if (solution_.equations) collect_equations();
     if (has_forces(solution_)) collect_forces();
+    if (solution_.displacements) collect_virtual_work();
     Band& given = list.front();
     if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
     number_steps();
@@ -417,15 +422,40 @@ void Bands::collect_forces() {
 
 /// The loops drawn, and their sections under or beside them.
 void Bands::collect_equations() {
-    equations_ = equation_items(solution_, context_.language);
     add("equations", {"loops"});
-    int pages = 1;
-    for (std::size_t i = 0; i < equations_.size(); ++i) {
-        if (equations_[i].is_apart) add("equations-" + std::to_string(++pages), {});
+    add_items(equation_items(solution_, context_.language), "equations-");
+}
+
+/// Sections into the last band; one that stands apart begins a band of its own but where the items begin with it.
+void Bands::add_items(std::vector<EquationItem> items, const std::string& pages) {
+    int page = 1;
+    const std::size_t before = equations_.size();
+    for (EquationItem& item : items) {
+        const std::size_t i = equations_.size();
+        if (item.is_apart && i > before) add(pages + std::to_string(++page), {});
         std::vector<Band::Part>& parts = list.back().parts;
-        if (equations_[i].kind == EquationItem::Kind::heading) parts.push_back({Kind::equations, {i, i}});
+        if (item.kind == EquationItem::Kind::heading) parts.push_back({Kind::equations, {i, i}});
         parts.back().which.back() = i + 1;
+        equations_.push_back(std::move(item));
     }
+}
+
+/// Relative motions taken apart, each with its moving axes.
+void Bands::collect_apart() {
+    for (std::size_t i = 0; i < solution_.relative_motion.size(); ++i) {
+        if (!has_moving_axes(solution_.relative_motion[i])) continue;
+        const std::string name = moving_axes_name(solution_, i);
+        add(name, {name});
+        add_items(apart_items(solution_, i, context_.language), name + "-");
+    }
+}
+
+/// Displacements, and the work done in them.
+void Bands::collect_virtual_work() {
+    std::vector<std::string> figures;
+    for (std::size_t i = 0; i < displacement_figures(solution_); ++i) figures.push_back(displacement_figure_name(i));
+    add("virtual-work", figures);
+    add_items(virtual_work_items(solution_, context_.language), "virtual-work-");
 }
 
 /// In the order of solving: free body and polygon; those that carry two forces share a row.
@@ -535,7 +565,7 @@ Block Bands::equations(const Band& band, double most) const {
 
 std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
                                  const std::vector<ResultRow>& results) const {
-    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, natural_);
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         all.push_back(writer.passage_of(part, results, remarks_));

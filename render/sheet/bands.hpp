@@ -9,6 +9,7 @@
 
 #include "render/page/block.hpp"
 #include "render/sheet/wanted_figures.hpp"
+#include "render/tables/equation_block.hpp"
 #include "render/tables/equation_text.hpp"
 #include "render/tables/tables.hpp"
 
@@ -77,6 +78,9 @@ private:
     void collect_forces();
     void collect_bodies();
     void collect_equations();
+    void collect_apart();
+    void collect_virtual_work();
+    void add_items(std::vector<EquationItem> items, const std::string& pages);
     Band& add(const std::string& question, const std::vector<std::string>& figures);
     void add_step(Band& band, std::size_t statement);
     void number_steps();
@@ -92,6 +96,7 @@ private:
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
+    mutable NaturalBlocks natural_;  // of these, as they were set first
 };
 
 }  // namespace kinegraph::render

@@ -48,9 +48,15 @@ public:
             if (query.translating_with != none)
                 say("sought translating", {name(query.point), name(query.translating_with)});
             else
-                say("sought relative", {name(query.point), plain_words(mechanism_.body(query.observer).name)});
+                say(query.solves ? "sought through" : "sought relative",
+                    {name(query.point), plain_words(mechanism_.body(query.observer).name)});
         }
         if (find.curvature) say("sought curvature", {});
+        if (find.equations) say("sought equations", {});
+        if (find.virtual_work && !find.forces) {
+            say("sought work", {});
+            for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);
+        }
         if (find.forces || (all && has_forces(solution_))) {
             say("sought forces", {});
             for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);

@@ -42,6 +42,7 @@ public:
     std::vector<Page> pages() {
         place_figure();
         set_text(is_question_ ? question() : key());
+        if (is_question_) add_loops();
         if (options_.grid) add_rooms();
         const Signature signature{options_.author, options_.date,
                                   word(is_question_ ? "subtitle question" : "subtitle answers", context_.language)};
@@ -210,6 +211,21 @@ private:
         }
     }
     Block reduced(Block block) const { return format_.text_size == 1 ? block : scaled(std::move(block), format_.text_size); }
+
+    /// Where the equations are sought: in which letters, so that answers can be compared.
+    void add_loops() {
+        for (const Figure& drawn : drawn_.figures) {
+            if (drawn.kind != "loops") continue;
+            const Box content = content_of(format_, false);
+            Figure figure = drawn;
+            sheets_.emplace_back();
+            sheets_.back().emplace_back(GroupBegin{"band", "", "", {{"data-question", "equations"}}});
+            const double caption = set_caption(sheets_.back(), context_, figure, 2, content.min, content.width());
+            figure.move(content.min.x - figure.box.min.x, content.min.y + caption - figure.box.min.y);
+            sheets_.back().insert(sheets_.back().end(), figure.marks.begin(), figure.marks.end());
+            sheets_.back().emplace_back(GroupEnd{});
+        }
+    }
 
     // --- blank rooms ----------------------------------------------------------------------------------------------------------
 

@@ -49,6 +49,8 @@ WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, Solu
     if (has_motion(context.solution) || !has_forces(context.solution)) collect_motion();
     if (has_forces(context.solution)) collect_forces(joukowsky);
     if (has_loops_figure(context.solution)) add_loops();
+    add_moving_axes();
+    add_displacements();
     add_small();
     // Who is brief wants fewer pages rather than larger figures.
     constexpr double smaller = 0.8;
@@ -252,6 +254,33 @@ void WantedFigures::add_loops() {
     wanted.weight = 1.5;
     wanted.draw = [this](double x, double y) { return loops_figure(context_, x, y); };
     add(std::move(wanted));
+}
+
+void WantedFigures::add_displacements() {
+    for (std::size_t i = 0; i < displacement_figures(context_.solution); ++i) {
+        Wanted wanted = mechanism(displacement_figure_name(i), false);
+        wanted.asked.reset();
+        wanted.rim_x = 30;
+        wanted.rim_y = 36;
+        wanted.least = 60;
+        wanted.draw = [this, i](double x, double y) { return displacement_figure(context_, i, x, y); };
+        add(std::move(wanted));
+    }
+}
+
+void WantedFigures::add_moving_axes() {
+    const Solution& s = context_.solution;
+    if (detail_ == SolutionDetail::brief) return;
+    for (std::size_t i = 0; i < s.relative_motion.size(); ++i) {
+        if (!has_moving_axes(s.relative_motion[i])) continue;
+        Wanted wanted = mechanism(moving_axes_name(s, i), false);
+        wanted.asked.reset();
+        wanted.rim_x = 30;
+        wanted.rim_y = 36;
+        wanted.least = 60;
+        wanted.draw = [this, i](double x, double y) { return moving_axes_figure(context_, i, x, y); };
+        add(std::move(wanted));
+    }
 }
 
 void WantedFigures::add_mechanism() {

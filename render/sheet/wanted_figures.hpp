@@ -73,6 +73,8 @@ private:
     void add_free_bodies();
     void add_curvature();
     void add_loops();
+    void add_displacements();
+    void add_moving_axes();
     void add_small();
     Wanted mechanism(const std::string& name, bool with_centres) const;
     std::optional<double> asked(const std::string& figure, double si) const;

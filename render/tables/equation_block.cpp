@@ -13,8 +13,8 @@ namespace {
 
 constexpr double between = 4;  // columns of a table, mm
 
-/// A table's lines, its columns as wide as what stands in them, all of it smaller where the measure asks.
-std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows, double measure) {
+/// A table's lines, its columns as wide as what stands in them.
+std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows) {
     constexpr double under_head = 1.4, under_line = 0.9;
     std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
@@ -29,7 +29,6 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
     }
     double whole = -between;
     for (const double each : wide) whole += each + between;
-    const double factor = std::min(1.0, measure / whole);
     std::vector<Block> lines;
     for (std::size_t r = 0; r < cells.size(); ++r) {
         Block line;
@@ -48,14 +47,30 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
             const double y = line.height - under_head / 2;
             line.marks.emplace_back(render::line({0, y}, {whole, y}, {context.theme.thin, context.theme.text, {}, false}));
         }
-        lines.push_back(scaled(std::move(line), factor));
+        lines.push_back(std::move(line));
     }
     return lines;
 }
 
+constexpr double any_width = 1e9;  // mm
+
+Block formula_within(const DrawingContext& context, const Formula& formula, double measure) {
+    return formula_block(formula, context.fonts, context.theme.derived, measure, context.theme.text);
+}
+/// As wide as they like, set once.
+const std::vector<Block>& natural_of(const DrawingContext& context, const EquationItem& item, NaturalBlocks& natural) {
+    const auto [found, fresh] = natural.try_emplace(&item);
+    if (fresh && item.kind == EquationItem::Kind::formula)
+        found->second.push_back(formula_within(context, item.formula, any_width));
+    else if (fresh)
+        found->second = lines_of(context, item.rows);
+    return found->second;
+}
+
 }  // namespace
 
-std::vector<Block> equation_blocks(const DrawingContext& context, const std::vector<EquationItem>& items, double measure) {
+std::vector<Block> equation_blocks(const DrawingContext& context, std::span<const EquationItem> items, double measure,
+                                   NaturalBlocks& natural) {
     constexpr double indent = 3, air = 1.3;
     std::vector<Block> blocks;
     bool announced = false;  // a sentence stays with the formula that it announces
@@ -78,8 +93,10 @@ std::vector<Block> equation_blocks(const DrawingContext& context, const std::vec
                 announced = item.words.ends_with(':');
                 break;
             case EquationItem::Kind::formula: {
-                const Block alone =
-                    formula_block(item.formula, context.fonts, context.theme.derived, measure - indent, context.theme.text);
+                const Block& wide = natural_of(context, item, natural).front();
+                const bool fits = wide.width <= measure - indent;
+                const Block broken = fits ? Block{} : formula_within(context, item.formula, measure - indent);
+                const Block& alone = fits ? wide : broken;
                 Block block;
                 set(block.marks, alone, {indent, 0});
                 block.width = measure;
@@ -88,7 +105,9 @@ std::vector<Block> equation_blocks(const DrawingContext& context, const std::vec
                 break;
             }
             case EquationItem::Kind::table:
-                for (Block& line : lines_of(context, item.rows, measure)) add(std::move(line));
+                // All of it smaller where the measure asks.
+                for (const Block& line : natural_of(context, item, natural))
+                    add(scaled(line, std::min(1.0, measure / line.width)));
                 break;
         }
     }

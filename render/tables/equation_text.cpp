@@ -72,7 +72,7 @@ public:
         if (!e_.unknowns.empty() && !e_.free.empty()) {
             write_velocities();
             write_ratios();
-            write_accelerations();
+            if (e_.by_tangent.empty()) write_accelerations();
         }
         write_reaches();
         if (!e_.free.empty()) write_values();
@@ -277,6 +277,13 @@ private:
             write_solved(loop, i);
         }
         for (const Equations::Law& law : e_.laws) write_law(law);
+        for (const JointIndex joint : e_.by_tangent)
+            say(Words(
+                "Of the contact {0} only the tangent is known. A slide along it stands for it: right for velocities in this "
+                "position, not for accelerations.",
+                "Del contatto {0} è nota solo la tangente. Lo sostituisce uno scorrimento lungo di essa: valido per le velocità "
+                "in questa posizione, non per le accelerazioni.",
+                mechanism_.joint(joint).name));
     }
     /// Left = right; terms that vanish are left out.
     Formula both_sides(const Equations::Loop& loop, const std::function<Signed(const Side&)>& of) const {
@@ -407,8 +414,9 @@ private:
             return Difference{of.angle.letters, second.angle.letters, of.angle.quarters - second.angle.quarters};
         };
         const std::vector<Side> known = known_sides(loop);
-        say({"Square to the slide the turning side follows, along it the slide:",
-             "In direzione normale allo scorrimento si trova il lato che ruota, lungo di esso lo scorrimento:"});
+        say({"Projected square to the slide the loop gives the angle of the side that turns, projected along it the slide itself:",
+             "Proiettando la maglia normalmente allo scorrimento si ricava l’angolo del lato che ruota, proiettandola lungo di esso lo "
+             "scorrimento:"});
         write_sine(first, known, against);
         const int forth = first.on_the_right == second.on_the_right ? 1 : -1;
         std::vector<Signed> along;
@@ -588,8 +596,11 @@ private:
 
     void write_velocities() {
         heading({"Velocities", "Velocità"}, true);
-        say(Words("The derivative of the loops; entries in {0}, {0}/s and radians:",
-                  "La derivata delle maglie; elementi in {0}, {0}/s e radianti:", mechanism_.units.length.symbol));
+        const std::string& unit = mechanism_.units.length.symbol;
+        say(e_.loops.empty() ? Words("Differentiating the laws once, with entries in {0}, {0}/s and rad:",
+                                     "Derivando una volta le leggi, con elementi in {0}, {0}/s e rad:", unit)
+                             : Words("Differentiating the loops once, with entries in {0}, {0}/s and rad:",
+                                     "Derivando una volta le equazioni di maglia, con elementi in {0}, {0}/s e rad:", unit));
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, false));
         for (const Equations::Law& law : e_.laws)
             set(equal(law_sum(law, [&](LetterIndex each) { return name(each, 1); }), Formula::upright("0")));
@@ -743,7 +754,7 @@ private:
     void write_accelerations() {
         if (!e_.is_regular()) return;
         heading({"Accelerations", "Accelerazioni"}, true);
-        say({"The second derivative; the matrix is the same:", "La derivata seconda; la matrice è la stessa:"});
+        say({"Differentiating once more; the matrix is the same:", "Derivando ancora; la matrice resta la stessa:"});
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, true));
         for (const Equations::Block& block : e_.blocks) write_block(block, 2);
         for (std::size_t j = 0; j < e_.unknowns.size(); ++j)

@@ -1,0 +1,163 @@
+// Virtual displacements: the mechanism in grey, where it acts every force, and of every point that moves its displacement as an
+// arrow, in proportion to that of the one coordinate displaced.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/displacements.hpp"
+#include "render/figures/figure.hpp"
+#include "render/figures/fit.hpp"
+#include "render/mechanism/sketch.hpp"
+#include "render/page/scale.hpp"
+#include "render/page/shapes.hpp"
+#include "render/tables/work_text.hpp"
+
+namespace kinegraph::render {
+
+using namespace drawing;
+
+namespace {
+
+const Displacements::Freedom& freedom_of(const Solution& solution, std::size_t index) {
+    return solution.displacements->freedoms[index];
+}
+
+/// A point that moves, in the colour of the first body that carries it.
+struct Shown {
+    std::string name;
+    PointIndex point;
+    BodyIndex body;
+    Vector displacement;
+};
+std::vector<Shown> shown_displacements(const Solution& moved) {
+    std::vector<Shown> shown;
+    for (const PointMotion& motion : moved.points) {
+        if (motion.point == none || !motion.velocity || motion.velocity->is_zero()) continue;
+        const auto body = std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex each) { return each > frame; });
+        if (body == motion.bodies.end()) continue;
+        shown.push_back({motion.label.empty() ? moved.mechanism.point(motion.point).name : motion.label, motion.point, *body,
+                         *motion.velocity});
+    }
+    return shown;
+}
+
+void draw_displacement(Sketch& sketch, const Shown& shown, double scale) {
+    const Spot at = sketch.spot(shown.point), way = paper_spot(shown.displacement);
+    const Spot tip = at + Spot{way.x / scale, way.y / scale};
+    if (coincide(at, tip)) return;
+    RichText text = typeset(Symbol{Symbol::Letter::v, shown.name, ""}, sketch.context.language);
+    if (!text.empty()) text.front().text = "δr";
+    const BodyColour colour = sketch.theme.colour_of(shown.body);
+    const std::string name = "delta r_" + shown.name;
+    sketch.arrows.emplace_back(GroupBegin{"displacement",
+                                          sketch.id("", name),
+                                          plain(text),
+                                          {{"data-name", name}, {"data-value", shortest(length(shown.displacement))}},
+                                          none});
+    draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour.line, colour.dashes);
+    sketch.arrows.emplace_back(GroupEnd{});
+    LabelRequest& label = sketch.add_label(text, colour.letter, middle(Bar{at, tip}), 1.4);
+    label.size = sketch.theme.equation;
+    label.toward = tip;
+}
+
+/// All that acts has one length: sizes stand in the table.
+constexpr double acting = 13;  // mm
+
+void draw_force(Sketch& sketch, const Symbol& symbol, Spot at, Spot along) {
+    const Spot tail = at - acting * along;
+    const std::string name = name_of(symbol);
+    sketch.arrows.emplace_back(GroupBegin{"force", sketch.id("", name), name, {{"data-name", name}}, none});
+    draw_arrow(sketch.arrows, tail, at, sketch.theme.vector, sketch.theme.text);
+    sketch.arrows.emplace_back(GroupEnd{});
+    LabelRequest& label =
+        sketch.add_label(typeset(symbol, sketch.context.language), sketch.theme.text, middle(Bar{tail, at}), 1.4);
+    label.size = sketch.theme.equation;
+    label.toward = tail;
+}
+void draw_couple(Sketch& sketch, RichText text, Spot at, bool counter_clockwise, double radius, Colour colour) {
+    constexpr double from = -0.5, by = 1.7;
+    draw_arc_arrow(sketch.arrows, at, radius, counter_clockwise ? -from : from - by, counter_clockwise ? -from - by : from,
+                   sketch.theme.outline, colour);
+    sketch.add_label(std::move(text), colour, at + radius * polar_spot(counter_clockwise ? -from - by / 2 : from - by / 2), 1.2);
+}
+/// Where a body turns about the frame, else somewhere on it.
+Spot pivot_of(const Sketch& sketch, BodyIndex body) {
+    for (const Joint& joint : sketch.mechanism.joints)
+        if (is_fixed_pin(joint) && joint.connects(body)) return sketch.spot(joint);
+    return sketch.shape(body).middle;
+}
+
+/// What acts, in its direction; an effort as one unit of it.
+void draw_actions(Sketch& sketch, const Solution& moved) {
+    for (const VirtualWork::Entry& entry : moved.virtual_work->entries) {
+        if (!entry.force.is_zero()) {
+            draw_force(sketch, entry.symbol, sketch.spot(entry.at), unit(paper_spot(entry.force)));
+        } else if (!entry.couple.is_zero()) {
+            draw_couple(sketch, typeset(entry.symbol, sketch.context.language), pivot_of(sketch, entry.body),
+                        entry.couple.sign() > 0, 9, sketch.theme.text);
+        }
+    }
+    for (const Effort& effort : moved.mechanism.efforts) {
+        if (const auto* couple = std::get_if<CoupleEffort>(&effort)) {
+            draw_couple(sketch, typeset(Symbol{Symbol::Letter::M, couple->name, {}}, sketch.context.language),
+                        pivot_of(sketch, couple->body), true, 12, sketch.theme.text);
+        } else if (const auto* force = std::get_if<ForceEffort>(&effort)) {
+            draw_force(sketch, {Symbol::Letter::F, force->name, {}}, sketch.spot(force->at),
+                       unit(paper_spot(direction_of(force->along, moved.pose))));
+        } else {
+            const auto& actuator = std::get<ActuatorEffort>(effort);
+            draw_force(sketch, {Symbol::Letter::F, actuator.name, {}}, sketch.spot(moved.mechanism.joint(actuator.joint)),
+                       unit(paper_spot(moved.pose.guide_units[at_index(actuator.joint)])));
+        }
+    }
+}
+
+Unit unit_of(const Displacements::Freedom& freedom, const Units& units) {
+    if (is_turn(freedom.driver)) return {units.length.symbol + "/rad", units.length.si};
+    return {units.length.symbol + "/" + units.length.symbol, 1};
+}
+
+}  // namespace
+
+std::size_t displacement_figures(const Solution& solution) {
+    return solution.displacements ? solution.displacements->freedoms.size() : 0;
+}
+
+std::string displacement_figure_name(std::size_t index) {
+    return index == 0 ? "displacements" : "displacements-" + std::to_string(index + 1);
+}
+
+Figure displacement_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+    const Displacements::Freedom& freedom = freedom_of(context.solution, index);
+    const Solution& moved = *freedom.moved;
+    const DrawingContext displaced{moved, context.theme, context.fonts, context.language, context.dimensions};
+    const Subject subject(moved);
+    const std::vector<Shown> shown = shown_displacements(moved);
+    double longest = 0;
+    for (const Shown& each : shown) longest = std::max(longest, length(each.displacement));
+    const Unit unit = unit_of(freedom, moved.mechanism.units);
+    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
+                                      std::max(room_y - 36, 10.0), std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    const std::string name = displacement_figure_name(index);
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, displaced, trial.scale, name + "-");
+        draw_in_grey(sketch);
+        const double reach = std::clamp(0.4 * sketch.size(), 12.0, 40.0);
+        const double scale = choose_scale(longest, 0, reach, reach, std::nullopt);
+        for (const Shown& each : shown) draw_displacement(sketch, each, scale);
+        draw_actions(sketch, moved);
+        if (const auto* spin = std::get_if<SpinDriver>(&freedom.driver))
+            draw_couple(sketch, displaced_coordinate(moved.mechanism, freedom.driver), pivot_of(sketch, spin->body), true, 6,
+                        sketch.theme.colour_of(spin->body).letter);
+        name_points(sketch);
+        Figure figure = sketch.finish("displacements", name, is_turn(freedom.driver) ? "m/rad" : "m/m");
+        figure.scale = scale;
+        figure.caption = one_piece(word("virtual displacements", context.language) + " ");
+        append(figure.caption, displaced_coordinate(moved.mechanism, freedom.driver));
+        sketch.close(figure, {room_x, room_y}, trial.last, scale, unit, trial.strict);
+        return figure;
+    });
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,140 @@
+// A relative motion taken apart: the moving axes on the mechanism in grey, and at the point what their observer sees of it, with
+// its components along them; Coriolis' term, which is v_rel turned with ω.
+#include <algorithm>
+#include <cmath>
+
+#include "render/figures/figure.hpp"
+#include "render/figures/fit.hpp"
+#include "render/mechanism/sketch.hpp"
+#include "render/page/scale.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+using namespace drawing;
+
+namespace {
+
+using Apart = RelativeMotion::Apart;
+
+RichText letter(const char* text, const char* superscript, const std::string& sub) {
+    Piece piece;
+    piece.text = text;
+    piece.face = Face::bold_italic;
+    piece.sub = sub;
+    piece.sup = superscript;
+    return {piece};
+}
+
+/// O′x′y′, the arrows as long as there is room.
+void draw_axes(Sketch& sketch, const Apart& apart, BodyIndex observer, Spot along) {
+    const Spot at = sketch.spot(apart.origin), across{along.y, -along.x};  // y downwards: counter-clockwise on paper
+    const double reach = std::clamp(0.3 * sketch.size(), 12.0, 26.0);
+    const Colour colour = sketch.theme.colour_of(observer).letter;
+    const auto axis = [&](Spot direction, const char* name) {
+        sketch.arrows.emplace_back(GroupBegin{"axis", sketch.id("axis", name), name, {{"data-name", name}}, none});
+        draw_arrow(sketch.arrows, at, at + reach * direction, sketch.theme.outline, colour);
+        sketch.arrows.emplace_back(GroupEnd{});
+        sketch.add_label(one_piece(name, Face::italic), colour, at + reach * direction, 1.2);
+    };
+    axis(along, "x′");
+    axis(across, "y′");
+}
+
+/// A vector at a place, with its two components broken.
+void draw_vector(Sketch& sketch, const RichText& text, const std::string& name, Spot at, Spot along, Spot across, double value,
+                 Colour colour) {
+    const Spot tip = at + along + across;
+    if (coincide(at, tip)) return;
+    if (length(along) > 1 && length(across) > 1) {
+        const Pen pen{sketch.theme.thin, colour, dashes(), false};
+        for (const Spot& part : {along, across}) {
+            sketch.construction.emplace_back(line(at, at + part, pen));
+            sketch.construction.emplace_back(line(at + part, tip, pen));
+        }
+    }
+    sketch.arrows.emplace_back(
+        GroupBegin{"vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(value)}}, none});
+    draw_arrow(sketch.arrows, at, tip, sketch.theme.vector, colour);
+    sketch.arrows.emplace_back(GroupEnd{});
+    LabelRequest& label = sketch.add_label(text, colour, middle(Bar{at, tip}), 1.4);
+    label.size = sketch.theme.equation;
+    label.toward = tip;
+}
+
+/// The sense of ω: from v_rel to Coriolis' term, over a quarter turn.
+void draw_sense(Sketch& sketch, const RelativeMotion& motion, Spot at, Spot v) {
+    if (motion.apart->no_coriolis != Apart::NoCoriolis::there_is || length(v) < 5) return;
+    const bool counter_clockwise = motion.apart->omega->sign() > 0;
+    const double from = angle_of(v), radius = std::min(0.45 * length(v), 7.0);
+    constexpr double quarter = 1.5707963267948966, margin = 0.12;
+    const double turn = counter_clockwise ? -1 : 1;
+    const Colour colour = sketch.theme.colour_of(motion.query.observer).letter;
+    draw_arc_arrow(sketch.arrows, at, radius, from + turn * margin, from + turn * (quarter - margin), sketch.theme.thin, colour);
+    sketch.add_label(
+        typeset(Symbol{Symbol::Letter::omega, sketch.mechanism.body(motion.query.observer).name, ""}, sketch.context.language),
+        colour, at + radius * polar_spot(from + turn * quarter / 2), 0.9);
+}
+
+void draw_seen(Sketch& sketch, const RelativeMotion& motion, double velocity_scale, double acceleration_scale) {
+    const Apart& apart = *motion.apart;
+    const Spot at = sketch.spot(motion.query.point);
+    const auto on_paper = [](const Vector& v, double scale) { return (1 / scale) * paper_spot(v); };
+    const Colour dark = sketch.theme.text, own = sketch.theme.colour_of(motion.query.observer).letter;
+    const Spot v = on_paper(*motion.relative_velocity, velocity_scale);
+    draw_vector(sketch, letter("v", "rel", sketch.mechanism.point(motion.query.point).name), "v_rel", at,
+                on_paper(*apart.velocity_along, velocity_scale), on_paper(*apart.velocity_across, velocity_scale),
+                length(*motion.relative_velocity), dark);
+    draw_vector(sketch, letter("a", "rel", sketch.mechanism.point(motion.query.point).name), "a_rel", at,
+                on_paper(*apart.acceleration_along, acceleration_scale), on_paper(*apart.acceleration_across, acceleration_scale),
+                length(*motion.relative_acceleration), sketch.theme.secondary);
+    if (apart.no_coriolis != Apart::NoCoriolis::there_is) return;
+    draw_vector(sketch, letter("a", "cor", sketch.mechanism.point(motion.query.point).name), "a_cor", at,
+                on_paper(*motion.coriolis, acceleration_scale), Spot{0, 0}, length(*motion.coriolis), own);
+    draw_sense(sketch, motion, at, v);
+}
+
+}  // namespace
+
+bool has_moving_axes(const RelativeMotion& motion) { return motion.apart.has_value(); }
+
+std::string moving_axes_name(const Solution& solution, std::size_t index) {
+    const auto& all = solution.relative_motion;
+    const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index), has_moving_axes);
+    return before == 0 ? "moving-axes" : "moving-axes-" + std::to_string(before + 1);
+}
+
+Figure moving_axes_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y) {
+    const Solution& solution = context.solution;
+    const RelativeMotion& motion = solution.relative_motion[index];
+    const Apart& apart = *motion.apart;
+    const Subject subject(solution);
+    const Spot along =
+        apart.towards == none ? Spot{1, 0} : unit(paper_spot(solution.pose.at(apart.towards) - solution.pose.at(apart.origin)));
+    const double speed = length(*motion.relative_velocity),
+                 acceleration = std::max(length(*motion.relative_acceleration), length(*motion.coriolis));
+    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
+                                      std::max(room_y - 36, 10.0), std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
+    const std::string name = moving_axes_name(solution, index);
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, name + "-");
+        draw_in_grey(sketch);
+        const double reach = std::clamp(0.35 * sketch.size(), 12.0, 32.0);
+        const double velocity_scale = speed > 0 ? choose_scale(speed, 0, reach, reach, std::nullopt) : 1;
+        const double acceleration_scale = acceleration > 0 ? choose_scale(acceleration, 0, reach, reach, std::nullopt) : 1;
+        draw_axes(sketch, apart, motion.query.observer, along);
+        draw_seen(sketch, motion, velocity_scale, acceleration_scale);
+        name_points(sketch);
+        Figure figure = sketch.finish(name, name, "m/s");
+        figure.scale = velocity_scale;
+        figure.has_scale = speed > 0;
+        if (acceleration > 0) figure.further_scale = "1 mm ≙ " + number(acceleration_scale, 4, context.language) + " m/s²";
+        figure.caption =
+            one_piece(word("moving axes", context.language) + " " + solution.mechanism.body(motion.query.observer).name);
+        sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, solution.mechanism.units.length, trial.strict);
+        return figure;
+    });
+}
+
+}  // namespace kinegraph::render
