@@ -82,6 +82,8 @@ struct VariantsRequest {
     bool merge = false;           ///< all questions in one PDF, and all solutions
     std::string folder;           ///< where they go
     std::string format = "pdf";   ///< of the sheets: pdf, svg, png
+    std::vector<std::string> platforms;  ///< moodle, qti, csv: files for learning platforms besides
+    bool resume = false;                 ///< what is there, whole and from the same request, is not written again
     render::SheetOptions sheet;
     std::string theme = "colour";
     double dpi = 150;

@@ -29,7 +29,10 @@ public:
           plots_(plots),
           ways_(ways),
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date, word(table.is_of_cam ? "subtitle cam" : "subtitle cycle", options.language)},
+          signature_{options.author, options.date, word(table.is_of_cam    ? "subtitle cam"
+                                                        : table.parameter ? "subtitle parameter"
+                                                                          : "subtitle cycle",
+                                                        options.language)},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {
@@ -98,6 +101,11 @@ private:
 
     // --- the table ------------------------------------------------------------------------------------------------------------
     std::string coordinate(double si) const {
+        if (table_.parameter) {
+            const Unit& unit = table_.parameter->unit;
+            const bool is_close = unit.symbol.empty() || unit.symbol == "°";
+            return number(si / unit.si.to_double(), 4, context_.language) + (is_close ? "" : " ") + unit.symbol;
+        }
         const Unit unit = table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
         return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
     }
