@@ -410,9 +410,10 @@ void add_variants(CLI::App& program, Action& action) {
     command->add_flag("--merge", request.merge, "One PDF of all questions and one of all solutions, in place of a file each");
     add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"}, "FORMAT");
     command
-        ->add_option("--for", request.platforms,
-                     "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given again, or parted "
-                     "by commas")
+        ->add_option(
+            "--for", request.platforms,
+            "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given again, or parted "
+            "by commas")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::IsMember({"moodle", "qti", "csv"}))

@@ -65,9 +65,8 @@ std::string moodle_file(const std::vector<render::QuizItem>& items, const std::v
     return text + render::moodle_tail();
 }
 
-std::vector<Packed> package_of(const std::vector<render::QuizItem>& items, const std::vector<std::string>& figures,
-                               const std::string& title) {
-    std::vector<Packed> files{{"imsmanifest.xml", render::qti_manifest(items, title)}};
+std::vector<Packed> package_of(const std::vector<render::QuizItem>& items, const std::vector<std::string>& figures) {
+    std::vector<Packed> files{{"imsmanifest.xml", render::qti_manifest(items)}};
     for (std::size_t i = 0; i < items.size(); ++i) {
         files.push_back({qti_file(items[i]), render::qti_item(items[i])});
         files.push_back({figure_file(items[i]), figures[i]});
@@ -130,7 +129,7 @@ tl::expected<std::vector<Output>, Status> Quizzes::outputs(const std::string& fo
             refuse(zip.error(), language);
             return tl::unexpected(Status::output);
         }
-        auto bytes = (*zip)->packed(package_of(items_, figures_, title_));
+        auto bytes = (*zip)->packed(package_of(items_, figures_));
         if (!bytes) return tl::unexpected(fail_to_write({Words(folder + "qti.zip"), Words(bytes.error())}, language));
         all.push_back({folder + "qti.zip", *std::move(bytes)});
     }

@@ -109,9 +109,9 @@ public:
         if (draws) {
             if (const auto status = draw(targets, std::move(rows), *plots, outputs)) return *status;
         } else if (!request_.plots.empty()) {
-            remarks_.push_back(in({"--plot adds to the drawing, and none is asked for",
-                                   "--plot aggiunge al disegno, e nessuno è richiesto"},
-                                  language()));
+            remarks_.push_back(
+                in({"--plot adds to the drawing, and none is asked for", "--plot aggiunge al disegno, e nessuno è richiesto"},
+                   language()));
         }
         if (names_clash(outputs, request_.file, language())) return Status::bad_input;
         if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
@@ -131,11 +131,10 @@ private:
                                 ",\n  \"to\": " + decimal_of(si(values_.count - 1)));
         for (const auto& row : rows) file.row(row);
         const LargestDifference::Found off = difference_.found(columns_, size_);
-        file.tail("\"largest difference\": " +
-                  (off.column < 0 ? std::string("null")
-                                  : "{\"column\": " + in_json(columns_[at_index(off.column)].name) +
-                                        ", \"value\": " + decimal_of(off.coordinate) + ", \"share\": " + decimal_of(off.share) +
-                                        "}"));
+        file.tail("\"largest difference\": " + (off.column < 0 ? std::string("null")
+                                                               : "{\"column\": " + in_json(columns_[at_index(off.column)].name) +
+                                                                     ", \"value\": " + decimal_of(off.coordinate) +
+                                                                     ", \"share\": " + decimal_of(off.share) + "}"));
         if (file.failure()) return file.failure();
         outputs.push_back(file.finish());
         return std::nullopt;
@@ -248,14 +247,15 @@ private:
     void report_difference() const {
         const LargestDifference::Found off = difference_.found(columns_, size_);
         if (off.column < 0) return;
-        std::array<char, 32> share{};
-        std::snprintf(share.data(), share.size(), "%.1e", off.share);
         const Unit unit = told_unit();
-        const std::string value =
-            render::number(off.coordinate / unit.si.to_double(), 4, language()) + (unit.symbol.empty() ? "" : " ") + unit.symbol;
+        std::array<char, 32> share{}, value{};
+        std::snprintf(share.data(), share.size(), "%.1e", off.share);
+        std::snprintf(value.data(), value.size(), "%.6g", off.coordinate / unit.si.to_double());
+        const bool is_close = unit.symbol.empty() || unit.symbol == "°";
         line({"largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
               "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
-              decimal(share.data()), columns_[at_index(off.column)].name, request_.over + " = " + value});
+              decimal(share.data()), columns_[at_index(off.column)].name,
+              request_.over + std::string(" = ") + decimal(value.data()) + (std::string(is_close ? "" : " ") + unit.symbol)});
     }
 
     const SweepRequest& request_;

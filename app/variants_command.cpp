@@ -260,14 +260,16 @@ private:
     }
     /// By what a variant's files are known again: all that decides their bytes.
     std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
-        std::vector<std::string> fields{"variant", number, name, text_, theme_text_, request_.format, std::to_string(request_.dpi)};
+        std::vector<std::string> fields{
+            "variant", number, name, text_, theme_text_, request_.format, std::to_string(request_.dpi)};
         for (const std::vector<Setting>* settings : {&variant.values, &request_.set}) {
             fields.push_back(std::to_string(settings->size()));
             for (const Setting& each : *settings) fields.insert(fields.end(), {each.name, each.value});
         }
-        for (const int each : {static_cast<int>(options_.paper), static_cast<int>(options_.language),
-                               static_cast<int>(options_.orientation), static_cast<int>(options_.dimensions),
-                               static_cast<int>(options_.detail), static_cast<int>(options_.grid), static_cast<int>(request_.merge)})
+        for (const int each :
+             {static_cast<int>(options_.paper), static_cast<int>(options_.language), static_cast<int>(options_.orientation),
+              static_cast<int>(options_.dimensions), static_cast<int>(options_.detail), static_cast<int>(options_.grid),
+              static_cast<int>(request_.merge)})
             fields.push_back(std::to_string(each));
         fields.insert(fields.end(), {options_.author, options_.date, bare_name(request_.file)});
         return hash_of(fields);

@@ -1,5 +1,5 @@
-// Quizzes of learning platforms, read back: XML by a parser, cloze fields by Moodle's grammar, packages by the directory of the zip;
-// every answer held against the results.
+// Quizzes of learning platforms, read back: XML by a parser, cloze fields by Moodle's grammar, packages by the directory of the
+// zip; every answer held against the results.
 #include <gtest/gtest.h>
 
 #include <charconv>
@@ -31,7 +31,8 @@ double number_in(const std::string& text) {
 
 pugi::xml_document read_xml(const std::string& text, const std::string& what) {
     pugi::xml_document document;
-    const pugi::xml_parse_result read = document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata);
+    const pugi::xml_parse_result read =
+        document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata);
     EXPECT_TRUE(read) << what << ": " << read.description() << " at " << read.offset;
     return document;
 }
@@ -181,7 +182,8 @@ TEST_P(QuizOf, AsksForItsResultsAndTellsTheSolution) {
         }
         EXPECT_GT(item.solution.size(), 1U) << "by step";
         EXPECT_GT(item.figure.marks.size(), 10U);
-        const auto moodle = read_xml(render::moodle_head("x") + render::moodle_question(item, "png") + render::moodle_tail(), "moodle");
+        const auto moodle =
+            read_xml(render::moodle_head("x") + render::moodle_question(item, "png") + render::moodle_tail(), "moodle");
         const pugi::xml_node cloze = moodle.child("quiz").find_child_by_attribute("question", "type", "cloze");
         const std::string body = cloze.child("questiontext").child_value("text");
         read_xml("<div>" + body + "</div>", "question text");
@@ -358,13 +360,15 @@ TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
             EXPECT_EQ(off.substr(0, off.find(' ')), off.substr(off.find(' ') + 1));
             EXPECT_EQ(equal.child("variable").attribute("identifier").value(), name);
             EXPECT_EQ(equal.child("correct").attribute("identifier").value(), name);
-            EXPECT_EQ(condition->child("responseIf").child("setOutcomeValue").attribute("identifier").value(), std::string("SCORE"));
+            EXPECT_EQ(condition->child("responseIf").child("setOutcomeValue").attribute("identifier").value(),
+                      std::string("SCORE"));
             ++condition;
             ++i;
         }
         EXPECT_EQ(i, asked_.size());
         std::set<std::string> outcomes;
-        for (const pugi::xml_node each : item.children("outcomeDeclaration")) outcomes.insert(each.attribute("identifier").value());
+        for (const pugi::xml_node each : item.children("outcomeDeclaration"))
+            outcomes.insert(each.attribute("identifier").value());
         EXPECT_EQ(outcomes, (std::set<std::string>{"SCORE", "MAXSCORE", "FEEDBACK"}));
         EXPECT_EQ(item.child("modalFeedback").attribute("outcomeIdentifier").value(), std::string("FEEDBACK"));
         EXPECT_TRUE(item.child("modalFeedback").child("ol"));
@@ -376,9 +380,27 @@ TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
     // CSV.
     const auto rows = cells_of(contents(folder_ / "out" / "answers.csv"));
     ASSERT_EQ(rows.size(), 3U);
-    const std::vector<std::string> head{"variant", "name", "seed", "m", "z2", "z3", "phi", "w",
-                                        "omega 3", "omega 3 unit", "omega 3 tolerance", "omega 4", "omega 4 unit", "omega 4 tolerance",
-                                        "v C", "v C unit", "v C tolerance", "question", "solution", "results", "file"};
+    const std::vector<std::string> head{"variant",
+                                        "name",
+                                        "seed",
+                                        "m",
+                                        "z2",
+                                        "z3",
+                                        "phi",
+                                        "w",
+                                        "omega 3",
+                                        "omega 3 unit",
+                                        "omega 3 tolerance",
+                                        "omega 4",
+                                        "omega 4 unit",
+                                        "omega 4 tolerance",
+                                        "v C",
+                                        "v C unit",
+                                        "v C tolerance",
+                                        "question",
+                                        "solution",
+                                        "results",
+                                        "file"};
     EXPECT_EQ(rows[0], head);
     for (std::size_t r = 1; r < rows.size(); ++r) {
         ASSERT_EQ(rows[r].size(), head.size());
@@ -394,8 +416,11 @@ TEST_F(QuizFiles, AreReadBackAndAnswerByTheKey) {
 
 TEST_F(QuizFiles, AreTheSameBytesEverywhere) {
     ASSERT_EQ(run("variants train.json --count 1 --format svg --for qti --for moodle -o out").status, 0);
-    ASSERT_EQ(run("variants train.json --count 1 --format svg --for qti --for moodle -o there", "export TZ=Asia/Tokyo LC_ALL=C;").status, 0);
-    for (const char* name : {"/qti.zip", "/moodle.xml"}) EXPECT_EQ(contents(folder_ / ("out" + std::string(name))), contents(folder_ / ("there" + std::string(name))));
+    ASSERT_EQ(run("variants train.json --count 1 --format svg --for qti --for moodle -o there", "export TZ=Asia/Tokyo LC_ALL=C;")
+                  .status,
+              0);
+    for (const char* name : {"/qti.zip", "/moodle.xml"})
+        EXPECT_EQ(contents(folder_ / ("out" + std::string(name))), contents(folder_ / ("there" + std::string(name))));
     const Outcome wrong = run("variants train.json --count 1 --for moodel -o other");
     EXPECT_EQ(wrong.status, 2);
     EXPECT_FALSE(is_there("other"));

@@ -153,9 +153,10 @@ TEST_F(VariantsCommand, ResumesWhatWasInterrupted) {
 TEST_F(VariantsCommand, SaysWhatADiskThatIsFullLeavesOut) {
     const Outcome full = run("variants train.json --count 2 -o out --format svg", "ulimit -f 8;");
     EXPECT_EQ(full.status, 4);
-    EXPECT_TRUE(lines_are(full.err,
-                          "out/001-(question|solution)\\.svg: cannot be written: File too large|train\\.json: 0 of 2 variants are in "
-                          "out, .*--resume writes the rest"))
+    EXPECT_TRUE(
+        lines_are(full.err,
+                  "out/001-(question|solution)\\.svg: cannot be written: File too large|train\\.json: 0 of 2 variants are in "
+                  "out, .*--resume writes the rest"))
         << full.err;
     EXPECT_TRUE(files_of("out").empty()) << "nothing half written";
 }
@@ -205,13 +206,15 @@ TEST_F(SweepOver, IsDrawnAndHeldAgainstTheCheck) {
     ASSERT_TRUE(rows["largest difference"].is_object());
     EXPECT_LT(rows["largest difference"]["share"].get<double>(), 1e-9);
     EXPECT_GE(rows["largest difference"]["value"].get<double>(), 0.035);
-    EXPECT_TRUE(lines_are(drawn.err, R"(vary\.json: largest difference from the numeric check: .* at r = \d+ mm\))")) << drawn.err;
+    EXPECT_TRUE(lines_are(drawn.err, R"(vary\.json: largest difference from the numeric check: .* at r = \d+ mm\))"))
+        << drawn.err;
     const std::string sheet = contents(folder_ / "r.svg");
     EXPECT_NE(sheet.find("data-figure=\"plot\""), std::string::npos);
     EXPECT_NE(sheet.find("data-name=\"omega 4\""), std::string::npos);
     EXPECT_NE(sheet.find("[mm]"), std::string::npos) << "the parameter in the unit it was given in";
     EXPECT_NE(sheet.find("The results over a parameter"), std::string::npos);
-    const Outcome none = run("sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --steps 2 --plot \"omega 33\" -o none.svg");
+    const Outcome none =
+        run("sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --steps 2 --plot \"omega 33\" -o none.svg");
     EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("--plot: there is no quantity \"omega 33\""), std::string::npos) << none.err;
     EXPECT_FALSE(is_there("none.svg"));
@@ -221,8 +224,9 @@ TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
     fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
     const Outcome open = run("sweep vary.json --over d --from \"150 mm\" --to \"450 mm\" --step \"150 mm\"");
     EXPECT_EQ(open.status, 3);
-    EXPECT_TRUE(open.err.starts_with("vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n"
-                                     "vary.json: largest difference from the numeric check: "))
+    EXPECT_TRUE(
+        open.err.starts_with("vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n"
+                             "vary.json: largest difference from the numeric check: "))
         << open.err;
     EXPECT_EQ(lines_of(open.out).size(), 2U);
     const auto wrong = [&](const std::string& arguments, const std::string& said) {

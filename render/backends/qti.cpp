@@ -1,5 +1,5 @@
-// QTI 2.1: see quiz_files.hpp. An item has a text entry for each number; a response within the tolerance of the correct one, its ends
-// included, scores one point. The solution is shown once it is answered.
+// QTI 2.1: see quiz_files.hpp. An item has a text entry for each number; a response within the tolerance of the correct one, its
+// ends included, scores one point. The solution is shown once it is answered.
 #include "render/backends/quiz_files.hpp"
 #include "render/backends/quiz_html.hpp"
 #include "render/text/html.hpp"
@@ -70,17 +70,13 @@ std::string qti_item(const QuizItem& item) {
            html_of(item.solution, true) + "</modalFeedback>\n</assessmentItem>\n";
 }
 
-std::string qti_manifest(const std::vector<QuizItem>& items, std::string_view title) {
+std::string qti_manifest(const std::vector<QuizItem>& items) {
     std::string xml(xml_declaration);
     xml +=
         "<manifest xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
         "xsi:schemaLocation=\"http://www.imsglobal.org/xsd/imscp_v1p1 "
         "http://www.imsglobal.org/xsd/qti/qtiv2p1/qtiv2p1_imscpv1p2_v1p0.xsd\" identifier=\"kinegraph-variants\">\n"
-        "<!-- ";
-    // A comment holds no two hyphens, and does not end in one.
-    for (const char c : xml_text(title)) xml += c == '-' ? std::string("‐") : std::string(1, c);
-    xml += " -->\n<metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0</schemaversion></metadata>\n<organizations/>\n"
-           "<resources>\n";
+        "<metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0</schemaversion></metadata>\n<organizations/>\n<resources>\n";
     for (const QuizItem& item : items)
         xml += "<resource identifier=\"" + identifier_of(item) + "\" type=\"imsqti_item_xmlv2p1\" href=\"" + qti_file(item) +
                "\"><file href=\"" + qti_file(item) + "\"/><file href=\"" + figure_file(item) + "\"/></resource>\n";

@@ -1,5 +1,5 @@
-// Quiz items as files of learning platforms: Moodle XML with cloze questions, and items of QTI 2.1 with the manifest of their package.
-// What these files promise:
+// Quiz items as files of learning platforms: Moodle XML with cloze questions, and items of QTI 2.1 with the manifest of their
+// package. What these files promise:
 //  - every text of a user is escaped: nothing in a name is read as markup, as a field to be filled in, or as a place of one;
 //  - numbers stand as the item has them, with a decimal point;
 //  - the same items are the same bytes: no date, no identifier made up.
@@ -24,7 +24,7 @@ std::string qti_item(const QuizItem& item);
 /// The name of an item in a package.
 std::string qti_file(const QuizItem& item);
 /// imsmanifest.xml of a package of items, each with its figure.
-std::string qti_manifest(const std::vector<QuizItem>& items, std::string_view title);
+std::string qti_manifest(const std::vector<QuizItem>& items);
 
 /// RFC 4648, without line breaks.
 std::string base64(std::string_view bytes);

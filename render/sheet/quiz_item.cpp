@@ -79,7 +79,8 @@ private:
         drawn_ = draw_solution(solution_, as_solution, context_.fonts).figures;
         answers_ = answers_of(context_, drawn_);
         const Box content = content_of(format_, true);
-        item_.figure = page_of_figure(context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
+        item_.figure =
+            page_of_figure(context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
         item_.question.push_back({word("data", language()), data_of(context_)});
         if (auto scales = scales_of(context_, drawn_); !scales.empty())
             item_.question.push_back({word("scales", language()), std::move(scales)});
@@ -119,10 +120,10 @@ private:
         item_.figure =
             page_of_figure(context_, (figure.as_question ? figure.as_question : figure.draw)(format_.measure, tallest));
         QuizSection data{in(given.heading, language()), {}};
-        for (std::size_t i = 0; i + given.found < given.sentences.size(); ++i) data.paragraphs.push_back(said(given.sentences[i]));
+        for (std::size_t i = 0; i + given.found < given.sentences.size(); ++i)
+            data.paragraphs.push_back(said(given.sentences[i]));
         item_.question.push_back(std::move(data));
-        given.sentences.erase(given.sentences.begin(),
-                              given.sentences.end() - static_cast<std::ptrdiff_t>(given.found));
+        given.sentences.erase(given.sentences.begin(), given.sentences.end() - static_cast<std::ptrdiff_t>(given.found));
         for (const ProblemSection& section : sections) {
             QuizSection told{in(section.heading, language()), {}};
             for (const Words& each : section.sentences) told.paragraphs.push_back(said(each));
@@ -136,13 +137,13 @@ private:
     void add_blanks(const std::vector<AskedValue>& asked) {
         bool turns = false, has_vectors = false;
         for (const AskedValue& each : asked) {
-            const double off = is_problem_ ? 0.01 * std::abs(each.value)
-                                           : reading_tolerance(answers_, drawn_, each.column, each.value,
-                                                               solution_.mechanism.units);
+            const double off = is_problem_
+                                   ? 0.01 * std::abs(each.value)
+                                   : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism.units);
             AskedText text = asked_text(context_, each.column);
             const WrittenAnswer number = written(each.value / each.unit_size, off / each.unit_size);
-            item_.blanks.push_back({each.column.name, std::move(text.words), std::move(text.symbol), number.value,
-                                    number.tolerance, each.unit});
+            item_.blanks.push_back(
+                {each.column.name, std::move(text.words), std::move(text.symbol), number.value, number.tolerance, each.unit});
             const QuantityKind kind = each.column.unit;
             turns = turns || kind == QuantityKind::angle || kind == QuantityKind::angular_velocity ||
                     kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment;
@@ -164,18 +165,18 @@ private:
         for (const QuizBlank& each : item_.blanks) {
             RichText line = each.symbol;
             append(line, std::string(" = "));
-            append(line, with_powers(told(each.value)));
-            if (each.tolerance != "0") append(line, with_powers(" ± " + told(each.tolerance)));
+            append(line, with_powers(number(read(each.value), 4, language())));
+            if (each.tolerance != "0") append(line, with_powers(" ± " + shortest(read(each.tolerance), language())));
             const bool close = each.unit.empty() || each.unit == "°";
             append(line, with_powers((close ? "" : " ") + each.unit));
             results.paragraphs.push_back(std::move(line));
         }
         item_.solution.push_back(std::move(results));
     }
-    std::string told(const std::string& written) const {
+    static double read(const std::string& decimal) {
         double value = 0;
-        std::from_chars(written.data(), written.data() + written.size(), value);
-        return shortest(value, language());
+        std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
+        return value;
     }
 
     const SheetOptions& options_;

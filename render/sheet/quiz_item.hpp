@@ -1,5 +1,5 @@
-// Quiz items: a variant of an exercise as a learning platform asks it. Owns what is asked, in which words, and how far an answer may
-// be off; what comes of it as bytes are the backends of quizzes (render/backends/quiz_files.hpp). Computes no mechanics.
+// Quiz items: a variant of an exercise as a learning platform asks it. Owns what is asked, in which words, and how far an answer
+// may be off; what comes of it as bytes are the backends of quizzes (render/backends/quiz_files.hpp). Computes no mechanics.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace kinegraph::render {
 struct AskedValue {
     Column column;
     double value = 0;
-    std::string unit;     ///< its symbol; empty: a bare number
+    std::string unit;      ///< its symbol; empty: a bare number
     double unit_size = 1;  ///< SI
 };
 

@@ -537,6 +537,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"cam and follower", "Cam and follower", "Camma e punteria"},
     FixedWords{"fixed centrode", "fixed centrode", "polare fissa"},
     FixedWords{"moving centrode", "moving centrode", "polare mobile"},
+    FixedWords{"extremes of rows", "Extremes", "Estremi"},
     FixedWords{"extremes", "Extremes of the motion", "Valori estremi del moto"},
     FixedWords{"quantity", "quantity", "grandezza"},
     FixedWords{"least", "least", "minimo"},
