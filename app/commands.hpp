@@ -75,13 +75,15 @@ Status sweep_command(const SweepRequest& request);
 /// variants FILE: many exercises of one, each with its question, its solution and a line of the key.
 struct VariantsRequest {
     std::string file;
-    std::vector<Setting> set;     ///< parameters in place of the file's
-    long count = 0;               ///< how many; 0: one for each student of the roster
-    unsigned long long seed = 1;  ///< which of them
-    std::string roster;           ///< a file of names; empty: none
-    bool merge = false;           ///< all questions in one PDF, and all solutions
-    std::string folder;           ///< where they go
-    std::string format = "pdf";   ///< of the sheets: pdf, svg, png
+    std::vector<Setting> set;            ///< parameters in place of the file's
+    long count = 0;                      ///< how many; 0: one for each student of the roster
+    unsigned long long seed = 1;         ///< which of them
+    std::string roster;                  ///< a file of names; empty: none
+    bool merge = false;                  ///< all questions in one PDF, and all solutions
+    std::string folder;                  ///< where they go
+    std::string format = "pdf";          ///< of the sheets: pdf, svg, png
+    std::vector<std::string> platforms;  ///< moodle, qti, csv: files for learning platforms besides
+    bool resume = false;                 ///< what is there, whole and from the same request, is not written again
     render::SheetOptions sheet;
     std::string theme = "colour";
     double dpi = 150;

@@ -411,6 +411,16 @@ void add_variants(CLI::App& program, Action& action) {
         ->type_name("CSV");
     command->add_flag("--merge", request.merge, "One PDF of all questions and one of all solutions, in place of a file each");
     add_choice(*command, "--format", request.format, "What the sheets are: pdf, svg or png", {"pdf", "svg", "png"}, "FORMAT");
+    command
+        ->add_option(
+            "--for", request.platforms,
+            "A file for a learning platform besides: moodle (XML), qti (2.1, zipped) or csv; may be given again, or parted "
+            "by commas")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::IsMember({"moodle", "qti", "csv"}))
+        ->type_name("PLATFORM");
+    command->add_flag("--resume", request.resume, "What an earlier run of the same request has written whole is not done again");
     add_settings(*command, request.set);
     add_choice(*command, "--detail", words->sheet.detail, "How much of a solution is told: full or brief", {"full", "brief"},
                "HOW");

@@ -63,6 +63,12 @@ std::string hash_of(const BatchLine& line, const std::string& theme) {
     return all.hash();
 }
 
+std::string hash_of(const std::vector<std::string>& fields) {
+    Description all;
+    all << "kinegraph " KINEGRAPH_VERSION << fields;
+    return all.hash();
+}
+
 Receipt::Receipt(const std::string& to, std::string asked) : asked_(std::move(asked)) {
     const std::filesystem::path target(to);
     folder_ = (target.parent_path() / ".kinegraph").string();

@@ -17,6 +17,9 @@ namespace kinegraph::app {
 /// theme's text, what is wanted and where, the program's version. Not the line's id.
 std::string hash_of(const BatchLine& line, const std::string& theme);
 
+/// The same over any fields, one after the other, and the program's version.
+std::string hash_of(const std::vector<std::string>& fields);
+
 class Receipt {
 public:
     /// Of the files that go to `to`, for what has the hash `asked`.

@@ -4,16 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <optional>
 
+#include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
 #include "app/row_file.hpp"
+#include "app/sweep_drawing.hpp"
+#include "constructions/largest_difference.hpp"
 #include "constructions/named_results.hpp"
 #include "constructions/solve.hpp"
+#include "engine/problem.hpp"
 #include "engine/result_names.hpp"
 #include "engine/spelling.hpp"
 #include "engine/variation.hpp"
+#include "render/sheet/cycle_sheet.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -75,8 +81,8 @@ tl::expected<Variation, Words> values_of(const SweepRequest& request) {
 
 class ParameterSweep {
 public:
-    ParameterSweep(const SweepRequest& request, std::string text, Variation values)
-        : request_(request), text_(std::move(text)), values_(std::move(values)) {}
+    ParameterSweep(const SweepRequest& request, std::string text, Mechanism own, Variation values, std::optional<double> drawn)
+        : request_(request), text_(std::move(text)), own_(std::move(own)), values_(std::move(values)), drawn_(drawn) {}
 
     Status run(const std::vector<Target>& targets) {
         Progress progress(static_cast<long>(values_.count));
@@ -88,25 +94,101 @@ public:
             else
                 left_out_.push_back(values_.value(i));
         }
-        if (rows.empty()) return say(spoken(request_.file), fault_, request_.sheet.language);
+        if (rows.empty()) return say(spoken(request_.file), fault_, language());
+        const auto plots = plots_of(request_.plots, columns_);
+        if (!plots) {
+            say(spoken(request_.file), plots.error(), language());
+            return Status::bad_input;
+        }
         std::vector<Output> outputs;
         for (const Target& target : targets) {
-            auto growing = Growing::open(target.path);
-            if (!growing) return fail_to_write(growing.error(), request_.sheet.language);
-            RowFile file(*std::move(growing), target.format);
-            file.head(columns_, "\"parameter\": " + in_json(request_.over) + ",\n  \"from\": " + decimal_of(si(0)) +
-                                    ",\n  \"to\": " + decimal_of(si(values_.count - 1)));
-            for (const auto& row : rows) file.row(row);
-            file.tail("");
-            if (file.failure()) return fail_to_write(*file.failure(), request_.sheet.language);
-            outputs.push_back(file.finish());
+            if (target.is_drawn()) continue;
+            if (const auto failure = write_rows(target, rows, outputs)) return fail_to_write(*failure, language());
         }
-        if (const auto failure = write_all(outputs)) return fail_to_write(*failure, request_.sheet.language);
+        const bool draws = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+        if (draws) {
+            if (const auto status = draw(targets, std::move(rows), *plots, outputs)) return *status;
+        } else if (!request_.plots.empty()) {
+            remarks_.push_back(
+                in({"--plot adds to the drawing, and none is asked for", "--plot aggiunge al disegno, e nessuno è richiesto"},
+                   language()));
+        }
+        if (names_clash(outputs, request_.file, language())) return Status::bad_input;
+        if (const auto failure = write_all(outputs)) return fail_to_write(*failure, language());
         return report();
     }
 
 private:
+    Language language() const { return request_.sheet.language; }
     double si(std::uint64_t i) const { return si_of(*read_measured(values_.value(i), {})); }
+
+    std::optional<NotWritten> write_rows(const Target& target, const std::vector<std::vector<double>>& rows,
+                                         std::vector<Output>& outputs) const {
+        auto growing = Growing::open(target.path);
+        if (!growing) return growing.error();
+        RowFile file(*std::move(growing), target.format);
+        file.head(columns_, "\"parameter\": " + in_json(request_.over) + ",\n  \"from\": " + decimal_of(si(0)) +
+                                ",\n  \"to\": " + decimal_of(si(values_.count - 1)));
+        for (const auto& row : rows) file.row(row);
+        const LargestDifference::Found off = difference_.found(columns_, size_);
+        file.tail("\"largest difference\": " + (off.column < 0 ? std::string("null")
+                                                               : "{\"column\": " + in_json(columns_[at_index(off.column)].name) +
+                                                                     ", \"value\": " + decimal_of(off.coordinate) +
+                                                                     ", \"share\": " + decimal_of(off.share) + "}"));
+        if (file.failure()) return file.failure();
+        outputs.push_back(file.finish());
+        return std::nullopt;
+    }
+
+    /// The unit of the first value, as SI counts it.
+    Unit told_unit() const {
+        if (values_.unit.empty()) return {"", 1};
+        const KnownUnit* known = unit_spelt(values_.unit);
+        return {known->symbol == "deg" ? "°" : std::string(known->symbol), known->si};
+    }
+    /// Adds the sheets; a status where something is missing, which has been said.
+    std::optional<Status> draw(const std::vector<Target>& targets, std::vector<std::vector<double>> rows,
+                               const std::vector<std::vector<std::size_t>>& plots, std::vector<Output>& outputs) {
+        Mechanism plain = own_;
+        plain.find = {};
+        plain.find.stated = plain.find.velocity = true;
+        const auto drawn = solve(std::move(plain));
+        if (!drawn) return say(spoken(request_.file), drawn.error(), language());
+        const auto theme = theme_of(request_.theme, request_.file, language());
+        if (!theme) return theme.error();
+        const auto press = Press::open(targets, language(), request_.live_text ? Lettering::live : Lettering::outlines);
+        if (!press) return press.error();
+        CycleTable table;
+        table.driver = request_.over;
+        table.turns = false;
+        table.travel.from = si(0);
+        table.travel.to = si(values_.count - 1);
+        table.columns = columns_;
+        table.rows = std::move(rows);
+        for (const std::string& each : left_out_) table.left_out.push_back(si_of(*read_measured(each, {})));
+        table.parameter = CycleTable::Parameter{told_unit(), drawn_};
+        render::SheetOptions options = request_.sheet;
+        options.theme = *theme;
+        const auto pages = render::lay_out_cycle(*drawn, table, plots, {}, options, press->fonts());
+        for (const Target& target : targets)
+            if (target.is_drawn()) press->print(pages, target, request_.dpi, outputs, remarks_);
+        press->remark_missing(remarks_);
+        return std::nullopt;
+    }
+
+    /// Holds the row of a value against the check.
+    void hold_against_check(const Solution& solution, const std::vector<double>& row) {
+        size_ = std::max(size_, solution.pose.size.to_double());
+        for (std::size_t i = 1; i < columns_.size(); ++i) {
+            const Column& column = columns_[i];
+            if (column.kind == Column::Kind::result)
+                for (const CheckRow& each : solution.checks)
+                    if (each.quantity == column.quantity) difference_.hold(i, column, row[i], each.numeric, row[0]);
+            if (column.kind == Column::Kind::named && solution.problem)
+                for (const ProblemValue& each : solution.problem->values)
+                    if (each.name.en == column.name && each.numeric) difference_.hold(i, column, row[i], *each.numeric, row[0]);
+        }
+    }
 
     /// The results with one value; nothing where there are none.
     std::optional<std::vector<double>> row_of(const std::string& value) {
@@ -136,6 +218,7 @@ private:
                                                                                     : found->value);
         }
         last_ = row;
+        hold_against_check(*solution, row);
         return row;
     }
     void choose_columns(const std::vector<NamedResult>& results) {
@@ -148,22 +231,41 @@ private:
         return angle + turn * std::round((before - angle) / turn);
     }
 
+    void line(const Words& words) const { say(spoken(request_.file), words, language()); }
     Status report() const {
-        const auto line = [&](const Words& words) { say(spoken(request_.file), words, request_.sheet.language); };
-        if (left_out_.empty()) return Status::done;
+        for (const std::string& remark : remarks_) line(render::word("a remark", language()) + ": " + remark);
         if (left_out_.size() == 1)
             line({"1 row is left out, where the file gives no unique answer: {0} = {1}",
                   "1 riga è omessa, dove il file non dà una risposta unica: {0} = {1}", request_.over, left_out_.front()});
-        else
+        if (left_out_.size() > 1)
             line({"{0} rows are left out, where the file gives no unique answer: {1} = {2} … {3}",
                   "{0} righe sono omesse, dove il file non dà una risposta unica: {1} = {2} … {3}",
                   std::to_string(left_out_.size()), request_.over, left_out_.front(), left_out_.back()});
-        return Status::unsolved;
+        report_difference();
+        return left_out_.empty() ? Status::done : Status::unsolved;
+    }
+    void report_difference() const {
+        const LargestDifference::Found off = difference_.found(columns_, size_);
+        if (off.column < 0) return;
+        const Unit unit = told_unit();
+        std::array<char, 32> share{}, value{};
+        std::snprintf(share.data(), share.size(), "%.1e", off.share);
+        std::snprintf(value.data(), value.size(), "%.6g", off.coordinate / unit.si.to_double());
+        const bool is_close = unit.symbol.empty() || unit.symbol == "°";
+        line({"largest difference from the numeric check: {0} of the largest of its kind ({1} at {2})",
+              "massimo scarto dalla verifica numerica: {0} della grandezza maggiore del suo genere ({1} a {2})",
+              decimal(share.data()), columns_[at_index(off.column)].name,
+              request_.over + std::string(" = ") + decimal(value.data()) + (std::string(is_close ? "" : " ") + unit.symbol)});
     }
 
     const SweepRequest& request_;
     std::string text_;
+    Mechanism own_;  ///< with the file's own values
     Variation values_;
+    std::optional<double> drawn_;  ///< the parameter's own value, SI; none: a formula gives it
+    LargestDifference difference_;
+    double size_ = 0;  ///< of the largest drawing, m
+    std::vector<std::string> remarks_;
     std::vector<Column> columns_;
     std::vector<double> last_;
     std::vector<std::string> left_out_;
@@ -181,10 +283,10 @@ Words of_another_kind(const Variation& values, JsonValue parameter) {
 
 /// Why a parameter cannot be swept so; empty where it can.
 Words meaningless(const SweepRequest& request, JsonValue parameters) {
-    if (!request.drivers.empty() || request.branch != 0 || !request.plots.empty() || !request.traces.empty() ||
-        !request.centrodes.empty() || request.poses != 0)
-        return {"--over moves no driver: --driver, --branch, --plot, --trace, --centrodes and --poses do not go with it",
-                "--over non muove nessun movente: --driver, --branch, --plot, --trace, --centrodes e --poses non vanno con esso"};
+    if (!request.drivers.empty() || request.branch != 0 || !request.traces.empty() || !request.centrodes.empty() ||
+        request.poses != 0)
+        return {"--over moves no driver: --driver, --branch, --trace, --centrodes and --poses do not go with it",
+                "--over non muove nessun movente: --driver, --branch, --trace, --centrodes e --poses non vanno con esso"};
     if (request.step.size() > 1) return {"--step is given twice", "--step è dato due volte"};
     std::vector<std::string_view> names;
     if (parameters && parameters.is_object())
@@ -194,11 +296,21 @@ Words meaningless(const SweepRequest& request, JsonValue parameters) {
             quoted(request.over), did_you_mean(Speller().nearest(request.over, names))};
 }
 
+/// The parameter's own value, SI: that of --set, else the file's; nothing where a formula gives it.
+std::optional<double> drawn_value(const SweepRequest& request, const JsonSource& source) {
+    std::string text(source.root()["parameters"][request.over].text());
+    for (const Setting& each : request.set)
+        if (each.name == request.over) text = each.value;
+    if (is_formula(text)) return std::nullopt;
+    const auto own = read_measured(text, {});
+    return own ? std::optional(si_of(*own)) : std::nullopt;
+}
+
 }  // namespace
 
 Status sweep_parameter(const SweepRequest& request) {
     const Language language = request.sheet.language;
-    constexpr std::array formats{Format::csv, Format::json};
+    constexpr std::array formats{Format::csv, Format::json, Format::svg, Format::png, Format::pdf, Format::tex};
     auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     if (targets->empty()) targets->push_back({"-", Format::csv});
@@ -208,15 +320,24 @@ Status sweep_parameter(const SweepRequest& request) {
         return Status::bad_input;
     }
     // Its own faults come first.
-    if (const auto own = read_mechanism(*text, bare_name(request.file), request.set); !own)
-        return say(spoken(request.file), own.error(), language);
+    auto own = read_mechanism(*text, bare_name(request.file), request.set);
+    if (!own) return say(spoken(request.file), own.error(), language);
+    const bool draws = std::any_of(targets->begin(), targets->end(), [](const Target& target) { return target.is_drawn(); });
+    if (draws && stands_for_joints(*own)) {
+        say(spoken(request.file),
+            Words("plots are of a mechanism; of this problem ask for CSV or JSON",
+                  "i diagrammi sono di un meccanismo; di questo problema chiedere CSV o JSON"),
+            language);
+        return Status::bad_input;
+    }
     const auto source = JsonSource::read(*text);
     if (const Words why = meaningless(request, source->root()["parameters"]); !why.empty()) return refuse(why, language);
     auto values = values_of(request);
     if (!values) return refuse(values.error(), language);
     if (const Words why = of_another_kind(*values, source->root()["parameters"][request.over]); !why.empty())
         return refuse(why, language);
-    return ParameterSweep(request, *std::move(text), *std::move(values)).run(*targets);
+    return ParameterSweep(request, *std::move(text), *std::move(own), *std::move(values), drawn_value(request, *source))
+        .run(*targets);
 }
 
 }  // namespace kinegraph::app

@@ -13,7 +13,11 @@
 #include <system_error>
 
 #include "app/commands.hpp"
+#include "app/csv_text.hpp"
+#include "app/json_text.hpp"
 #include "app/outputs.hpp"
+#include "app/quizzes.hpp"
+#include "app/receipt.hpp"
 #include "app/roster.hpp"
 #include "constructions/variants.hpp"
 #include "engine/file_text.hpp"
@@ -80,16 +84,6 @@ private:
 };
 
 // --- the key ------------------------------------------------------------------------------------------------------------------
-
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",;\"\n") == std::string::npos) return text;
-    std::string cell = "\"";
-    for (const char c : text) {
-        if (c == '"') cell += '"';
-        cell += c;
-    }
-    return cell + '"';
-}
 
 /// A line for each variant: its number, whose it is, its parameters and what is asked for.
 class Key {
@@ -176,7 +170,7 @@ std::string number_of(std::size_t variant) {
 class Run {
 public:
     Run(const VariantsRequest& request, std::string text, Variants variants, std::vector<std::string> names, std::size_t count,
-        Press press, const render::Theme& theme)
+        Press press, const render::Theme& theme, std::string theme_text)
         : request_(request),
           text_(std::move(text)),
           source_(*JsonSource::read(text_)),
@@ -185,7 +179,9 @@ public:
           count_(count),
           press_(std::move(press)),
           options_(request.sheet),
-          key_(variants_.original(), !names_.empty(), request.sheet.language) {
+          theme_text_(std::move(theme_text)),
+          key_(variants_.original(), !names_.empty(), request.sheet.language),
+          quizzes_(request.platforms, variants_.original(), title(), request.seed) {
         options_.theme = theme;
     }
 
@@ -198,7 +194,7 @@ public:
             };
             while (key_.size() < count_ && Stopping::asked() == 0) {
                 countdown.at(key_.size());
-                auto variant = variants_.next(is_readable);
+                auto variant = variants_.next(is_readable, [] { return Stopping::asked() != 0; });
                 if (!variant) return say(spoken(request_.file), variant.error(), language());
                 if (!*variant) break;
                 if (const auto status = write(**variant)) return *status;
@@ -216,28 +212,76 @@ private:
         return request_.folder + (request_.folder.ends_with('/') ? "" : "/") + name;
     }
 
+    std::string title() const {
+        const std::string& given = in(variants_.original().title, language());
+        return given.empty() ? bare_name(request_.file) : given;
+    }
+
     /// All that one variant has, whole or not at all; a status where it cannot be written.
     std::optional<Status> write(Variant& variant) {
         const std::size_t index = key_.size();
         const std::string number = number_of(index + 1), name = index < names_.size() ? names_[index] : "";
-        Mechanism& mechanism = variant.solution.mechanism;
-        mechanism.source = number + ".json";
+        variant.solution.mechanism.source = number + ".json";
+        const Receipt receipt(path(number), asked_of(number, name, variant));
+        // A theme from standard input is read once, and is not known again.
+        const bool is_there = request_.resume && request_.theme != "-" && receipt.answer();
         render::SheetOptions options = options_;
         if (!name.empty()) options.author = name + (options.author.empty() ? "" : "  ·  " + options.author);
         std::vector<Output> outputs;
+        if (!is_there || request_.merge) add_sheets(variant, number, options, outputs);
+        if (is_there)
+            ++there_before_;
+        else if (const auto status = put(variant, number, receipt, std::move(outputs)))
+            return status;
+        if (quizzes_.are_wanted()) add_quiz(variant, number, name);
+        key_.add(number, name, variant);
+        return std::nullopt;
+    }
+    void add_sheets(const Variant& variant, const std::string& number, render::SheetOptions options,
+                    std::vector<Output>& outputs) {
         options.kind = render::SheetKind::question;
         print(render::lay_out(variant.solution, options, press_.fonts()), number + "-question", questions_, outputs);
         options.kind = render::SheetKind::solution;
         options.grid = false;
         print(render::lay_out(variant.solution, options, press_.fonts()), number + "-solution", solutions_, outputs);
+    }
+    std::optional<Status> put(const Variant& variant, const std::string& number, const Receipt& receipt,
+                              std::vector<Output> outputs) {
         std::vector<Setting> set = variant.values;
         set.insert(set.end(), request_.set.begin(), request_.set.end());
         constexpr std::array<std::string_view, 2> without{"vary", "require"};
         outputs.push_back({path(number + ".json"), file_with(source_, set, without)});
         outputs.push_back({path(number + "-results.json"), results_json(variant.solution, false, in_english)});
-        if (const auto status = put(outputs)) return status;
-        key_.add(number, name, variant);
-        return std::nullopt;
+        std::vector<std::string> paths;
+        for (const Output& each : outputs) paths.push_back(each.path);
+        if (const auto failure = receipt.make_room()) return not_put(*failure);
+        outputs.push_back(receipt.of(outputs, "{\"files\": " + quoted(paths) + "}"));
+        return put(outputs);
+    }
+    /// By what a variant's files are known again: all that decides their bytes.
+    std::string asked_of(const std::string& number, const std::string& name, const Variant& variant) const {
+        std::vector<std::string> fields{
+            "variant", number, name, text_, theme_text_, request_.format, std::to_string(request_.dpi)};
+        for (const std::vector<Setting>* settings : {&variant.values, &request_.set}) {
+            fields.push_back(std::to_string(settings->size()));
+            for (const Setting& each : *settings) fields.insert(fields.end(), {each.name, each.value});
+        }
+        for (const int each :
+             {static_cast<int>(options_.paper), static_cast<int>(options_.language), static_cast<int>(options_.orientation),
+              static_cast<int>(options_.dimensions), static_cast<int>(options_.detail), static_cast<int>(options_.grid),
+              static_cast<int>(request_.merge)})
+            fields.push_back(std::to_string(each));
+        fields.insert(fields.end(), {options_.author, options_.date, bare_name(request_.file)});
+        return hash_of(fields);
+    }
+    void add_quiz(const Variant& variant, const std::string& number, const std::string& name) {
+        const std::string ending = "." + request_.format;
+        Quizzes::Files files{number + "-question" + ending, number + "-solution" + ending, number + "-results.json",
+                             number + ".json"};
+        if (request_.merge) files.question = "questions.pdf", files.solution = "solutions.pdf";
+        render::SheetOptions options = options_;
+        options.kind = render::SheetKind::question;
+        quizzes_.add(number, name, variant, files, options, request_.dpi, press_);
     }
 
     void print(std::vector<render::Page> pages, const std::string& name, std::vector<render::Page>& merged,
@@ -261,9 +305,13 @@ private:
                               language());
         }
         const auto failure = write_all(outputs);
-        if (!failure) return std::nullopt;
-        const Status status = fail_to_write(*failure, language());
-        line({"{0} of {1} variants are in {2}, each of them whole", "{0} di {1} varianti sono in {2}, ciascuna intera",
+        return failure ? not_put(*failure) : std::nullopt;
+    }
+    /// Says what could not be written, what there is, and how to go on.
+    std::optional<Status> not_put(const NotWritten& failure) const {
+        const Status status = fail_to_write(failure, language());
+        line({"{0} of {1} variants are in {2}, each of them whole; their key is missing, --resume writes the rest",
+              "{0} di {1} varianti sono in {2}, ciascuna intera; manca la chiave con le soluzioni, --resume scrive il resto",
               std::to_string(key_.size()), std::to_string(count_), request_.folder});
         return status;
     }
@@ -271,17 +319,18 @@ private:
     std::optional<Status> write_key() {
         std::vector<Output> outputs{{path("key.csv"), key_.csv()}};
         std::vector<std::string> remarks;
-        const Words& title = variants_.original().title;
-        const std::string of = in(title, language()).empty() ? bare_name(request_.file) : in(title, language());
         render::SheetOptions options = options_;
         options.orientation = request_.sheet.orientation;
         press_.print(
-            render::lay_out_key(key_.table(of + " – " + in(Words("key", "soluzioni"), language())), options, press_.fonts()),
+            render::lay_out_key(key_.table(title() + " – " + in(Words("key", "soluzioni"), language())), options, press_.fonts()),
             {path("key.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
         if (request_.merge) {
             press_.print(questions_, {path("questions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
             press_.print(solutions_, {path("solutions.pdf"), Format::pdf}, request_.dpi, outputs, remarks);
         }
+        auto quizzes = quizzes_.outputs(path(""), language());
+        if (!quizzes) return quizzes.error();
+        std::move(quizzes->begin(), quizzes->end(), std::back_inserter(outputs));
         return put(outputs);
     }
 
@@ -292,10 +341,14 @@ private:
         line({"{0} variants in {1}; {2} of {3} combinations were looked at",
               "{0} varianti in {1}; sono state esaminate {2} combinazioni su {3}", std::to_string(key_.size()), request_.folder,
               std::to_string(variants_.looked_at()), std::to_string(variants_.combinations())});
+        if (there_before_ > 0)
+            line({"{0} of them were there, whole, and stayed", "{0} di esse c’erano già, intere, e sono rimaste",
+                  std::to_string(there_before_)});
         for (const Variants::Rejection& each : variants_.rejections())
             line({"{0} rejected: {1}", "{0} scartate: {1}", std::to_string(each.count), each.why});
         if (const int signal = Stopping::asked(); signal != 0) {
-            line({"stopped: what is there is whole", "interrotto: ciò che c’è è intero"});
+            line({"stopped: what is there is whole; --resume writes the rest",
+                  "interrotto: ciò che c’è è intero; --resume scrive il resto"});
             std::signal(signal, SIG_DFL);
             std::raise(signal);
         }
@@ -321,7 +374,10 @@ private:
     std::size_t count_;
     Press press_;
     render::SheetOptions options_;
+    std::string theme_text_;
     Key key_;
+    Quizzes quizzes_;
+    std::size_t there_before_ = 0;
     std::vector<render::Page> questions_, solutions_;
 };
 
@@ -344,6 +400,13 @@ std::optional<Status> folder_fails(const VariantsRequest& request) {
     if (!trouble && ::access(request.folder.c_str(), W_OK) != 0) trouble = {errno, std::generic_category()};
     if (!trouble) return std::nullopt;
     return fail_to_write({Words(request.folder), Words(trouble.message())}, request.sheet.language);
+}
+
+/// What decides how it looks: its name, and what a file of that name holds.
+std::string text_of_theme(const std::string& name) {
+    if (name == "-" || render::built_in_theme(name)) return name;
+    const auto text = read_whole(name, {"theme file", "file di tema"});
+    return text ? name + '\n' + *text : name;
 }
 
 }  // namespace
@@ -378,7 +441,9 @@ Status variants_command(const VariantsRequest& request) {
     auto press = Press::open({{"", Format::pdf}}, language);
     if (!press) return press.error();
     if (const auto status = folder_fails(request)) return *status;
-    return Run(request, *std::move(text), *std::move(variants), *names, count, *std::move(press), *theme).carry_out();
+    return Run(request, *std::move(text), *std::move(variants), *names, count, *std::move(press), *theme,
+               text_of_theme(request.theme))
+        .carry_out();
 }
 
 }  // namespace kinegraph::app

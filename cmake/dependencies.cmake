@@ -11,6 +11,9 @@ find_package(CLI11 2.1 REQUIRED)
 find_path(CGAL_INCLUDE_DIR CGAL/Simple_cartesian.h REQUIRED)
 mark_as_advanced(CGAL_INCLUDE_DIR)
 
+# Met only in a module of the program.
+pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
+
 add_library(kinegraph_headers INTERFACE)
 target_include_directories(kinegraph_headers SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
 target_link_libraries(kinegraph_headers INTERFACE Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11)

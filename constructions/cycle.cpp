@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "constructions/largest_difference.hpp"
 #include "constructions/named_results.hpp"
 #include "constructions/solve.hpp"
 #include "engine/check.hpp"
@@ -160,42 +161,8 @@ public:
     }
 
     Difference difference() const {
-        Difference worst;
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const auto& off = off_.size() > i ? off_[i] : Off{};
-            const double unit = measure(columns_[i].quantity.kind);
-            if (!off.held || unit == 0) continue;
-            const double share = off.most / unit;
-            if (worst.column < 0 || share > worst.share) worst = {share, static_cast<int>(i), off.coordinate};
-        }
-        return worst;
-    }
-
-    /// The largest of a kind. Kinds that one motion ties together share their measure across the drawing's size.
-    double measure(Kind kind) const {
-        const double l = pose_.size.to_double();
-        const auto of = [&](Kind each) { return largest_[static_cast<std::size_t>(each)]; };
-        const double v = std::max({of(Kind::velocity), of(Kind::sliding_velocity), of(Kind::omega) * l});
-        const double a = std::max({of(Kind::acceleration), of(Kind::sliding_acceleration), of(Kind::alpha) * l, v * v / l});
-        const double f = std::max({of(Kind::force), of(Kind::couple) / l});
-        switch (kind) {
-            case Kind::omega:
-                return v / l;
-            case Kind::alpha:
-                return a / l;
-            case Kind::velocity:
-            case Kind::sliding_velocity:
-                return v;
-            case Kind::acceleration:
-            case Kind::sliding_acceleration:
-                return a;
-            case Kind::force:
-                return f;
-            case Kind::couple:
-                return f * l;
-            default:
-                return of(kind);
-        }
+        const LargestDifference::Found found = off_.found(columns_, pose_.size.to_double());
+        return {found.share, found.column, found.coordinate};
     }
     Positions& positions() { return positions_; }
     const std::vector<Column>& columns() const { return columns_; }
@@ -416,16 +383,11 @@ private:
         const NumericMotion motion = check_motion(check_mechanism_, check_pose_);
         std::optional<NumericForces> forces;
         if (has_forces_) forces = check_forces(check_mechanism_, check_pose_, motion);
-        off_.resize(columns_.size());
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const Column& column = columns_[i];
             if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
             const auto found = numeric(column, motion, forces ? &*forces : nullptr);
-            if (!found) continue;
-            double& largest = largest_[static_cast<std::size_t>(column.quantity.kind)];
-            largest = std::max({largest, std::abs(values_[i]), std::abs(*found)});
-            const double off = std::abs(values_[i] - *found);
-            if (!off_[i].held || off > off_[i].most) off_[i] = {true, off, positions_.coordinate()};
+            if (found) off_.hold(i, column, values_[i], *found, positions_.coordinate());
         }
     }
     void put_into_check_pose() {
@@ -494,11 +456,6 @@ private:
         return dot(along, apart(motion.acceleration(i, place), motion.acceleration(j, place)) - coriolis);
     }
 
-    struct Off {
-        bool held = false;
-        double most = 0, coordinate = 0;
-    };
-
     const Mechanism& mechanism_;
     const Pose& pose_;
     int driver_;
@@ -519,8 +476,7 @@ private:
     int planned_ = 0;
     Mechanism check_mechanism_;
     Pose check_pose_;
-    std::vector<Off> off_;
-    std::array<double, static_cast<std::size_t>(Kind::resultant_couple) + 1> largest_{};
+    LargestDifference off_;
 };
 
 Cycle::Cycle(std::unique_ptr<Rows> rows) : rows_(std::move(rows)) {}

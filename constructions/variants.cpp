@@ -52,8 +52,9 @@ void Variants::reject(Words why) {
         rejections_.push_back({std::move(why), 1});
 }
 
-Result<std::optional<Variant>> Variants::next(const IsReadable& is_readable) {
+Result<std::optional<Variant>> Variants::next(const IsReadable& is_readable, const std::function<bool()>& stops) {
     for (std::uint64_t in_a_row = 0; looked_at_ < size_ && in_a_row < most_in_a_row; ++in_a_row) {
+        if (stops && stops()) break;
         auto found = drawn(order_.at(looked_at_++), is_readable);
         if (!found || *found) return found;
     }

@@ -32,9 +32,9 @@ public:
     /// nothing.
     static Result<Variants> of(std::string text, std::string source, std::vector<Setting> set, std::uint64_t seed);
 
-    /// The next one; nothing where there is none: all combinations have been looked at, or `most_in_a_row` failed one after the
-    /// other. Errors: of the file, which asks for or compares what is not there.
-    Result<std::optional<Variant>> next(const IsReadable& is_readable);
+    /// The next one; nothing where there is none: all combinations have been looked at, `most_in_a_row` failed one after the
+    /// other, or `stops` says so, which is asked before each. Errors: of the file, which asks for or compares what is not there.
+    Result<std::optional<Variant>> next(const IsReadable& is_readable, const std::function<bool()>& stops = {});
 
     std::uint64_t combinations() const { return size_; }
     std::uint64_t looked_at() const { return looked_at_; }

@@ -67,6 +67,13 @@ struct CycleTable {
     std::vector<Words> facts;  ///< what else is told below the extremes
     bool is_of_cam = false;    ///< a cam's whole turn, else a mechanism's motion
 
+    /// A parameter in place of the driver: `driver` is its name, the travel and the first column its values.
+    struct Parameter {
+        Unit unit;                    ///< in which it is told; without a symbol: bare numbers
+        std::optional<double> drawn;  ///< its value as drawn, SI
+    };
+    std::optional<Parameter> parameter = std::nullopt;
+
     /// The column over which the others are drawn: the driver's coordinate, or the time where it has a law.
     std::size_t over() const { return travel.times ? 1 : 0; }
 };

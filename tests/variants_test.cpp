@@ -19,7 +19,7 @@ protected:
     std::map<std::string, std::string> files_of(const std::string& folder) const {
         std::map<std::string, std::string> files;
         for (const auto& entry : fs::directory_iterator(folder_ / folder))
-            files[entry.path().filename().string()] = contents(entry.path());
+            if (entry.is_regular_file()) files[entry.path().filename().string()] = contents(entry.path());
         return files;
     }
 };
@@ -113,13 +113,52 @@ TEST_F(VariantsCommand, StopsWithWholeFiles) {
                                 "' variants train.json --count 100000 -o out --format svg 2>err & pid=$!; until [ -e "
                                 "out/002.json ] || ! kill -0 $pid; do sleep 0.02; done; kill -INT $pid; wait $pid; }";
     EXPECT_NE(std::system(command.c_str()), 0);
-    EXPECT_NE(contents(folder_ / "err").find("stopped: what is there is whole"), std::string::npos);
+    EXPECT_NE(contents(folder_ / "err").find("stopped: what is there is whole; --resume writes the rest"), std::string::npos);
     EXPECT_TRUE(is_there("out/key.csv"));
     for (const auto& [name, bytes] : files_of("out")) {
         EXPECT_TRUE(name.ends_with(".json") || name.ends_with(".svg") || name.starts_with("key.")) << name << " was left behind";
         EXPECT_TRUE(!name.ends_with(".svg") || bytes.ends_with("</svg>\n")) << name;
         EXPECT_TRUE(!name.ends_with(".json") || bytes.ends_with("}\n")) << name;
     }
+}
+
+TEST_F(VariantsCommand, ResumesWhatWasInterrupted) {
+    const std::string arguments = "variants train.json --seed 3 --format svg --for csv -o ";
+    ASSERT_EQ(run(arguments + "whole --count 3").status, 0);
+    // Something stands where a file of the second one goes.
+    fs::create_directories(folder_ / "out" / "002-solution.svg");
+    const Outcome hindered = run(arguments + "out --count 3");
+    EXPECT_EQ(hindered.status, 4);
+    EXPECT_EQ(hindered.err,
+              "out/002-solution.svg: cannot be written: Is a directory\n"
+              "train.json: 1 of 3 variants are in out, each of them whole; their key is missing, --resume writes the rest\n");
+    EXPECT_TRUE(is_there("out/001-results.json") && !is_there("out/002.json") && !is_there("out/key.csv"));
+    fs::remove(folder_ / "out" / "002-solution.svg");
+    const auto before = fs::last_write_time(folder_ / "out" / "001-question.svg");
+    const Outcome resumed = run(arguments + "out --count 3 --resume");
+    EXPECT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("1 of them were there, whole, and stayed"), std::string::npos) << resumed.err;
+    EXPECT_EQ(fs::last_write_time(folder_ / "out" / "001-question.svg"), before);
+    EXPECT_EQ(files_of("out"), files_of("whole"));
+    // What is gone, or cut short, is done again; what is asked otherwise, too.
+    fs::remove(folder_ / "out" / "001.json");
+    std::ofstream(folder_ / "out" / "003-solution.svg") << "<svg";
+    const Outcome mended = run(arguments + "out --count 3 --resume");
+    EXPECT_NE(mended.err.find("1 of them were there"), std::string::npos) << mended.err;
+    EXPECT_EQ(files_of("out"), files_of("whole"));
+    const Outcome italian = run(arguments + "out --count 1 --resume --lang it");
+    EXPECT_EQ(italian.err.find("c’erano già"), std::string::npos) << italian.err;
+}
+
+TEST_F(VariantsCommand, SaysWhatADiskThatIsFullLeavesOut) {
+    const Outcome full = run("variants train.json --count 2 -o out --format svg", "ulimit -f 8;");
+    EXPECT_EQ(full.status, 4);
+    EXPECT_TRUE(
+        lines_are(full.err,
+                  "out/001-(question|solution)\\.svg: cannot be written: File too large|train\\.json: 0 of 2 variants are in "
+                  "out, .*--resume writes the rest"))
+        << full.err;
+    EXPECT_TRUE(files_of("out").empty()) << "nothing half written";
 }
 
 TEST_F(VariantsCommand, CheckSaysWhichConditionsTheFileItselfMisses) {
@@ -158,11 +197,37 @@ TEST_F(SweepOver, SolvesTheFileForEachValue) {
     EXPECT_NEAR(rows["rows"][1][0].get<double>(), std::acos(-1.0) / 4, 1e-15);
 }
 
+TEST_F(SweepOver, IsDrawnAndHeldAgainstTheCheck) {
+    fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
+    const Outcome drawn = run(
+        "sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --step \"1 mm\" --plot \"omega 3,omega 4\" -o r.svg -o r.json");
+    ASSERT_EQ(drawn.status, 0) << drawn.err;
+    const Json rows = Json::parse(contents(folder_ / "r.json"));
+    ASSERT_TRUE(rows["largest difference"].is_object());
+    EXPECT_LT(rows["largest difference"]["share"].get<double>(), 1e-9);
+    EXPECT_GE(rows["largest difference"]["value"].get<double>(), 0.035);
+    EXPECT_TRUE(lines_are(drawn.err, R"(vary\.json: largest difference from the numeric check: .* at r = \d+ mm\))"))
+        << drawn.err;
+    const std::string sheet = contents(folder_ / "r.svg");
+    EXPECT_NE(sheet.find("data-figure=\"plot\""), std::string::npos);
+    EXPECT_NE(sheet.find("data-name=\"omega 4\""), std::string::npos);
+    EXPECT_NE(sheet.find("[mm]"), std::string::npos) << "the parameter in the unit it was given in";
+    EXPECT_NE(sheet.find("The results over a parameter"), std::string::npos);
+    const Outcome none =
+        run("sweep vary.json --over r --from \"35 mm\" --to \"60 mm\" --steps 2 --plot \"omega 33\" -o none.svg");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find("--plot: there is no quantity \"omega 33\""), std::string::npos) << none.err;
+    EXPECT_FALSE(is_there("none.svg"));
+}
+
 TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
     fs::copy(fs::path(KINEGRAPH_EXAMPLES_DIR) / "variants" / "four_bar.json", folder_ / "vary.json");
     const Outcome open = run("sweep vary.json --over d --from \"150 mm\" --to \"450 mm\" --step \"150 mm\"");
     EXPECT_EQ(open.status, 3);
-    EXPECT_EQ(open.err, "vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n");
+    EXPECT_TRUE(
+        open.err.starts_with("vary.json: 2 rows are left out, where the file gives no unique answer: d = 300 mm … 450 mm\n"
+                             "vary.json: largest difference from the numeric check: "))
+        << open.err;
     EXPECT_EQ(lines_of(open.out).size(), 2U);
     const auto wrong = [&](const std::string& arguments, const std::string& said) {
         const Outcome outcome = run("sweep vary.json " + arguments);
@@ -174,7 +239,7 @@ TEST_F(SweepOver, LeavesOutWhatDoesNotCloseAndSaysWhatIsWrong) {
     wrong("--over r --from \"1 mm\"", "--over wants --from and --to");
     wrong("--over r --from \"1 mm\" --to \"2 s\"", "--from is a length, and --to or --step is a quantity in s");
     wrong("--over r --from \"1 mm\" --to \"2 mm\" --driver 2",
-          "--over moves no driver: --driver, --branch, --plot, --trace, --centrodes and --poses do not go with it");
+          "--over moves no driver: --driver, --branch, --trace, --centrodes and --poses do not go with it");
 }
 
 }  // namespace

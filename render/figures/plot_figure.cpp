@@ -60,7 +60,7 @@ public:
           id_("plot-" + std::to_string(number)),
           room_(room),
           over_(table.over()),
-          x_unit_(unit_of(table.columns[over_].unit, context.solution.mechanism)),
+          x_unit_(table.parameter ? table.parameter->unit : unit_of(table.columns[over_].unit, context.solution.mechanism)),
           y_unit_(unit_of(table.columns[columns.front()].unit, context.solution.mechanism)) {
         for (const double end : {table.travel.at(0), table.travel.at(1)}) x_.take(in_x(end));
         for (const auto& row : table.rows)
@@ -155,13 +155,8 @@ private:
             figure_.marks.emplace_back(line(foot, {foot.x, frame_.min.y}, faint));
             text(one_piece(tick(near_zero(x, x_step_), x_step_)), theme_.small, {foot.x, foot.y + 3.6}, 0.5, theme_.text);
         }
-        const bool over_time = table_.travel.times.has_value();
-        RichText coordinate = one_piece(over_time ? "t" : table_.turns ? "Δφ" : "s", Face::italic);
-        if (!over_time) {
-            coordinate.front().sub = table_.driver;
-            coordinate.front().sub_face = Face::regular;
-        }
-        append(coordinate, one_piece("  [" + x_unit_.symbol + "]"));
+        RichText coordinate = name_of_coordinate();
+        if (!x_unit_.symbol.empty()) append(coordinate, with_powers("  [" + x_unit_.symbol + "]"));
         text(coordinate, theme_.small, {ends, frame_.max.y + 7.4}, 1, theme_.secondary);
         figure_.marks.emplace_back(GroupEnd{});
         axis("axis-y", {frame_.min.x, frame_.max.y}, frame_.min, y_, y_unit_.symbol);
@@ -177,6 +172,16 @@ private:
         figure_.marks.emplace_back(GroupEnd{});
     }
 
+    RichText name_of_coordinate() const {
+        if (table_.parameter) return one_piece(table_.driver, Face::italic);
+        const bool over_time = table_.travel.times.has_value();
+        RichText coordinate = one_piece(over_time ? "t" : table_.turns ? "Δφ" : "s", Face::italic);
+        if (over_time) return coordinate;
+        coordinate.front().sub = table_.driver;
+        coordinate.front().sub_face = Face::regular;
+        return coordinate;
+    }
+
     /// The drawn position as a thin line, dead and change points as broken ones.
     void draw_upright_lines() {
         const auto upright = [&](double coordinate, const char* cls, const Pen& pen) {
@@ -186,7 +191,11 @@ private:
             figure_.marks.emplace_back(line(at(x, y_.least), at(x, y_.most), pen));
             figure_.marks.emplace_back(GroupEnd{});
         };
-        upright(0, "drawn-position", {theme_.thin, theme_.text, {}, false});
+        const Pen thin{theme_.thin, theme_.text, {}, false};
+        if (!table_.parameter)
+            upright(0, "drawn-position", thin);
+        else if (table_.parameter->drawn)
+            upright(*table_.parameter->drawn, "drawn-position", thin);
         const Pen broken{theme_.outline, theme_.secondary, dashes(), false};
         if (table_.travel.times) return;  // limits and change points are places, and these are times
         if (table_.travel.starts_at_limit) upright(table_.travel.from, "dead-point", broken);
@@ -248,7 +257,8 @@ private:
         if (zeros.size() > most_zeros) return;
         for (const double zero : zeros) {
             const double x = in_x(zero);
-            mark(curve, at(x, 0), number(x, 4, context_.language) + (x_unit_.symbol == "°" ? "°" : " " + x_unit_.symbol), true);
+            const bool is_close = x_unit_.symbol.empty() || x_unit_.symbol == "°";
+            mark(curve, at(x, 0), number(x, 4, context_.language) + (is_close ? "" : " ") + x_unit_.symbol, true);
         }
     }
 
@@ -323,6 +333,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
         return RichText{piece};
     };
     const auto body = [&](BodyIndex index) { return mechanism.body(index).name; };
+    const auto along = [&](const std::string& of) { return of + (axis.empty() ? "" : " " + axis); };
     switch (column.kind) {
         case Column::Kind::turn:
             return symbol("φ", "", Face::regular);
@@ -350,13 +361,13 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
             return language == Language::it ? symbol("ω", body(q.body), Face::regular, 1)
                                             : symbol("α", body(q.body), Face::regular);
         case Kind::velocity:
-            return symbol("v", mechanism.point(q.point).name + " " + axis, Face::italic);
+            return symbol("v", along(mechanism.point(q.point).name), Face::italic);
         case Kind::acceleration:
-            return symbol("a", mechanism.point(q.point).name + " " + axis, Face::italic);
+            return symbol("a", along(mechanism.point(q.point).name), Face::italic);
         case Kind::force:
         case Kind::couple: {
             const std::string pair = (q.other == none ? "" : body(q.other)) + body(q.body);
-            return symbol(q.kind == Kind::couple ? "C" : "F", pair + (axis.empty() ? "" : " " + axis), Face::regular);
+            return symbol(q.kind == Kind::couple ? "C" : "F", along(pair), Face::regular);
         }
         default: {
             // "F_G" is F with the index G.

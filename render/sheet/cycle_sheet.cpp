@@ -29,7 +29,11 @@ public:
           plots_(plots),
           ways_(ways),
           format_(format_of(options.paper, options.orientation)),
-          signature_{options.author, options.date, word(table.is_of_cam ? "subtitle cam" : "subtitle cycle", options.language)},
+          signature_{options.author, options.date,
+                     word(table.is_of_cam   ? "subtitle cam"
+                          : table.parameter ? "subtitle parameter"
+                                            : "subtitle cycle",
+                          options.language)},
           width_((format_.content.width() - 2 * gap) / 2) {}
 
     std::vector<Page> pages() {
@@ -58,6 +62,7 @@ private:
                 Figure figure = mechanism_with_ways(context_, ways_, x, y);
                 scale_ = figure.scale;
                 if (table_.is_of_cam) figure.caption = one_piece(word("cam and follower", context_.language));
+                if (table_.parameter) figure.caption = one_piece(word("mechanism", context_.language));
                 return figure;
             },
             corner, std::max(room, 45.0));
@@ -98,6 +103,11 @@ private:
 
     // --- the table ------------------------------------------------------------------------------------------------------------
     std::string coordinate(double si) const {
+        if (table_.parameter) {
+            const Unit& unit = table_.parameter->unit;
+            const bool is_close = unit.symbol.empty() || unit.symbol == "°";
+            return number(si / unit.si.to_double(), 4, context_.language) + (is_close ? "" : " ") + unit.symbol;
+        }
         const Unit unit = table_.turns ? Unit{"°", pi() / 180} : unit_of(QuantityKind::length, context_.solution.mechanism);
         return number(si / unit.si.to_double(), 4, context_.language) + (table_.turns ? "°" : " " + unit.symbol);
     }
@@ -110,7 +120,9 @@ private:
 
     Block extremes() {
         Block block;
-        set(block.marks, heading_block(context_, width_, word("extremes", context_.language), {}), {0, 0});
+        set(block.marks,
+            heading_block(context_, width_, word(table_.parameter ? "extremes of rows" : "extremes", context_.language), {}),
+            {0, 0});
         y_ = 6.2;
         rule(block, theme_.outline);
         cells(block,

@@ -5,9 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/exercise.hpp"
+#include "engine/problem.hpp"
+#include "engine/result_names.hpp"
 #include "render/figures/caption.hpp"
+#include "render/figures/plot_figure.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/sheet/wanted_figures.hpp"
+#include "render/text/formula.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -39,6 +44,10 @@ public:
     }
 
     std::vector<RichText> sought() && {
+        if (!asked_of(mechanism_).empty()) {
+            add_asked();
+            return std::move(rows_);
+        }
         const Find& find = mechanism_.find;
         const bool all = !find.stated, motion = has_motion(solution_) || !has_forces(solution_);
         if (find.instant_centres || (all && motion && !solution_.centres.empty())) say("sought centres", {});
@@ -62,6 +71,21 @@ public:
             for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);
         }
         return std::move(rows_);
+    }
+
+    AskedText asked(const Column& column) && {
+        AskedText text;
+        if (column.kind != Column::Kind::named) text.symbol = typeset(column, mechanism_, language());
+        if (column.name == transmission_angle_name) {
+            text.symbol = one_piece("γ", Face::italic);
+            text.symbol.back().sub = "min";
+            text.symbol.back().sub_face = Face::regular;
+        } else if (column.kind == Column::Kind::named && solution_.problem) {
+            return asked_of_problem(column);
+        }
+        say_asked(column, text.symbol);
+        text.words = std::move(rows_.back());
+        return text;
     }
 
 private:
@@ -281,6 +305,85 @@ private:
                             amount(spring.magnitude, units_.force)});
     }
 
+    // --- what is asked for by name --------------------------------------------------------------------------------------------
+
+    void add_asked() {
+        const std::vector<Column> possible = possible_results(mechanism_);
+        for (const AskedResult& each : asked_of(mechanism_)) {
+            Column column{Column::Kind::named, {}, each.name, QuantityKind::angle};
+            const auto found =
+                std::find_if(possible.begin(), possible.end(), [&](const Column& other) { return other.name == each.name; });
+            if (found != possible.end()) column = *found;
+            rows_.push_back(ExerciseText(context_).asked(column).words);
+        }
+    }
+    AskedText asked_of_problem(const Column& column) const {
+        AskedText text;
+        for (const ProblemValue& each : solution_.problem->values) {
+            if (each.name.en != column.name) continue;
+            text.symbol = symbol_of(each.symbol);
+            const Words& spoken = each.spoken.empty() ? each.name : each.spoken;
+            text.words = one_piece(in(spoken, language()));
+        }
+        return text;
+    }
+    void say_asked(const Column& column, const RichText& symbol) {
+        const Quantity& q = column.quantity;
+        switch (column.kind) {
+            case Column::Kind::angle:
+                return say("asked angle", {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Column::Kind::place_x:
+            case Column::Kind::place_y:
+                return say("asked place", {symbol, carried(column)});
+            case Column::Kind::along:
+                return say(q.kind == Quantity::Kind::sliding_velocity ? "asked sliding velocity" : "asked sliding acceleration",
+                           {symbol, name(mechanism_.joint(q.joint).point)});
+            case Column::Kind::result:
+                return say_asked_result(column, symbol);
+            case Column::Kind::turn:
+            case Column::Kind::time:
+            case Column::Kind::slid:
+            case Column::Kind::named:
+                break;
+        }
+        say(column.name == transmission_angle_name ? "asked transmission" : "asked by name", {symbol, plain_words(column.name)});
+    }
+    void say_asked_result(const Column& column, const RichText& symbol) {
+        const Quantity& q = column.quantity;
+        const bool whole = q.component == Quantity::Component::whole;
+        switch (q.kind) {
+            case Quantity::Kind::omega:
+                return say("asked omega", {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Quantity::Kind::alpha:
+                return say("asked alpha", {symbol, plain_words(mechanism_.body(q.body).name)});
+            case Quantity::Kind::velocity:
+                return say(whole ? "asked velocity" : "asked part of velocity", {symbol, carried(column)});
+            case Quantity::Kind::acceleration:
+                return say(whole ? "asked acceleration" : "asked part of acceleration", {symbol, carried(column)});
+            case Quantity::Kind::force:
+                return say(q.other == none ? (whole ? "asked force of pin" : "asked part of force of pin")
+                                           : (whole ? "asked force" : "asked part of force"),
+                           action(q, symbol));
+            case Quantity::Kind::couple:
+                return say(q.other == none ? "asked couple of pin" : "asked couple", action(q, symbol));
+            case Quantity::Kind::effort:
+                return std::visit([&](const auto& effort) { add_effort(effort); }, mechanism_.efforts[at_index(q.given)]);
+            default:
+                return say("asked by name", {symbol, plain_words(column.name)});
+        }
+    }
+    /// A point, and where several bodies carry it apart, of which.
+    RichText carried(const Column& column) const {
+        const Quantity& q = column.quantity;
+        const bool apart = column.name.ends_with(" on " + mechanism_.body(q.body).name);
+        if (!apart) return name(q.point);
+        return filled("asked point of body", {name(q.point), plain_words(mechanism_.body(q.body).name)});
+    }
+    std::vector<RichText> action(const Quantity& q, const RichText& symbol) const {
+        const RichText other = q.other == none ? RichText() : plain_words(mechanism_.body(q.other).name);
+        return {symbol, other, plain_words(mechanism_.body(q.body).name), name(mechanism_.joint(q.joint).point)};
+    }
+
     void add_effort(const CoupleEffort& effort) {
         say("sought couple", {symbol_of_force(effort.name, Symbol::Letter::M), plain_words(mechanism_.body(effort.body).name)});
     }
@@ -307,6 +410,26 @@ RichText given_amount(const Exact& si, const Unit& unit, Language language) {
 
 std::vector<RichText> data_of(const DrawingContext& context) { return ExerciseText(context).data(); }
 std::vector<RichText> sought_of(const DrawingContext& context) { return ExerciseText(context).sought(); }
+AskedText asked_text(const DrawingContext& context, const Column& column) { return ExerciseText(context).asked(column); }
+
+std::string heading_of(Topic section, Language language) {
+    switch (section) {
+        case Topic::centres:
+            return word("instant centres", language);
+        case Topic::velocity:
+            return word("velocities", language);
+        case Topic::acceleration:
+            return word("accelerations", language);
+        case Topic::relative_motion:
+            return word("relative motion", language);
+        case Topic::curvature:
+            return word("curvature", language);
+        case Topic::forces:
+        case Topic::unnamed:
+            break;
+    }
+    return word("forces", language);
+}
 
 std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures) {
     std::vector<RichText> rows;

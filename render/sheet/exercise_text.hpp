@@ -1,8 +1,10 @@
 // Exercise text: the data of a file, what it seeks and the scales to draw at, in words. Says nothing that a solution finds.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "engine/column.hpp"
 #include "render/figures/figure.hpp"
 #include "render/text/rich_text.hpp"
 
@@ -10,10 +12,19 @@ namespace kinegraph::render {
 
 /// All data, a paragraph each, in the file's units: points, wheels, guides, drivers or given velocities, masses, loads.
 std::vector<RichText> data_of(const DrawingContext& context);
-/// What is asked for: what the file states, else all that its data allow.
+/// What is asked for: by `ask`, else what the file states in `find`, else all that its data allow.
 std::vector<RichText> sought_of(const DrawingContext& context);
+/// A result as an exercise asks for it: ω_3, "the angular velocity ω_3 of body 3".
+struct AskedText {
+    RichText symbol;
+    RichText words;
+};
+AskedText asked_text(const DrawingContext& context, const Column& column);
 /// The scales of the figures that a solution is drawn at.
 std::vector<RichText> scales_of(const DrawingContext& context, const std::vector<Figure>& figures);
+
+/// The heading of a section of a solution.
+std::string heading_of(Topic section, Language language);
 
 /// An amount in a unit, as given: "120 rpm".
 RichText given_amount(const Exact& si, const Unit& unit, Language language);

@@ -66,15 +66,18 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
                                                        : mechanism_figure_named(context, options, format, name);
     if (!drawn) drawn = contact_figure(solution, options, fonts, name, {format.measure, tallest});
     if (!drawn) return std::nullopt;
-    Figure figure = *std::move(drawn);
+    return page_of_figure(context, *std::move(drawn));
+}
+
+Page page_of_figure(const DrawingContext& context, Figure figure) {
     const Box box = box_of(figure.marks);
     figure.move(margin - box.min.x, margin - box.min.y);
     Page page;
     page.width = box.width() + 2 * margin;
     page.height = box.height() + 2 * margin;
-    page.paper = options.theme.paper;
-    page.title = title_of(solution, options.language) + ": " + plain(figure.caption);
-    page.language = options.language == Language::it ? "it" : "en";
+    page.paper = context.theme.paper;
+    page.title = title_of(context.solution, context.language) + ": " + plain(figure.caption);
+    page.language = context.language == Language::it ? "it" : "en";
     page.marks = std::move(figure.marks);
     return page;
 }

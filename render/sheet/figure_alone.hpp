@@ -17,4 +17,7 @@ std::vector<std::string> figure_names(const Solution& solution, const SheetOptio
 std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& options, const std::string& name,
                                   const Fonts& fonts);
 
+/// Any figure, the page cut to it.
+Page page_of_figure(const DrawingContext& context, Figure figure);
+
 }  // namespace kinegraph::render

@@ -97,7 +97,9 @@ private:
 
     double measure() const { return format_.measure / format_.text_size; }
     Passage passage(const std::string& title, const std::vector<RichText>& paragraphs, const std::string& bullet) const {
-        const std::string words = word(title, context_.language);
+        return passage_under(word(title, context_.language), paragraphs, bullet);
+    }
+    Passage passage_under(const std::string& words, const std::vector<RichText>& paragraphs, const std::string& bullet) const {
         Passage passage{heading_block(context_, measure(), words),
                         heading_block(context_, measure(), words + ", " + word("continued", context_.language)),
                         {},
@@ -117,7 +119,7 @@ private:
         const std::vector<Answer> answers = answers_of(context_, drawn_.figures);
         const auto close = [&] {
             if (group.empty()) return;
-            Passage passage = this->passage(heading_of(section), {}, "");
+            Passage passage = passage_under(heading_of(section, context_.language), {}, "");
             std::vector<Block> lines = answer_lines(context_, group, measure());
             passage.head = std::move(lines.front());
             passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
@@ -135,25 +137,6 @@ private:
         passages.push_back(passage("remarks", remarks, ""));
         return passages;
     }
-    static std::string heading_of(Topic section) {
-        switch (section) {
-            case Topic::centres:
-                return "instant centres";
-            case Topic::velocity:
-                return "velocities";
-            case Topic::acceleration:
-                return "accelerations";
-            case Topic::relative_motion:
-                return "relative motion";
-            case Topic::curvature:
-                return "curvature";
-            case Topic::forces:
-            case Topic::unnamed:
-                break;
-        }
-        return "forces";
-    }
-
     /// Of the first page beside the figure, then under it; of a further one the whole columns.
     std::vector<Stretch> stretches(std::size_t page) const {
         std::vector<Stretch> beside, under;

@@ -79,6 +79,7 @@ private:
                             (relative_motion && quantity.part != Quantity::Part::transport);
         if (!sought || quantity.kind == Kind::unnamed) return;
         Answer answer{row.symbol, row.group.section, row.drawing, row.unit};
+        answer.quantity = quantity;
         if (turning) {
             answer.tolerance = tolerance_of_turning(row);
         } else {
@@ -146,6 +147,7 @@ private:
         const Kind kind = row.quantity.kind;
         if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort) return;
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
+        answer.quantity = row.quantity;
         if (row.group.couples) {
             answer.tolerance = tolerance_of_couple(row);
         } else {
@@ -183,12 +185,6 @@ private:
 
 /// Digits after the point that a tolerance leaves meaning to.
 int decimals_of(double tolerance) { return std::clamp(static_cast<int>(-std::floor(std::log10(tolerance) + 1e-9)), 0, 9); }
-/// Rounded up to one digit.
-double one_digit(double tolerance) {
-    const double power = std::pow(10.0, std::floor(std::log10(tolerance) + 1e-9));
-    return std::ceil(tolerance / power - 1e-6) * power;
-}
-
 struct Cells {
     std::array<ShapedLine, 5> all;  // quantity, value, tolerance, unit, direction
 };
@@ -258,7 +254,7 @@ private:
             text = "(" + value((*answer.at)[0]) + (language == Language::it ? "; " : ", ") + value((*answer.at)[1]) + ")";
         const bool at_infinity = answer.section == Topic::centres && !answer.at;
         cells.all[1] = shape(at_infinity ? word("at infinity", language) : text, size);
-        if (answer.tolerance) cells.all[2] = shape(number(one_digit(*answer.tolerance), 1, language), size);
+        if (answer.tolerance) cells.all[2] = shape(number(rounded_up(*answer.tolerance), 1, language), size);
         if (!at_infinity) cells.all[3] = shape(answer.unit, size);
         if (answer.direction) cells.all[4] = shape(fixed(*answer.direction, 1, language) + "°", size);
         return cells;
@@ -287,7 +283,54 @@ private:
     std::vector<Cells> lines_;
 };
 
+/// Whether an answer is the result, or the vector of which it is a component; action and reaction are one.
+bool is_of(const Answer& answer, const Column& column) {
+    if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) return false;
+    const Quantity wanted = column.quantity.along(Quantity::Component::whole);
+    Quantity own = answer.quantity;
+    if (own == wanted) return true;
+    if (own.kind != wanted.kind) return false;
+    if (own.kind == Kind::velocity || own.kind == Kind::acceleration) {
+        own.body = wanted.body;  // whichever body carries the point, as long as only one vector has its name
+        return own == wanted;
+    }
+    if (own.kind != Kind::force && own.kind != Kind::couple) return false;
+    std::swap(own.body, own.other);
+    return own == wanted;
+}
+
+/// Of half a millimetre on the first figure that is drawn to a scale of the kind; 0: there is none.
+double half_a_millimetre(const std::vector<Figure>& drawn, QuantityKind kind, const Units& units) {
+    for (const Figure& figure : drawn) {
+        if (!figure.has_scale) continue;
+        const bool forces = figure.kind == "forces" || figure.kind == "closure";
+        const double scale = forces ? figure.scale * units.force.si.to_double() : figure.scale;
+        const bool fits = kind == QuantityKind::length         ? figure.kind == "mechanism" && figure.unit == "m"
+                          : kind == QuantityKind::velocity     ? figure.kind == "velocity"
+                          : kind == QuantityKind::acceleration ? figure.kind == "acceleration"
+                                                               : kind == QuantityKind::force && forces;
+        if (fits) return reading_by_hand * scale;
+    }
+    return 0;
+}
+
 }  // namespace
+
+double rounded_up(double tolerance) {
+    const double power = std::pow(10.0, std::floor(std::log10(tolerance) + 1e-9));
+    return std::ceil(tolerance / power - 1e-6) * power;
+}
+
+double reading_tolerance(const std::vector<Answer>& answers, const std::vector<Figure>& drawn, const Column& column, double value,
+                         const Units& units) {
+    constexpr double half_a_degree = std::numbers::pi / 360, calculated = 0.01;
+    for (const Answer& each : answers)
+        if (each.tolerance && is_of(each, column))
+            if (const KnownUnit* unit = unit_spelt(each.unit)) return *each.tolerance * unit->si.to_double();
+    if (column.unit == QuantityKind::angle) return half_a_degree;
+    const double on_paper = half_a_millimetre(drawn, column.unit, units);
+    return on_paper > 0 ? on_paper : calculated * std::abs(value);
+}
 
 std::vector<Answer> answers_of(const DrawingContext& context, const std::vector<Figure>& drawn, bool with_centres) {
     return Answers(context, drawn).all(with_centres);

@@ -1,0 +1,199 @@
+// Quiz items: see quiz_item.hpp.
+#include "render/sheet/quiz_item.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "engine/problem.hpp"
+#include "render/scene/sentences.hpp"
+#include "render/sheet/drawn_sheet.hpp"
+#include "render/sheet/exercise_text.hpp"
+#include "render/sheet/figure_alone.hpp"
+#include "render/sheet/page_plan.hpp"
+#include "render/sheet/problem_sections.hpp"
+#include "render/sheet/title_block.hpp"
+#include "render/tables/answers.hpp"
+#include "render/text/formula.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// A decimal with so many digits after the point, without zeros at its end.
+std::string decimal(double value, int decimals) {
+    std::array<char, 400> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+    std::string text(digits.data(), end);
+    if (text.find('.') != std::string::npos) {
+        while (text.ends_with('0')) text.pop_back();
+        if (text.ends_with('.')) text.pop_back();
+    }
+    return text == "-0" ? "0" : text;
+}
+
+struct WrittenAnswer {
+    std::string value, tolerance;
+};
+/// The value to a hundredth of its tolerance, which is rounded up to one digit.
+WrittenAnswer written(double value, double tolerance) {
+    if (!(tolerance > 0)) return {shortest(value), "0"};
+    constexpr int beyond = 2, most = 15;
+    std::array<char, 32> digits{};
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), rounded_up(tolerance), std::chars_format::general, 1).ptr;
+    const int decimals = std::max(0, beyond - static_cast<int>(std::floor(std::log10(tolerance))));
+    return {decimals > most ? shortest(value) : decimal(value, decimals), std::string(digits.data(), end)};
+}
+
+class QuizWriter {
+public:
+    QuizWriter(const Solution& solution, const SheetOptions& options, const Fonts& fonts)
+        : options_(options),
+          context_{solution, options.theme, fonts, options.language, options.dimensions},
+          solution_(solution),
+          is_problem_(stands_for_joints(solution.mechanism)),
+          format_(format_of(options.paper, options.orientation)) {}
+
+    QuizItem item(const std::vector<AskedValue>& asked) {
+        item_.title = title_of(solution_, language());
+        item_.language = language() == Language::it ? "it" : "en";
+        item_.blanks_heading = word("sought", language());
+        if (is_problem_)
+            tell_problem();
+        else
+            tell_mechanism();
+        add_blanks(asked);
+        add_results();
+        return std::move(item_);
+    }
+
+private:
+    Language language() const { return context_.language; }
+
+    // --- of a mechanism -------------------------------------------------------------------------------------------------------
+
+    void tell_mechanism() {
+        SheetOptions as_solution = options_;
+        as_solution.kind = SheetKind::solution;
+        drawn_ = draw_solution(solution_, as_solution, context_.fonts).figures;
+        answers_ = answers_of(context_, drawn_);
+        const Box content = content_of(format_, true);
+        item_.figure =
+            page_of_figure(context_, exercise_figure(context_, drawn_.front().scale, content.width(), content.height()));
+        item_.question.push_back({word("data", language()), data_of(context_)});
+        if (auto scales = scales_of(context_, drawn_); !scales.empty())
+            item_.question.push_back({word("scales", language()), std::move(scales)});
+        for (const Statement& each : solution_.protocol.statements)
+            if (!names_a_pair(each.message.sentence)) section_of(each.section).push_back(sentence(each));
+        std::erase_if(item_.solution, [](const QuizSection& each) { return each.paragraphs.empty(); });
+    }
+    /// Sections in the order in which they are opened; one may be opened, left and gone on with.
+    std::vector<RichText>& section_of(Topic topic) {
+        const std::string heading = heading_of(topic, language());
+        for (QuizSection& each : item_.solution)
+            if (each.heading == heading) return each.paragraphs;
+        return item_.solution.emplace_back(QuizSection{heading, {}}).paragraphs;
+    }
+    /// With its vector equation on a line of its own.
+    RichText sentence(const Statement& statement) const {
+        RichText text = say(statement.message, language());
+        if (!statement.equation) return text;
+        append(text, std::string("\n"));
+        for (std::size_t side = 0; side < statement.equation->sides.size(); ++side) {
+            const std::vector<Term>& terms = statement.equation->sides[side];
+            for (std::size_t i = 0; i < terms.size(); ++i) {
+                if (i > 0 || side > 0) append(text, std::string(i > 0 ? " + " : " = "));
+                append(text, typeset(terms[i].symbol, language()));
+            }
+        }
+        return text;
+    }
+
+    // --- of a problem ---------------------------------------------------------------------------------------------------------
+
+    void tell_problem() {
+        std::vector<ProblemSection> sections = sections_of_problem(context_);
+        ProblemSection& given = sections.front();
+        constexpr double tallest = 80;
+        const ProblemFigure& figure = given.figures.front();
+        item_.figure =
+            page_of_figure(context_, (figure.as_question ? figure.as_question : figure.draw)(format_.measure, tallest));
+        QuizSection data{in(given.heading, language()), {}};
+        for (std::size_t i = 0; i + given.found < given.sentences.size(); ++i)
+            data.paragraphs.push_back(said(given.sentences[i]));
+        item_.question.push_back(std::move(data));
+        given.sentences.erase(given.sentences.begin(), given.sentences.end() - static_cast<std::ptrdiff_t>(given.found));
+        for (const ProblemSection& section : sections) {
+            QuizSection told{in(section.heading, language()), {}};
+            for (const Words& each : section.sentences) told.paragraphs.push_back(said(each));
+            if (!told.paragraphs.empty()) item_.solution.push_back(std::move(told));
+        }
+    }
+    RichText said(const Words& words) const { return formula(in(words, language())); }
+
+    // --- what is asked --------------------------------------------------------------------------------------------------------
+
+    void add_blanks(const std::vector<AskedValue>& asked) {
+        bool turns = false, has_vectors = false;
+        for (const AskedValue& each : asked) {
+            const double off = is_problem_
+                                   ? 0.01 * std::abs(each.value)
+                                   : reading_tolerance(answers_, drawn_, each.column, each.value, solution_.mechanism.units);
+            AskedText text = asked_text(context_, each.column);
+            const WrittenAnswer number = written(each.value / each.unit_size, off / each.unit_size);
+            item_.blanks.push_back(
+                {each.column.name, std::move(text.words), std::move(text.symbol), number.value, number.tolerance, each.unit});
+            const QuantityKind kind = each.column.unit;
+            turns = turns || kind == QuantityKind::angle || kind == QuantityKind::angular_velocity ||
+                    kind == QuantityKind::angular_acceleration || kind == QuantityKind::moment;
+            has_vectors = has_vectors || is_length(each.column);
+        }
+        if (turns) item_.notes.push_back(one_piece(word("quiz signs", language())));
+        if (has_vectors) item_.notes.push_back(one_piece(word("quiz lengths", language())));
+        if (!is_problem_) item_.notes.push_back(one_piece(word("tolerances", language())));
+    }
+    static bool is_length(const Column& column) {
+        using Kind = Quantity::Kind;
+        const Kind kind = column.quantity.kind;
+        return column.kind == Column::Kind::result && column.quantity.component == Quantity::Component::whole &&
+               (kind == Kind::velocity || kind == Kind::acceleration || kind == Kind::force);
+    }
+    /// The numbers asked for, at the end of the solution.
+    void add_results() {
+        QuizSection results{word("answers", language()), {}};
+        for (const QuizBlank& each : item_.blanks) {
+            RichText line = each.symbol;
+            append(line, std::string(" = "));
+            append(line, with_powers(number(read(each.value), 4, language())));
+            if (each.tolerance != "0") append(line, with_powers(" ± " + shortest(read(each.tolerance), language())));
+            const bool close = each.unit.empty() || each.unit == "°";
+            append(line, with_powers((close ? "" : " ") + each.unit));
+            results.paragraphs.push_back(std::move(line));
+        }
+        item_.solution.push_back(std::move(results));
+    }
+    static double read(const std::string& decimal) {
+        double value = 0;
+        std::from_chars(decimal.data(), decimal.data() + decimal.size(), value);
+        return value;
+    }
+
+    const SheetOptions& options_;
+    DrawingContext context_;
+    const Solution& solution_;
+    bool is_problem_;
+    SheetFormat format_;
+    std::vector<Figure> drawn_;
+    std::vector<Answer> answers_;
+    QuizItem item_;
+};
+
+}  // namespace
+
+QuizItem quiz_item_of(const Solution& solution, const std::vector<AskedValue>& asked, const SheetOptions& options,
+                      const Fonts& fonts) {
+    return QuizWriter(solution, options, fonts).item(asked);
+}
+
+}  // namespace kinegraph::render
