@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "engine/problem.hpp"
+#include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"
@@ -37,6 +38,20 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
 
 namespace {
 
+/// Cut to the figure, which is moved there.
+AloneFigure cut_to(Figure figure, const Solution& solution, const SheetOptions& options) {
+    const Box box = box_of(figure.marks);
+    figure.move(margin - box.min.x, margin - box.min.y);
+    Page page;
+    page.width = box.width() + 2 * margin;
+    page.height = box.height() + 2 * margin;
+    page.paper = options.theme.paper;
+    page.title = title_of(solution, options.language) + ": " + plain(figure.caption);
+    page.language = options.language == Language::it ? "it" : "en";
+    page.marks = std::move(figure.marks);
+    return {std::move(page), figure.id, figure.kind, std::move(figure.caption), {}, figure.scale, figure.unit, figure.origin};
+}
+
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
                                              const SheetFormat& format, const std::string& name) {
     WantedFigures wanted(context, options.joukowsky);
@@ -66,17 +81,33 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
                                                        : mechanism_figure_named(context, options, format, name);
     if (!drawn) drawn = contact_figure(solution, options, fonts, name, {format.measure, tallest});
     if (!drawn) return std::nullopt;
-    Figure figure = *std::move(drawn);
-    const Box box = box_of(figure.marks);
-    figure.move(margin - box.min.x, margin - box.min.y);
-    Page page;
-    page.width = box.width() + 2 * margin;
-    page.height = box.height() + 2 * margin;
-    page.paper = options.theme.paper;
-    page.title = title_of(solution, options.language) + ": " + plain(figure.caption);
-    page.language = options.language == Language::it ? "it" : "en";
-    page.marks = std::move(figure.marks);
-    return page;
+    return cut_to(*std::move(drawn), solution, options).page;
+}
+
+std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
+    const SheetFormat format = format_of(options.paper, options.orientation);
+    std::vector<AloneFigure> all;
+    const auto add = [&](Figure figure) {
+        RichText scale = figure.has_scale ? scale_words(context, figure) : RichText{};
+        all.push_back(cut_to(std::move(figure), solution, options));
+        all.back().scale_in_words = std::move(scale);
+    };
+    const bool stands = stands_for_joints(solution.mechanism);
+    if (stands) {
+        for (const std::string& name : problem_figure_names(context))
+            if (auto figure = problem_figure(context, name, format.measure, tallest)) add(*std::move(figure));
+        return all;
+    }
+    WantedFigures wanted(context, options.joukowsky, options.detail);
+    const std::vector<Choice> drawn = choices(context, wanted);
+    for (const Choice& each : drawn) {
+        const auto index = wanted.named(each.name);
+        if (!index || !wanted.list[*index].spare) add(each.draw(2 * format.measure + gap, tallest));
+    }
+    for (const std::string& name : contact_figure_names(solution, options, fonts))
+        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest})) add(*std::move(figure));
+    return all;
 }
 
 }  // namespace kinegraph::render

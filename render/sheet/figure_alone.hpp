@@ -17,4 +17,17 @@ std::vector<std::string> figure_names(const Solution& solution, const SheetOptio
 std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& options, const std::string& name,
                                   const Fonts& fonts);
 
+/// A figure alone with what it is told by, for whoever moves it.
+struct AloneFigure {
+    Page page;
+    std::string id, kind;    ///< as the figure's
+    RichText caption;        ///< without number and scale
+    RichText scale_in_words; ///< empty where it has none
+    double scale = 1;        ///< `unit` for each mm
+    std::string unit;
+    Spot origin;             ///< where the origin of its coordinates lies on the page, mm
+};
+/// Those of the sheet, in its order, each as lay_out_alone() has it. Of a problem in place of joints: without origin.
+std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
+
 }  // namespace kinegraph::render
