@@ -18,8 +18,9 @@
 namespace kinegraph {
 namespace {
 
-/// Of the first to the last position, and how near a limit the last one stands, as a share of the way.
-constexpr int samples_of_way = 96;
+/// Over the way, every five degrees of a turn, where what is special likes to be; and how near a limit the last one stands, as a
+/// share of the way.
+constexpr int samples_of_way = 72;
 constexpr double short_of_limit = 1e-6;
 /// Positions that are special (a body at rest, two lines parallel) serve nowhere else; few stretches are more than an instant.
 constexpr std::size_t most_plans = 12;

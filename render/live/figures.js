@@ -3,7 +3,7 @@
 // mechanism is elsewhere: nothing is shown that was not constructed. At the drawn position it is the sheet's figure, untouched.
 
 /**
- * @typedef {{id: string, kind: string, scale: number, unit: string, origin: [number, number], labels: string[][]}} FigureInfo
+ * @typedef {{name: string, origin: [number, number], labels: string[][]}} FigureInfo
  * @typedef {{letter: string, numbers: number[]}} Segment
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number}[],
  *   points: {label: string}[], centres: Record<string, string>}} Names
@@ -66,21 +66,26 @@ const samePlace = 0.02;
 /** Shorter vectors are not drawn, mm. */
 const leastVector = 0.05;
 
+/** A figure of a drawing, which may hold several. */
 class FigureView {
-    /** @param {SVGSVGElement} svg @param {FigureInfo} info @param {Motion} motion @param {Names} names */
-    constructor(svg, info, motion, names) {
+    /** @param {SVGSVGElement} svg @param {Element} group @param {FigureInfo} info @param {Motion} motion @param {Names} names */
+    constructor(svg, group, info, motion, names) {
         this.svg = svg;
+        this.group = group;
         this.info = info;
         this.motion = motion;
         this.names = names;
-        this.scale = info.scale;
-        this.group = /** @type {Element} */ (svg.querySelector('g.figure'));
+        this.id = group.getAttribute('data-id') ?? '';
+        this.unit = group.getAttribute('data-unit') ?? '';
+        this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
+        this.scale = this.drawnScale;
+        this.isMechanism = info.name === 'mechanism' || info.name === 'centres';
+        this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
         /** @type {(() => void)[]} */
         this.bindings = [];
         /** @type {Map<Element, Map<string, string | null>>} */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
-        this.isMechanism = info.kind === 'mechanism' || info.kind === 'centres';
         this.isBound = false;
         this.drawnReach = 0;
     }
@@ -89,18 +94,31 @@ class FigureView {
     get follows() {
         return this.isMechanism || this.vectorsOf(0).size > 0;
     }
+    /** Where the pole of a polygon lies: its vectors tell. @returns {Spot} */
+    poleOf() {
+        for (const node of this.group.querySelectorAll(':scope > g.vector')) {
+            const elements = this.vectorsOf(0).get(node.getAttribute('data-name') ?? ''), axis = node.querySelector('line.axis');
+            const tail = elements && this.motion.spot(elements[0]);
+            if (!tail || !axis) continue;
+            return {
+                x: Number(axis.getAttribute('x1')) - tail.x / this.scale,
+                y: Number(axis.getAttribute('y1')) + tail.y / this.scale,
+            };
+        }
+        return {x: 0, y: 0};
+    }
 
     // --- where things are -----------------------------------------------------------------------------------------------------
 
     /** From SI to mm on paper. @param {Spot} at @returns {Spot} */
     paper(at) {
-        return {x: this.info.origin[0] + at.x / this.scale, y: this.info.origin[1] - at.y / this.scale};
+        return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
     }
     /** @param {number} plan */
     vectorsOf(plan) {
         const found = new Map();
         for (const [figure, name, tail, tip] of this.motion.data.plans[plan]?.vectors ?? []) {
-            if (figure === this.info.id) found.set(name, [tail, tip]);
+            if (figure === this.id) found.set(name, [tail, tip]);
         }
         return found;
     }
@@ -112,7 +130,7 @@ class FigureView {
     }
     /** A vertex, or a centre, on paper. @param {string} name @returns {Spot | null} */
     spot(name) {
-        const own = this.isMechanism ? '' : this.info.id;
+        const own = this.isMechanism ? '' : this.id;
         const found = this.motion.data.plans[this.motion.plan]?.spots.find((each) => each[0] === own && each[1] === name);
         const at = found ? this.motion.spot(found[2]) : null;
         return at && this.paper(at);
@@ -120,7 +138,7 @@ class FigureView {
     /** Of a construction line: the places that it was drawn through, and its direction. @param {string} name
      * @returns {{points: Spot[], direction: Spot} | null} */
     line(name) {
-        const own = this.isMechanism ? '' : this.info.id, {motion} = this;
+        const own = this.isMechanism ? '' : this.id, {motion} = this;
         const found = motion.data.plans[motion.plan]?.lines.find((each) => each[0] === own && each[1] === name);
         if (!found) return null;
         const points = found.slice(4).map((element) => motion.spot(Number(element))).filter((at) => at !== null);
@@ -144,7 +162,7 @@ class FigureView {
                 else node.setAttribute(name, value);
             }
         }
-        this.scale = this.info.scale;
+        this.scale = this.drawnScale;
         this.svg.setAttribute('viewBox', this.viewBox.join(' '));
         this.svg.classList.remove('moved');
     }
@@ -182,8 +200,7 @@ class FigureView {
     bind() {
         if (this.isBound) return;
         this.isBound = true;
-        const [ox, oy] = this.info.origin;
-        this.drawnReach = Math.max(0, ...this.extent().map((at) => Math.hypot(at.x - ox, at.y - oy)));
+        this.drawnReach = this.reach();
         this.bindLabels();
         for (const node of this.group.children) {
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
@@ -244,7 +261,7 @@ class FigureView {
     }
     /** @param {Spot} at */
     vertexAt(at) {
-        const own = this.isMechanism ? '' : this.info.id;
+        const own = this.isMechanism ? '' : this.id;
         for (const [figure, name] of this.motion.data.plans[0].spots) {
             const spot = figure === own ? this.spot(name) : null;
             if (spot && apart(spot, at) < samePlace) return name;
@@ -253,7 +270,7 @@ class FigureView {
     }
     /** The construction line on which all of the spots lie. @param {Spot[]} spots @param {string | null} statement */
     lineThrough(spots, statement) {
-        const own = this.isMechanism ? '' : this.info.id;
+        const own = this.isMechanism ? '' : this.id;
         for (const [figure, name, said] of this.motion.data.plans[0].lines) {
             if (figure !== own || (statement !== null && String(said) !== statement)) continue;
             const line = this.line(name);
@@ -291,7 +308,7 @@ class FigureView {
 
     bindLabels() {
         [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
-            if (label.closest('.dimension')) return;
+            if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
             const names = this.info.labels[i] ?? [];
             const box = /** @type {SVGGElement} */ (label).getBBox();
             const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
@@ -354,7 +371,7 @@ class FigureView {
         if (statement === null) return;
         let best = null, least = 6;
         for (const [figure, name, said] of this.motion.data.plans[0].lines) {
-            const line = figure === this.info.id && String(said) === statement ? this.line(name) : null;
+            const line = figure === this.id && String(said) === statement ? this.line(name) : null;
             const off = line ? Math.abs(dot(minus(centre, line.points[0]), quarterTurn(line.direction))) : least;
             if (line && off < least) [best, least] = [{name, line}, off];
         }
@@ -486,7 +503,12 @@ class FigureView {
     }
     /** @param {Spot} at mm @returns {Spot} */
     unpaper(at) {
-        return {x: (at.x - this.info.origin[0]) * this.scale, y: (this.info.origin[1] - at.y) * this.scale};
+        return {x: (at.x - this.origin.x) * this.scale, y: (this.origin.y - at.y) * this.scale};
+    }
+
+    /** How far from its pole a polygon goes. */
+    reach() {
+        return Math.max(0, ...this.extent().map((at) => apart(at, this.origin)));
     }
 
     // --- room -----------------------------------------------------------------------------------------------------------------

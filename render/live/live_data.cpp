@@ -261,8 +261,8 @@ std::string names_json(const Solution& solution) {
 
 std::string figure_json(const AloneFigure& figure) {
     Json json;
-    json.open('{').key("id").text(figure.id).key("kind").text(figure.kind).key("scale").number(figure.scale);
-    json.key("unit").text(figure.unit).key("origin").open('[').number(figure.origin.x).number(figure.origin.y).close(']');
+    json.open('{').key("name").text(figure.name);
+    json.key("origin").open('[').number(figure.origin.x).number(figure.origin.y).close(']');
     json.key("labels").open('[');
     for (const Mark& mark : figure.page.marks) {
         const auto* text = std::get_if<TextMark>(&mark);

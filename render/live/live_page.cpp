@@ -43,6 +43,23 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
+/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Comments of
+/// theirs begin a line.
+std::string without_comments(std::string_view source) {
+    std::string out;
+    bool in_comment = false;
+    for (std::size_t at = 0; at < source.size();) {
+        const std::size_t end = std::min(source.find('\n', at), source.size());
+        std::string_view line = source.substr(at, end - at);
+        at = end + 1;
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        in_comment = in_comment || line.starts_with("/*");
+        if (!in_comment && !line.empty() && !line.starts_with("//")) out.append(line).append("\n");
+        if (line.ends_with("*/")) in_comment = false;
+    }
+    return out;
+}
+
 std::string in_face(const std::string& text, Face face) {
     if (text.empty()) return {};
     const bool italic = face == Face::italic || face == Face::bold_italic, bold = face == Face::bold || face == Face::bold_italic;
@@ -161,7 +178,7 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
         css += "@media screen and (prefers-color-scheme:dark){:root:not([data-theme]){" + on_dark + "}" +
                dark_rules(theme, *dark, ":root:not([data-theme])") + "}";
     }
-    return css + std::string(live_style);
+    return css + without_comments(live_style);
 }
 
 // --- text ---------------------------------------------------------------------------------------------------------------------
@@ -178,13 +195,13 @@ public:
             sheets += sheet(language);
             figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") + figures_json_ + "]";
         }
-        const std::string style = style_of(options_.theme, dark);
+        const std::string style = style_of(options_.theme, dark), script = without_comments(live_script);
         std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
         data += "}";
         std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(first) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
         page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
-                sha256_base64(live_script) + "'; style-src 'sha256-" + sha256_base64(style) +
+                sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) +
                 "'; base-uri 'none'; form-action 'none'\">\n";
         page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
         page += element("title", "", escaped(title_of(solution_, first)));
@@ -192,7 +209,7 @@ public:
         page += "</head>\n<body>\n" + drawings_.outlines() + controls(dark.has_value()) + sheets;
         page += "<p id=\"announcement\" class=\"unseen\" aria-live=\"polite\"></p>\n";
         page += element("script", "type=\"application/json\" id=\"data\"", data);
-        page += element("script", "", std::string(live_script));
+        page += element("script", "", script);
         return page + "</body>\n</html>\n";
     }
 
@@ -242,7 +259,7 @@ private:
             std::string caption = html(figure.caption);
             if (!figure.scale_in_words.empty())
                 caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
-            out += element("figure", "data-figure-id=\"" + escaped(figure.id) + "\"",
+            out += element("figure", "data-figure-name=\"" + escaped(figure.name) + "\"",
                            svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not followed\" hidden></p>");
         }
         return out;

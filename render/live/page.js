@@ -9,7 +9,7 @@ class Page {
         this.isPlaying = false;
         /** @type {Record<string, FigureView[]>} */
         this.views = {};
-        /** What the figures may cover on the way of a driver, by language and driver. @type {Map<string, Map<FigureView, number[]>>} */
+        /** What the figures may cover on the way of a driver, by language and driver. @type {Map<string, Map<SVGSVGElement, number[]>>} */
         this.rooms = new Map();
         this.sheets = [...document.querySelectorAll('main')];
     }
@@ -64,10 +64,14 @@ class Page {
         const here = {course: motion.course, at: motion.at};
         motion.toDrawn();
         const svgs = [...this.sheet.querySelectorAll('.figures svg')];
-        this.views[this.language] = svgs.map((svg, i) => {
-            const view = new FigureView(/** @type {SVGSVGElement} */ (svg), this.data.figures[this.language][i], motion, this.data.names);
-            if (view.follows) view.bind();
-            return view;
+        this.views[this.language] = svgs.flatMap((svg, i) => {
+            const info = this.data.figures[this.language][i], own = /** @type {SVGSVGElement} */ (svg);
+            const groups = [...svg.querySelectorAll('g.figure')].filter((group) => !group.parentElement?.closest('g.figure'));
+            const views = groups.map((group) => new FigureView(own, group, info, motion, this.data.names));
+            const follow = views.length > 0 && views.every((view) => view.follows);
+            svg.classList.toggle('following', follow);
+            if (follow) views.forEach((view) => view.bind());
+            return views;
         });
         motion.moveTo(here.course, here.at);
     }
@@ -287,7 +291,7 @@ class Page {
     }
     /** @param {FigureView} view @param {Motion} motion */
     showFigure(view, motion) {
-        const figure = view.svg.closest('figure'), canFollow = view.follows && (view.isMechanism || motion.plan >= 0);
+        const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (view.isMechanism || motion.plan >= 0);
         const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
         note.hidden = motion.isDrawn || canFollow;
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
@@ -295,14 +299,12 @@ class Page {
         if (motion.isDrawn || !canFollow) return this.sayScale(view, 1);
         const room = this.roomOf(view), fits = this.at('fit').checked && !view.isMechanism;
         const share = fits ? this.fitted(view) : 1;
-        view.follow(view.info.scale * share, fits ? view.viewBox : room);
+        view.follow(view.drawnScale * share, fits ? view.viewBox : room);
         this.sayScale(view, share);
     }
     /** By how much the scale must be coarser for the polygon to cover what it covered as drawn. @param {FigureView} view */
     fitted(view) {
-        const reach = (/** @type {Spot[]} */ spots) =>
-            Math.max(0, ...spots.map((at) => Math.hypot(at.x - view.info.origin[0], at.y - view.info.origin[1])));
-        const now = reach(view.extent());
+        const now = view.reach();
         return view.drawnReach > 0 && now > 0 ? now / view.drawnReach : 1;
     }
     /** @param {FigureView} view @param {number} share */
@@ -313,7 +315,7 @@ class Page {
         if (share === 1) {
             if (scale.innerHTML !== scale.dataset.drawn) scale.innerHTML = scale.dataset.drawn;
         } else {
-            scale.textContent = `1 mm ≙ ${this.numberText(Number((view.info.scale * share).toPrecision(3)))} ${view.info.unit}`;
+            scale.textContent = `1 mm ≙ ${this.numberText(Number((view.drawnScale * share).toPrecision(3)))} ${view.unit}`;
         }
     }
     /** The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large throughout.
@@ -321,21 +323,21 @@ class Page {
     roomOf(view) {
         const key = `${this.language} ${this.course.driver}`;
         if (!this.rooms.has(key)) this.rooms.set(key, this.measureRooms());
-        return this.rooms.get(key)?.get(view) ?? view.viewBox;
+        return this.rooms.get(key)?.get(view.svg) ?? view.viewBox;
     }
     measureRooms() {
         const motion = /** @type {Motion} */ (this.motion), {course} = this, here = motion.at;
         const margin = 8, most = 2.5;
         const rooms = new Map(this.figures.map((view) => {
             const [x, y, width, height] = view.viewBox;
-            return [view, {left: x, top: y, right: x + width, bottom: y + height}];
+            return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
         }));
         for (const sample of course.samples) {
             if (!motion.moveTo(course, sample.at)) continue;
-            for (const [view, room] of rooms) {
-                if (!view.follows || (!view.isMechanism && motion.plan < 0)) continue;
-                view.scale = view.info.scale;
-                const [x, y, width, height] = view.viewBox;
+            for (const view of this.figures) {
+                if (!view.svg.matches('.following') || (!view.isMechanism && motion.plan < 0)) continue;
+                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg));
+                view.scale = view.drawnScale;
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
                     room.right = Math.min(Math.max(room.right, at.x + margin), x + most * width);
@@ -346,7 +348,7 @@ class Page {
         }
         motion.moveTo(course, here);
         return new Map([...rooms].map(
-            ([view, room]) => [view, [room.left, room.top, room.right - room.left, room.bottom - room.top]]));
+            ([svg, room]) => [svg, [room.left, room.top, room.right - room.left, room.bottom - room.top]]));
     }
 
     // --- dragging -------------------------------------------------------------------------------------------------------------

@@ -49,7 +49,7 @@ AloneFigure cut_to(Figure figure, const Solution& solution, const SheetOptions& 
     page.title = title_of(solution, options.language) + ": " + plain(figure.caption);
     page.language = options.language == Language::it ? "it" : "en";
     page.marks = std::move(figure.marks);
-    return {std::move(page), figure.id, figure.kind, std::move(figure.caption), {}, figure.scale, figure.unit, figure.origin};
+    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin};
 }
 
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
@@ -88,25 +88,26 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
     const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
     const SheetFormat format = format_of(options.paper, options.orientation);
     std::vector<AloneFigure> all;
-    const auto add = [&](Figure figure) {
+    const auto add = [&](const std::string& name, Figure figure) {
         RichText scale = figure.has_scale ? scale_words(context, figure) : RichText{};
         all.push_back(cut_to(std::move(figure), solution, options));
+        all.back().name = name;
         all.back().scale_in_words = std::move(scale);
     };
     const bool stands = stands_for_joints(solution.mechanism);
     if (stands) {
         for (const std::string& name : problem_figure_names(context))
-            if (auto figure = problem_figure(context, name, format.measure, tallest)) add(*std::move(figure));
+            if (auto figure = problem_figure(context, name, format.measure, tallest)) add(name, *std::move(figure));
         return all;
     }
     WantedFigures wanted(context, options.joukowsky, options.detail);
     const std::vector<Choice> drawn = choices(context, wanted);
     for (const Choice& each : drawn) {
         const auto index = wanted.named(each.name);
-        if (!index || !wanted.list[*index].spare) add(each.draw(2 * format.measure + gap, tallest));
+        if (!index || !wanted.list[*index].spare) add(each.name, each.draw(2 * format.measure + gap, tallest));
     }
     for (const std::string& name : contact_figure_names(solution, options, fonts))
-        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest})) add(*std::move(figure));
+        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest})) add(name, *std::move(figure));
     return all;
 }
 
