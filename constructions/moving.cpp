@@ -298,27 +298,61 @@ private:
         }
         if (!positions.move_to(sample.coordinate)) return;
         sample.q = positions.state();
-        if (!positions.is_singular()) sample.plan = plan_for(positions, course.driver, sample.coordinate, rates);
+        if (!positions.is_singular()) find_plan(sample, positions, course.driver, rates);
         course.samples.push_back(std::move(sample));
     }
 
     /// Of those there are the one whose guards hold here, else a new one.
-    int plan_for(Positions& positions, int driver, double coordinate, const std::optional<Rates>& rates) {
-        if (coordinate == 0 && !rates) return 0;
-        Moved moved = mover_.moved(positions, Exact::from_double(coordinate));
+    void find_plan(MovingCourse::Sample& sample, Positions& positions, int driver, const std::optional<Rates>& rates) {
+        if (sample.coordinate == 0 && !rates) {
+            sample.plan = 0;
+            return;
+        }
+        Moved moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
         if (rates) moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
         for (std::size_t i = 0; i < moving_.plans.size(); ++i) {
             const std::size_t tried = (i + last_) % moving_.plans.size();
-            const Program& program = moving_.plans[tried].program;
-            Replay replay(program, givens_of(program, moved.mechanism, moved.pose), moved.pose.size.to_double());
-            if (replay.run()) continue;
+            if (!replays(moving_.plans[tried], moved.mechanism, moved.pose)) continue;
             last_ = tried;
-            return static_cast<int>(tried);
+            sample.plan = static_cast<int>(tried);
+            return;
         }
-        if (moving_.plans.size() == most_plans) return -1;
-        last_ = moving_.plans.size();
-        add_plan(solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; }));
-        return static_cast<int>(last_);
+        const Solution solution = solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+        MovingPlan plan = Planned(solution, moving_.columns).plan(rules_);
+        if (moving_.plans.size() < most_plans && replays(plan, solution.mechanism, solution.pose)) {
+            last_ = moving_.plans.size();
+            sample.plan = static_cast<int>(last_);
+            moving_.plans.push_back(std::move(plan));
+        } else {
+            sample.values = values_of(solution);
+        }
+    }
+    static bool replays(const MovingPlan& plan, const Mechanism& mechanism, const Pose& pose) {
+        return !Replay(plan.program, givens_of(plan.program, mechanism, pose), pose.size.to_double()).run();
+    }
+    /// What the position alone gives is left out.
+    std::vector<std::optional<double>> values_of(const Solution& solution) const {
+        const std::vector<FoundValue> entries = found_values(solution);
+        std::vector<std::optional<double>> values;
+        for (const Column& column : moving_.columns) {
+            const Quantity& q = column.quantity;
+            const auto entry = std::find_if(entries.begin(), entries.end(), [&](const FoundValue& each) { return each.quantity == q; });
+            std::optional<double>& value = values.emplace_back();
+            if (entry == entries.end()) continue;
+            if (column.kind == Column::Kind::along) {
+                const auto rough = [&](const std::vector<Vector>& list) {
+                    const Vector& v = list[at_index(q.joint)];
+                    return VectorOf<double>{v.x.to_double(), v.y.to_double()};
+                };
+                const Pose& pose = solution.pose;
+                value = dot(direction_of_sliding(rough(pose.guides), rough(pose.tangents), rough(pose.normals)), entry->vector);
+            } else if (column.kind == Column::Kind::result) {
+                value = q.component == Quantity::Component::whole ? entry->scalar
+                        : q.component == Quantity::Component::x   ? entry->vector.x
+                                                                  : entry->vector.y;
+            }
+        }
+        return values;
     }
 
     const Solution& solution_;

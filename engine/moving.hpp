@@ -83,6 +83,8 @@ struct MovingCourse {
         std::vector<double> q;          ///< by column of the closure; a start for Newton's method
         int plan = -1;                  ///< index in Moving::plans; −1: no construction holds here
         double rate = 0, acceleration = 0;
+        /// Where a verdict drowns in doubles (a body all but at rest): by column what the exact construction found; else empty.
+        std::vector<std::optional<double>> values;
     };
     std::vector<Sample> samples;  ///< in the order of the way
 };

@@ -1,25 +1,37 @@
 // The joints closed in the browser: Newton's method on the closure's rows, as engine/positions.cpp does it, begun near the place
 // that the cycle was found to pass. Knows no construction and no figure.
 
-/** @typedef {import('./types.js')} Types */
-
-/** What `facing` makes of a drawn direction: the product as complex numbers. @param {Spot} facing @param {number} x
- * @param {number} y @returns {Spot} */
+/**
+ * What `facing` makes of a drawn direction: the product as complex numbers.
+ * @param {Spot} facing
+ * @param {number} x
+ * @param {number} y
+ * @returns {Spot}
+ */
 function faced(facing, x, y) {
     return {x: facing.x * x - facing.y * y, y: facing.x * y + facing.y * x};
 }
 
-/** @param {Spot} a @returns {Spot} */
+/**
+ * @param {Spot} a
+ * @returns {Spot}
+ */
 function quarterTurn(a) {
     return {x: -a.y, y: a.x};
 }
 
-/** @param {Spot} a @param {Spot} b */
+/**
+ * @param {Spot} a
+ * @param {Spot} b
+ */
 function dot(a, b) {
     return a.x * b.x + a.y * b.y;
 }
 
-/** @param {Spot} a @returns {Spot} */
+/**
+ * @param {Spot} a
+ * @returns {Spot}
+ */
 function unitOf(a) {
     const size = Math.hypot(a.x, a.y);
     return {x: a.x / size, y: a.y / size};
@@ -48,14 +60,24 @@ class Places {
         });
     }
 
-    /** Where a place of a body is, in the closure's unit. @param {number} body @param {number} x @param {number} y
-     * @returns {Spot} */
+    /**
+     * Where a place of a body is, in the closure's unit.
+     * @param {number} body
+     * @param {number} x
+     * @param {number} y
+     * @returns {Spot}
+     */
     world(body, x, y) {
         const turned = faced(this.facing[body], x, y);
         return {x: this.at[body].x + turned.x, y: this.at[body].y + turned.y};
     }
 
-    /** @param {Float64Array} into @param {number} body @param {Spot} n @param {number} turning */
+    /**
+     * @param {Float64Array} into
+     * @param {number} body
+     * @param {Spot} n
+     * @param {number} turning
+     */
     put(into, body, n, turning) {
         if (body === 0) return;
         const [, , x, turn] = this.data.bodies[body];
@@ -65,8 +87,11 @@ class Places {
         if (!frozen[turn]) into[turn] += turning;
     }
 
-    /** Writes a row's gradient; returns its excess, the driver's coordinate not counted. @param {Row} row
-     * @param {Float64Array} into */
+    /**
+     * Writes a row's gradient; returns its excess, the driver's coordinate not counted.
+     * @param {Row} row
+     * @param {Float64Array} into
+     */
     write(row, into) {
         const [kind, i, j, px, py, qx, qy, ax, ay, offset, lever, shareI, shareJ] = row;
         if (kind === turnsAlike) {
@@ -100,8 +125,12 @@ class Places {
         return excess;
     }
 
-    /** Closes all joints with the driver at a coordinate, from a start; false where it does not get there.
-     * @param {ArrayLike<number>} start @param {number} coordinate @param {number[]} shares by driver */
+    /**
+     * Closes all joints with the driver at a coordinate, from a start; false where it does not get there.
+     * @param {ArrayLike<number>} start
+     * @param {number} coordinate
+     * @param {number[]} shares by driver
+     */
     close(start, coordinate, shares) {
         const q = Float64Array.from(start);
         const {rows} = this.data;
@@ -163,7 +192,11 @@ class Places {
         return read;
     }
 
-    /** Where two profiles touch, in the closure's unit. @param {JointRule} joint @returns {Spot} */
+    /**
+     * Where two profiles touch, in the closure's unit.
+     * @param {JointRule} joint
+     * @returns {Spot}
+     */
     contact(joint) {
         const centres = [0, 1].map((side) => this.world(joint.bodies[side], joint.locals[side][0], joint.locals[side][1]));
         for (const side of [0, 1]) {
@@ -180,7 +213,10 @@ class Places {
         };
     }
 
-    /** Along a straight slide since the drawn position, m. @param {JointRule} joint */
+    /**
+     * Along a straight slide since the drawn position, m.
+     * @param {JointRule} joint
+     */
     slid(joint) {
         const guide = faced(this.facing[joint.turnsWith], joint.guide[0], joint.guide[1]);
         const [one, other] = [0, 1].map((side) => this.world(joint.bodies[side], joint.locals[side][0], joint.locals[side][1]));
@@ -188,8 +224,12 @@ class Places {
     }
 }
 
-/** The solution of rows (each with its right side last) by elimination with complete pivoting: repeated equations do no harm, and
- * what no equation determines stays zero. @param {Float64Array[]} matrix @param {number} columns */
+/**
+ * The solution of rows (each with its right side last) by elimination with complete pivoting: repeated equations do no harm,
+ * and what no equation determines stays zero.
+ * @param {Float64Array[]} matrix
+ * @param {number} columns
+ */
 function solved(matrix, columns) {
     const order = Array.from({length: columns}, (_, k) => k);
     let rank = 0, first = 0;

@@ -9,7 +9,10 @@
  *   points: {label: string}[], centres: Record<string, string>}} Names
  */
 
-/** @param {string} d @returns {Segment[]} */
+/**
+ * @param {string} d
+ * @returns {Segment[]}
+ */
 function parsePath(d) {
     return (d.match(/[MLCAZ][^MLCAZ]*/g) ?? []).map((part) => ({
         letter: part[0],
@@ -17,7 +20,10 @@ function parsePath(d) {
     }));
 }
 
-/** @param {Segment[]} segments @param {(at: Spot) => Spot} map rigid, where there are arcs */
+/**
+ * @param {Segment[]} segments
+ * @param {(at: Spot) => Spot} map rigid, where there are arcs
+ */
 function mappedPath(segments, map) {
     const spot = (/** @type {number} */ x, /** @type {number} */ y) => {
         const at = map({x, y});
@@ -31,7 +37,11 @@ function mappedPath(segments, map) {
     }).join('');
 }
 
-/** The places that a path goes through. @param {Segment[]} segments @returns {Spot[]} */
+/**
+ * The places that a path goes through.
+ * @param {Segment[]} segments
+ * @returns {Spot[]}
+ */
 function spotsOf(segments) {
     /** @type {Spot[]} */
     const spots = [];
@@ -48,15 +58,28 @@ function boxOf(spots) {
     return {left, right, top, bottom, centre: {x: (left + right) / 2, y: (top + bottom) / 2}};
 }
 
-/** @param {Spot} a @param {Spot} b @returns {Spot} */
+/**
+ * @param {Spot} a
+ * @param {Spot} b
+ * @returns {Spot}
+ */
 function minus(a, b) {
     return {x: a.x - b.x, y: a.y - b.y};
 }
-/** a + t·b. @param {Spot} a @param {number} t @param {Spot} b @returns {Spot} */
+/**
+ * a + t·b.
+ * @param {Spot} a
+ * @param {number} t
+ * @param {Spot} b
+ * @returns {Spot}
+ */
 function along(a, t, b) {
     return {x: a.x + t * b.x, y: a.y + t * b.y};
 }
-/** @param {Spot} a @param {Spot} b */
+/**
+ * @param {Spot} a
+ * @param {Spot} b
+ */
 function apart(a, b) {
     return Math.hypot(a.x - b.x, a.y - b.y);
 }
@@ -68,7 +91,13 @@ const leastVector = 0.05;
 
 /** A figure of a drawing, which may hold several. */
 class FigureView {
-    /** @param {SVGSVGElement} svg @param {Element} group @param {FigureInfo} info @param {Motion} motion @param {Names} names */
+    /**
+     * @param {SVGSVGElement} svg
+     * @param {Element} group
+     * @param {FigureInfo} info
+     * @param {Motion} motion
+     * @param {Names} names
+     */
     constructor(svg, group, info, motion, names) {
         this.svg = svg;
         this.group = group;
@@ -81,20 +110,28 @@ class FigureView {
         this.scale = this.drawnScale;
         this.isMechanism = info.name === 'mechanism' || info.name === 'centres';
         this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
+        this.drawnOrigin = this.origin;
+        /**
+         * The scale bar: true at the drawing's scale alone.
+         * @type {Element[]}
+         */
+        this.measures = [];
         /** @type {(() => void)[]} */
         this.bindings = [];
         /** @type {Map<Element, Map<string, string | null>>} */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         this.isBound = false;
-        this.drawnReach = 0;
     }
 
     /** Whether the figure can follow the mechanism at all. */
     get follows() {
         return this.isMechanism || this.vectorsOf(0).size > 0;
     }
-    /** Where the pole of a polygon lies: its vectors tell. @returns {Spot} */
+    /**
+     * Where the pole of a polygon lies: its vectors tell.
+     * @returns {Spot}
+     */
     poleOf() {
         for (const node of this.group.querySelectorAll(':scope > g.vector')) {
             const elements = this.vectorsOf(0).get(node.getAttribute('data-name') ?? ''), axis = node.querySelector('line.axis');
@@ -110,7 +147,11 @@ class FigureView {
 
     // --- where things are -----------------------------------------------------------------------------------------------------
 
-    /** From SI to mm on paper. @param {Spot} at @returns {Spot} */
+    /**
+     * From SI to mm on paper.
+     * @param {Spot} at
+     * @returns {Spot}
+     */
     paper(at) {
         return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
     }
@@ -122,21 +163,32 @@ class FigureView {
         }
         return found;
     }
-    /** Tail and tip on paper, in the position where the mechanism is. @param {string} name @returns {[Spot, Spot] | null} */
+    /**
+     * Tail and tip on paper, in the position where the mechanism is.
+     * @param {string} name
+     * @returns {[Spot, Spot] | null}
+     */
     vector(name) {
         const found = this.vectorsOf(this.motion.plan).get(name);
         const tail = found && this.motion.spot(found[0]), tip = found && this.motion.spot(found[1]);
         return tail && tip ? [this.paper(tail), this.paper(tip)] : null;
     }
-    /** A vertex, or a centre, on paper. @param {string} name @returns {Spot | null} */
+    /**
+     * A vertex, or a centre, on paper.
+     * @param {string} name
+     * @returns {Spot | null}
+     */
     spot(name) {
         const own = this.isMechanism ? '' : this.id;
         const found = this.motion.data.plans[this.motion.plan]?.spots.find((each) => each[0] === own && each[1] === name);
         const at = found ? this.motion.spot(found[2]) : null;
         return at && this.paper(at);
     }
-    /** Of a construction line: the places that it was drawn through, and its direction. @param {string} name
-     * @returns {{points: Spot[], direction: Spot} | null} */
+    /**
+     * Of a construction line: the places that it was drawn through, and its direction.
+     * @param {string} name
+     * @returns {{points: Spot[], direction: Spot} | null}
+     */
     line(name) {
         const own = this.isMechanism ? '' : this.id, {motion} = this;
         const found = motion.data.plans[motion.plan]?.lines.find((each) => each[0] === own && each[1] === name);
@@ -147,7 +199,10 @@ class FigureView {
         if (points.length === 0 || (direction.x === 0 && direction.y === 0)) return null;
         return {points: points.map((at) => this.paper(/** @type {Spot} */ (at))), direction: unitOf(direction)};
     }
-    /** @param {number} point @returns {Spot} */
+    /**
+     * @param {number} point
+     * @returns {Spot}
+     */
     point(point) {
         return this.paper(this.motion.read.points[point]);
     }
@@ -163,33 +218,54 @@ class FigureView {
             }
         }
         this.scale = this.drawnScale;
+        this.origin = this.drawnOrigin;
         this.svg.setAttribute('viewBox', this.viewBox.join(' '));
         this.svg.classList.remove('moved');
     }
-    /** Follows the mechanism; `room`: what it may cover. @param {number} scale @param {number[]} room */
-    follow(scale, room) {
-        this.scale = scale;
+    /**
+     * Follows the mechanism; `room`: what it may cover.
+     * @param {number[]} room
+     * @param {{scale: number, origin: Spot}} to
+     */
+    follow(room, to = {scale: this.drawnScale, origin: this.drawnOrigin}) {
+        this.scale = to.scale;
+        this.origin = to.origin;
+        for (const node of this.measures) this.show(node, to.scale === this.drawnScale);
         this.svg.setAttribute('viewBox', room.map((each) => each.toFixed(3)).join(' '));
         this.svg.classList.add('moved');
         for (const update of this.bindings) update();
     }
-    /** @param {Element} node @param {string} name @param {string} value */
+    /**
+     * @param {Element} node
+     * @param {string} name
+     * @param {string} value
+     */
     set(node, name, value) {
         const before = this.drawn.get(node) ?? new Map();
         if (!before.has(name)) before.set(name, node.getAttribute(name));
         this.drawn.set(node, before);
         node.setAttribute(name, value);
     }
-    /** @param {Element} node @param {boolean} visible */
+    /**
+     * @param {Element} node
+     * @param {boolean} visible
+     */
     show(node, visible) {
         this.set(node, 'visibility', visible ? 'inherit' : 'hidden');
     }
-    /** Before what the node is turned by itself. @param {Element} node @param {string} transform */
+    /**
+     * Before what the node is turned by itself.
+     * @param {Element} node
+     * @param {string} transform
+     */
     transform(node, transform) {
         const own = this.drawn.get(node)?.get('transform') ?? (this.drawn.get(node)?.has('transform') ? '' : node.getAttribute('transform'));
         this.set(node, 'transform', own ? `${transform} ${own}` : transform);
     }
-    /** @param {Element} node @param {Spot} by */
+    /**
+     * @param {Element} node
+     * @param {Spot} by
+     */
     translate(node, by) {
         this.transform(node, `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)})`);
     }
@@ -200,13 +276,13 @@ class FigureView {
     bind() {
         if (this.isBound) return;
         this.isBound = true;
-        this.drawnReach = this.reach();
         this.bindLabels();
         for (const node of this.group.children) {
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
             else if (node.matches('g.vector')) this.bindVector(node);
             else if (node.matches('g.figure, g.detail')) node.classList.add('still');
             else if (node.tagName === 'path') this.bindPath(node);
+            else if (node.matches('g.text:not(.label ~ .text)')) this.measures.push(node);
         }
     }
 
@@ -214,7 +290,7 @@ class FigureView {
     bindVector(node) {
         const name = node.getAttribute('data-name') ?? '';
         const drawn = this.vector(name);
-        if (!drawn || apart(...drawn) < leastVector) return node.classList.add('still');
+        if (!drawn || apart(drawn[0], drawn[1]) < leastVector) return node.classList.add('still');
         const [tail, tip] = drawn, length = apart(tail, tip), e = unitOf(minus(tip, tail)), n = quarterTurn(e);
         const local = (/** @type {Spot} */ at) => ({t: dot(minus(at, tail), e), n: dot(minus(at, tail), n)});
         const paths = [...node.querySelectorAll('path')].map((path) => ({path, segments: parsePath(path.getAttribute('d') ?? '')}));
@@ -222,7 +298,7 @@ class FigureView {
         const head = Math.max(0, ...heads.flatMap(({segments}) => spotsOf(segments).map((at) => length - local(at).t)));
         const axis = node.querySelector('line.axis');
         this.bindings.push(() => {
-            const now = this.vector(name), size = now ? apart(...now) : 0;
+            const now = this.vector(name), size = now ? apart(now[0], now[1]) : 0;
             this.show(node, size >= leastVector);
             if (!now || size < leastVector) return;
             const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
@@ -241,7 +317,10 @@ class FigureView {
         });
     }
 
-    /** A stroke that stands by itself: a construction line, a disc at a vertex, the scale bar. @param {Element} node */
+    /**
+     * A stroke that stands by itself: a construction line, a disc at a vertex, the scale bar.
+     * @param {Element} node
+     */
     bindPath(node) {
         const segments = parsePath(node.getAttribute('d') ?? '');
         const spots = spotsOf(segments), box = boxOf(spots);
@@ -257,6 +336,8 @@ class FigureView {
             this.bindLine(node, segments, spots);
         } else if (node.hasAttribute('data-statement')) {
             node.classList.add('still');
+        } else {
+            this.measures.push(node);
         }
     }
     /** @param {Spot} at */
@@ -268,7 +349,11 @@ class FigureView {
         }
         return null;
     }
-    /** The construction line on which all of the spots lie. @param {Spot[]} spots @param {string | null} statement */
+    /**
+     * The construction line on which all of the spots lie.
+     * @param {Spot[]} spots
+     * @param {string | null} statement
+     */
     lineThrough(spots, statement) {
         const own = this.isMechanism ? '' : this.id;
         for (const [figure, name, said] of this.motion.data.plans[0].lines) {
@@ -280,7 +365,11 @@ class FigureView {
         }
         return null;
     }
-    /** @param {Element} node @param {Segment[]} segments @param {Spot[]} spots */
+    /**
+     * @param {Element} node
+     * @param {Segment[]} segments
+     * @param {Spot[]} spots
+     */
     bindLine(node, segments, spots) {
         const found = this.lineThrough(spots, node.closest('[data-statement]')?.getAttribute('data-statement') ?? null);
         if (!found) return node.classList.add('still');
@@ -321,7 +410,11 @@ class FigureView {
             else this.bindLineLabel(label, centre);
         });
     }
-    /** The label with what is set beside it in another colour, and its circle. @param {Element} label @param {Spot} centre */
+    /**
+     * The label with what is set beside it in another colour, and its circle.
+     * @param {Element} label
+     * @param {Spot} centre
+     */
     partsOf(label, centre) {
         const parts = [label];
         for (let next = label.nextElementSibling; next?.matches('g.text'); next = next.nextElementSibling) parts.push(next);
@@ -332,7 +425,10 @@ class FigureView {
         }
         return parts;
     }
-    /** @param {Element[]} parts @param {() => Spot | null} place */
+    /**
+     * @param {Element[]} parts
+     * @param {() => Spot | null} place
+     */
     bindToPlace(parts, place) {
         const drawn = place();
         if (!drawn) return parts.forEach((part) => part.classList.add('still'));
@@ -344,18 +440,23 @@ class FigureView {
             }
         });
     }
-    /** It keeps its side of the vector and its distance from it. @param {Element[]} parts @param {string} name
-     * @param {Spot} centre @param {{width: number, height: number}} box */
+    /**
+     * It keeps its side of the vector and its distance from it.
+     * @param {Element[]} parts
+     * @param {string} name
+     * @param {Spot} centre
+     * @param {{width: number, height: number}} box
+     */
     bindVectorLabel(parts, name, centre, box) {
         const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({x: (tail.x + tip.x) / 2, y: (tail.y + tip.y) / 2});
         const reach = (/** @type {Spot} */ n) => Math.abs(n.x) * box.width / 2 + Math.abs(n.y) * box.height / 2;
-        const drawn = /** @type {[Spot, Spot]} */ (this.vector(name)), length = apart(...drawn);
+        const drawn = /** @type {[Spot, Spot]} */ (this.vector(name)), length = apart(drawn[0], drawn[1]);
         if (length < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
         const e = unitOf(minus(drawn[1], drawn[0])), n = quarterTurn(e), off = minus(centre, middle(drawn));
         const side = Math.sign(dot(off, n)) || 1, share = dot(off, e) / length;
         const clearance = Math.abs(dot(off, n)) - reach(n);
         this.bindings.push(() => {
-            const now = this.vector(name), size = now ? apart(...now) : 0;
+            const now = this.vector(name), size = now ? apart(now[0], now[1]) : 0;
             parts.forEach((part) => this.show(part, size >= leastVector));
             if (!now || size < leastVector) return;
             const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
@@ -363,7 +464,11 @@ class FigureView {
             parts.forEach((part) => this.translate(part, minus(at, centre)));
         });
     }
-    /** A word along a construction line. @param {Element} label @param {Spot} drawnCentre */
+    /**
+     * A word along a construction line.
+     * @param {Element} label
+     * @param {Spot} drawnCentre
+     */
     bindLineLabel(label, drawnCentre) {
         const pivot = (label.getAttribute('transform') ?? '').match(/rotate\((\S+) (\S+) (\S+)\)/);
         const centre = pivot ? {x: Number(pivot[2]), y: Number(pivot[3])} : drawnCentre;
@@ -397,7 +502,10 @@ class FigureView {
 
     // --- the mechanism --------------------------------------------------------------------------------------------------------
 
-    /** A group of marks by their role. @param {Element} group */
+    /**
+     * A group of marks by their role.
+     * @param {Element} group
+     */
     bindRole(group) {
         const role = group.getAttribute('class') ?? '';
         if (role === 'dimensions') return group.classList.add('still');
@@ -413,7 +521,11 @@ class FigureView {
             else if (role === 'arrows' && !this.isAtRest(node)) node.classList.add('still');
         }
     }
-    /** Moves a node with a body. @param {Element} node @param {number} body */
+    /**
+     * Moves a node with a body.
+     * @param {Element} node
+     * @param {number} body
+     */
     bindToBody(node, body) {
         if (body <= 0) return;
         const {places, data} = this.motion;
@@ -431,7 +543,10 @@ class FigureView {
         if (body < 0 || node.matches('.crossing')) node.classList.add('still');
         else this.bindToBody(node, body);
     }
-    /** The tint of a plate lies under the link with the same corners. @param {Element} node */
+    /**
+     * The tint of a plate lies under the link with the same corners.
+     * @param {Element} node
+     */
     bindTint(node) {
         const outline = node.getAttribute('d') ?? '';
         const links = [...this.group.querySelectorAll('g.link')];
@@ -462,26 +577,67 @@ class FigureView {
         const name = this.names.centres[node.getAttribute('data-id') ?? ''];
         if (name !== undefined && this.spot(name)) return this.bindToPlace([node], () => this.spot(name));
         const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
-        if (spots.length === 2) this.bindLine(node, segments, spots);
+        if (spots.length === 2) this.bindThroughCentres(node, segments, spots);
         else node.classList.add('still');
     }
-    /** The axis of a guide goes with the body that has it; compass strokes are of the drawn position. @param {Element} node */
+    /**
+     * A line of Aronhold and Kennedy, on which centres lie.
+     * @param {Element} node
+     * @param {Segment[]} segments
+     * @param {Spot[]} spots
+     */
+    bindThroughCentres(node, segments, spots) {
+        const toward = unitOf(minus(spots[1], spots[0]));
+        const on = Object.values(this.names.centres).flatMap((name) => {
+            const at = this.spot(name);
+            return at && Math.abs(dot(minus(at, spots[0]), quarterTurn(toward))) < samePlace ? [{name, at}] : [];
+        });
+        on.sort((a, b) => dot(minus(a.at, b.at), toward));
+        const first = on[0], last = on[on.length - 1];
+        if (on.length < 2 || apart(first.at, last.at) < 1) return node.classList.add('still');
+        const ends = spots.map((at) => {
+            const nearest = apart(at, first.at) < apart(at, last.at) ? first : last;
+            return {name: nearest.name, beyond: dot(minus(at, nearest.at), toward)};
+        });
+        this.bindings.push(() => {
+            const [from, to] = [this.spot(first.name), this.spot(last.name)];
+            const fits = from !== null && to !== null && apart(from, to) > leastVector;
+            this.show(node, fits);
+            if (!fits) return;
+            const now = unitOf(minus(to, from));
+            const places = ends.map(({name, beyond}) => along(name === first.name ? from : to, beyond, now));
+            let next = 0;
+            this.set(node, 'd', mappedPath(segments, () => places[next++]));
+        });
+    }
+    /**
+     * The axis of a guide goes with the body that has it; compass strokes are of the drawn position.
+     * @param {Element} node
+     */
     bindGuide(node) {
-        const spots = spotsOf(parsePath(node.getAttribute('d') ?? ''));
+        const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
+        if (node.hasAttribute('data-statement') && spots.length === 2) return this.bindThroughCentres(node, segments, spots);
         const joint = spots.length !== 2 ? undefined : this.names.joints.find(({point, turnsWith}) => {
             const e = unitOf(minus(spots[1], spots[0]));
             return turnsWith >= 0 && Math.abs(dot(minus(this.point(point), spots[0]), quarterTurn(e))) < samePlace;
         });
-        if (!joint) node.classList.add('still');
-        else this.bindToBody(node, joint.turnsWith);
+        if (joint) this.bindToBody(node, joint.turnsWith);
+        else node.classList.add('still');
     }
-    /** The arrow of a driver on the frame stays where it is. @param {Element} node */
+    /**
+     * The arrow of a driver on the frame stays where it is.
+     * @param {Element} node
+     */
     isAtRest(node) {
         const spots = spotsOf(parsePath(node.getAttribute('d') ?? ''));
         if (spots.length === 0) return false;
         return this.motion.data.points.some(([body], i) => body === 0 && apart(this.point(i), boxOf(spots).centre) < 16);
     }
-    /** @param {Element} label @param {Element[]} parts @param {Spot} centre */
+    /**
+     * @param {Element} label
+     * @param {Element[]} parts
+     * @param {Spot} centre
+     */
     bindMechanismLabel(label, parts, centre) {
         const text = label.getAttribute('aria-label') ?? '';
         const first = text.split(' ≡ ')[0];
@@ -501,21 +657,38 @@ class FigureView {
             parts.forEach((part) => part.classList.add('still'));
         }
     }
-    /** @param {Spot} at mm @returns {Spot} */
+    /**
+     * @param {Spot} at mm
+     * @returns {Spot}
+     */
     unpaper(at) {
         return {x: (at.x - this.origin.x) * this.scale, y: (this.origin.y - at.y) * this.scale};
     }
 
-    /** How far from its pole a polygon goes. */
-    reach() {
-        return Math.max(0, ...this.extent().map((at) => apart(at, this.origin)));
-    }
-
     // --- room -----------------------------------------------------------------------------------------------------------------
 
-    /** Of all that it must show here, at the drawing's scale, mm. @returns {Spot[]} */
+    /**
+     * Of all that it must show here, at the drawing's scale, mm.
+     * @returns {Spot[]}
+     */
     extent() {
         if (this.isMechanism) return this.motion.read.points.map((at) => this.paper(at));
         return [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []);
+    }
+    /**
+     * Scale and origin with which what it shows fills the middle of its room.
+     * @returns {{scale: number, origin: Spot}}
+     */
+    fitted() {
+        const [x, y, width, height] = this.viewBox, rim = 12, below = 8;
+        this.scale = this.drawnScale;
+        this.origin = this.drawnOrigin;
+        const spots = this.extent();
+        if (spots.length === 0) return {scale: this.scale, origin: this.origin};
+        const box = boxOf(spots);
+        const wide = Math.max(width - 2 * rim, 20), high = Math.max(height - 2 * rim - below, 20);
+        const k = Math.max((box.right - box.left) / wide, (box.bottom - box.top) / high, 1e-9);
+        const middle = {x: x + width / 2, y: y + (height - below) / 2};
+        return {scale: this.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre, this.drawnOrigin))};
     }
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/centre_symbol.hpp"
 #include "engine/json_text.hpp"
@@ -215,6 +216,10 @@ private:
         json_.list("samples", course.samples, [&](const MovingCourse::Sample& sample) {
             json_.open('{').key("at").number(sample.at).key("coordinate").number(sample.coordinate);
             json_.key("plan").number(sample.plan).key("rate").number(sample.rate).key("acceleration").number(sample.acceleration);
+            if (!sample.values.empty())
+                json_.list("values", sample.values, [&](const std::optional<double>& each) {
+                    json_.number(each.value_or(std::numeric_limits<double>::quiet_NaN()));  // written as null
+                });
             json_.list("q", sample.q, [&](double each) { json_.rough(each); }).close('}');
         });
         json_.close('}');

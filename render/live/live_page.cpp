@@ -224,7 +224,7 @@ private:
                    "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
                    "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
                    "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
-                   "<label><input id=\"fit\" type=\"checkbox\"> <span data-word=\"fit\"></span></label>\n"
+                   "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
                    "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
         }
         out += "<div class=\"row\"><button id=\"previous\" type=\"button\" data-word=\"previous\"></button>\n"

@@ -17,10 +17,18 @@ class Motion {
         this.read = this.places.read();
         this.rates = {rate: 0, acceleration: 0};
         this.isDrawn = true;
+        /**
+         * Values by column that do not come from a plan.
+         * @type {(number | null)[] | null}
+         */
+        this.told = null;
         this.toDrawn();
     }
 
-    /** Exactly where the file has it. @param {Course} course */
+    /**
+     * Exactly where the file has it.
+     * @param {Course} course
+     */
     toDrawn(course = this.course) {
         const {places, data} = this;
         const q = new Float64Array(data.frozen.length);
@@ -34,10 +42,15 @@ class Motion {
         this.rates = {rate: sample?.rate ?? 0, acceleration: sample?.acceleration ?? 0};
         this.read = places.read();
         this.isDrawn = true;
+        this.told = null;
         this.plan = this.planHere([0]);
     }
 
-    /** False where the joints do not close; then nothing moved. @param {Course} course @param {number} at */
+    /**
+     * False where the joints do not close; then nothing moved.
+     * @param {Course} course
+     * @param {number} at
+     */
     moveTo(course, at) {
         const {samples} = course;
         let after = samples.findIndex((sample) => sample.at >= at);
@@ -54,11 +67,37 @@ class Motion {
         this.isDrawn = place === 0;
         this.rates = {rate: nearest.rate, acceleration: nearest.acceleration};
         this.read = this.places.read();
-        this.plan = this.planHere([nearest.plan, low.plan, high.plan]);
+        this.told = null;
+        const likely = [nearest.plan, low.plan, high.plan];
+        this.plan = this.planHere(likely);
+        if (this.plan < 0) this.stepAside(course, start, coordinate, likely, nearest.at === place ? nearest.values : undefined);
         return true;
     }
 
-    /** The plan whose guards hold, those of the neighbours first. @param {number[]} likely */
+    /**
+     * Where a verdict drowns in doubles the numbers are those of the exact construction, and figures are drawn a hair
+     * beside: a millionth of the way.
+     * @param {Course} course
+     * @param {number[]} start
+     * @param {number} coordinate
+     * @param {number[]} likely
+     * @param {(number | null)[] | undefined} values
+     */
+    stepAside(course, start, coordinate, likely, values) {
+        const told = this.data.columns.map((column, i) => isOfPlace(column) ? this.value(i) : values?.[i] ?? null);
+        for (const by of [1e-6, -1e-6]) {
+            if (!this.places.close(start, coordinate + by * (course.to - course.from), course.shares)) continue;
+            this.read = this.places.read();
+            this.plan = this.planHere(likely);
+            if (this.plan >= 0) break;
+        }
+        this.told = told;
+    }
+
+    /**
+     * The plan whose guards hold, those of the neighbours first.
+     * @param {number[]} likely
+     */
     planHere(likely) {
         const tried = new Set([this.plan, ...likely]);
         this.replays.forEach((_, i) => tried.add(i));
@@ -71,7 +110,10 @@ class Motion {
         return -1;
     }
 
-    /** @param {MovingGiven} rule @returns {number[]} */
+    /**
+     * @param {MovingGiven} rule
+     * @returns {number[]}
+     */
     valueOf(rule) {
         const {points, guides, normals, tangents} = this.read;
         const between = () => {
@@ -107,8 +149,13 @@ class Motion {
         }
     }
 
-    /** A column's value, SI; none where no construction holds, or finds it. @param {number} index @returns {number | null} */
+    /**
+     * A column's value, SI; none where no construction holds, or finds it.
+     * @param {number} index
+     * @returns {number | null}
+     */
     value(index) {
+        if (this.told) return this.told[index];
         const column = this.data.columns[index];
         switch (column.kind) {
             case 'angle':
@@ -123,7 +170,10 @@ class Motion {
                 return this.result(index);
         }
     }
-    /** @param {number} index @returns {number | null} */
+    /**
+     * @param {number} index
+     * @returns {number | null}
+     */
     result(index) {
         if (this.plan < 0) return null;
         const column = this.data.columns[index], source = this.data.plans[this.plan].sources[index];
@@ -135,17 +185,31 @@ class Motion {
         }
         return column.component === 'y' ? replay.y(source) : replay.x(source);
     }
-    /** X of a slide, or the common tangent of a contact or a curved slot. @param {number} joint */
+    /**
+     * X of a slide, or the common tangent of a contact or a curved slot.
+     * @param {number} joint
+     */
     slidingDirection(joint) {
         const guide = this.read.guides[joint], tangent = this.read.tangents[joint];
         if (guide.x !== 0 || guide.y !== 0) return unitOf(guide);
         return unitOf(tangent.x !== 0 || tangent.y !== 0 ? tangent : quarterTurn(this.read.normals[joint]));
     }
-    /** Where an element stands that is a point; none: at infinity, or not evaluated here. @param {number} element
-     * @returns {Spot | null} */
+    /**
+     * Where an element stands that is a point; none: at infinity, or not evaluated here.
+     * @param {number} element
+     * @returns {Spot | null}
+     */
     spot(element) {
         if (this.plan < 0 || element < 0) return null;
         const replay = this.replays[this.plan];
         return replay.w(element) === 0 ? null : {x: replay.x(element), y: replay.y(element)};
     }
+}
+
+/**
+ * What the position alone gives.
+ * @param {Column} column
+ */
+function isOfPlace(column) {
+    return ['angle', 'place_x', 'place_y', 'slid'].includes(column.kind);
 }

@@ -9,7 +9,10 @@ class Page {
         this.isPlaying = false;
         /** @type {Record<string, FigureView[]>} */
         this.views = {};
-        /** What the figures may cover on the way of a driver, by language and driver. @type {Map<string, Map<SVGSVGElement, number[]>>} */
+        /**
+         * What the figures may cover on the way of a driver, by language and driver.
+         * @type {Map<string, Map<SVGSVGElement, number[]>>}
+         */
         this.rooms = new Map();
         this.sheets = [...document.querySelectorAll('main')];
     }
@@ -30,7 +33,10 @@ class Page {
     get sheet() {
         return /** @type {HTMLElement} */ (this.sheets.find((each) => each.lang === this.language));
     }
-    /** @param {string} id @returns {any} */
+    /**
+     * @param {string} id
+     * @returns {any}
+     */
     at(id) {
         return document.getElementById(id);
     }
@@ -101,7 +107,10 @@ class Page {
             });
         }
     }
-    /** The sentences of the sheet that is shown, in order. @returns {HTMLElement[]} */
+    /**
+     * The sentences of the sheet that is shown, in order.
+     * @returns {HTMLElement[]}
+     */
     get says() {
         return [...this.sheet.querySelectorAll('li[data-says]')].map((each) => /** @type {HTMLElement} */ (each));
     }
@@ -125,18 +134,27 @@ class Page {
         event.preventDefault();
         action();
     }
-    /** The number of the statement that is said or drawn there. @param {EventTarget | null} target */
+    /**
+     * The number of the statement that is said or drawn there.
+     * @param {EventTarget | null} target
+     */
     saidAt(target) {
         const node = target instanceof Element ? target.closest('[data-statement], [data-says]') : null;
         return node && (node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
     }
-    /** Of a sentence its strokes, of a stroke its sentence. @param {string | null} number */
+    /**
+     * Of a sentence its strokes, of a stroke its sentence.
+     * @param {string | null} number
+     */
     light(number) {
         for (const node of this.sheet.querySelectorAll('.lit')) node.classList.remove('lit');
         if (number === null) return;
         for (const node of this.sheet.querySelectorAll(`[data-statement="${number}"], [data-says="${number}"]`)) node.classList.add('lit');
     }
-    /** @param {number} step −1: all @param {boolean} announced */
+    /**
+     * @param {number} step −1: all
+     * @param {boolean} announced
+     */
     showStep(step, announced = true) {
         const {says} = this;
         this.step = says.length > 0 ? step : -1;
@@ -289,7 +307,10 @@ class Page {
         const text = size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(4) : String(Number(value.toPrecision(6)));
         return (this.language === 'it' ? text.replace('.', ',') : text).replace('-', '−');
     }
-    /** @param {FigureView} view @param {Motion} motion */
+    /**
+     * @param {FigureView} view
+     * @param {Motion} motion
+     */
     showFigure(view, motion) {
         const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (view.isMechanism || motion.plan >= 0);
         const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
@@ -297,17 +318,15 @@ class Page {
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
         view.restore();
         if (motion.isDrawn || !canFollow) return this.sayScale(view, 1);
-        const room = this.roomOf(view), fits = this.at('fit').checked && !view.isMechanism;
-        const share = fits ? this.fitted(view) : 1;
-        view.follow(view.drawnScale * share, fits ? view.viewBox : room);
-        this.sayScale(view, share);
+        const fits = this.at('fit').checked && !view.isMechanism;
+        const to = fits ? view.fitted() : undefined;
+        view.follow(fits ? view.viewBox : this.roomOf(view), to);
+        this.sayScale(view, to ? to.scale / view.drawnScale : 1);
     }
-    /** By how much the scale must be coarser for the polygon to cover what it covered as drawn. @param {FigureView} view */
-    fitted(view) {
-        const now = view.reach();
-        return view.drawnReach > 0 && now > 0 ? now / view.drawnReach : 1;
-    }
-    /** @param {FigureView} view @param {number} share */
+    /**
+     * @param {FigureView} view
+     * @param {number} share
+     */
     sayScale(view, share) {
         const scale = /** @type {HTMLElement | null} */ (view.svg.closest('figure')?.querySelector('.scale'));
         if (!scale) return;
@@ -318,8 +337,10 @@ class Page {
             scale.textContent = `1 mm ≙ ${this.numberText(Number((view.drawnScale * share).toPrecision(3)))} ${view.unit}`;
         }
     }
-    /** The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large throughout.
-     * @param {FigureView} view */
+    /**
+     * The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large throughout.
+     * @param {FigureView} view
+     */
     roomOf(view) {
         const key = `${this.language} ${this.course.driver}`;
         if (!this.rooms.has(key)) this.rooms.set(key, this.measureRooms());
@@ -327,7 +348,7 @@ class Page {
     }
     measureRooms() {
         const motion = /** @type {Motion} */ (this.motion), {course} = this, here = motion.at;
-        const margin = 8, most = 2.5;
+        const margin = 8, most = 1;
         const rooms = new Map(this.figures.map((view) => {
             const [x, y, width, height] = view.viewBox;
             return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
@@ -338,6 +359,7 @@ class Page {
                 if (!view.svg.matches('.following') || (!view.isMechanism && motion.plan < 0)) continue;
                 const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg));
                 view.scale = view.drawnScale;
+                view.origin = view.drawnOrigin;
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
                     room.right = Math.min(Math.max(room.right, at.x + margin), x + most * width);
@@ -353,8 +375,11 @@ class Page {
 
     // --- dragging -------------------------------------------------------------------------------------------------------------
 
-    /** A point that moves is taken by hand: the mechanism goes where on its way the point is nearest to the hand.
-     * @param {SVGSVGElement} svg @param {Motion} motion */
+    /**
+     * A point that moves is taken by hand: the mechanism goes where on its way the point is nearest to the hand.
+     * @param {SVGSVGElement} svg
+     * @param {Motion} motion
+     */
     wireDragging(svg, motion) {
         /** @type {{point: number, path: Spot[], sample: number} | null} */
         let held = null;
@@ -392,7 +417,11 @@ class Page {
         svg.addEventListener('pointerup', leave);
         svg.addEventListener('pointercancel', leave);
     }
-    /** Where a point comes on the driver's way, m. @param {number} point @returns {Spot[]} */
+    /**
+     * Where a point comes on the driver's way, m.
+     * @param {number} point
+     * @returns {Spot[]}
+     */
     pathOf(point) {
         const motion = /** @type {Motion} */ (this.motion), here = motion.at;
         const path = this.course.samples.map((sample) => {
@@ -404,7 +433,12 @@ class Page {
     }
 }
 
-/** The point under the hand that moves; −1: none. @param {FigureView} figure @param {Motion} motion @param {Spot} at */
+/**
+ * The point under the hand that moves; −1: none.
+ * @param {FigureView} figure
+ * @param {Motion} motion
+ * @param {Spot} at
+ */
 function nearestMoving(figure, motion, at) {
     let best = -1, least = 6;
     motion.data.points.forEach(([body], i) => {
@@ -414,8 +448,13 @@ function nearestMoving(figure, motion, at) {
     return best;
 }
 
-/** The place of a path that is nearest to the hand, not far from where it was: a path that crosses itself is gone along.
- * @param {Spot[]} path @param {Spot} at @param {number} before @param {boolean} closes */
+/**
+ * The place of a path that is nearest to the hand, not far from where it was: a path that crosses itself is gone along.
+ * @param {Spot[]} path
+ * @param {Spot} at
+ * @param {number} before
+ * @param {boolean} closes
+ */
 function nearestOnPath(path, at, before, closes) {
     const count = path.length - 1, reach = Math.ceil(count / 6);
     let best = {sample: Math.min(before, count - 1), share: 0}, least = Infinity;
@@ -430,7 +469,10 @@ function nearestOnPath(path, at, before, closes) {
     return best;
 }
 
-/** A sentence as it is heard, with its equation's table left out. @param {Element} sentence */
+/**
+ * A sentence as it is heard, with its equation's table left out.
+ * @param {Element} sentence
+ */
 function spoken(sentence) {
     const copy = /** @type {Element} */ (sentence.cloneNode(true));
     for (const table of copy.querySelectorAll('table')) table.remove();

@@ -18,7 +18,10 @@ const drawingPlane = 0, forcePlane = 3;
 const zeroBits = 30, vanishingBits = 42;
 
 class Replay {
-    /** @param {Plan} plan @param {number} size of the drawing, m */
+    /**
+     * @param {Plan} plan
+     * @param {number} size of the drawing, m
+     */
     constructor(plan, size) {
         this.plan = plan;
         this.size = size;
@@ -35,13 +38,21 @@ class Replay {
         plan.givens.forEach((value, given) => this.give(given, value));
     }
 
-    /** @param {number} given @param {number[]} value */
+    /**
+     * @param {number} given
+     * @param {number[]} value
+     */
     give(given, value) {
         const element = this.elementOfGiven.get(given);
         if (element !== undefined) this.put(element, value[0], value[1] ?? 0, value[2] ?? 0);
     }
 
-    /** @param {number} i @param {number} x @param {number} y @param {number} w */
+    /**
+     * @param {number} i
+     * @param {number} x
+     * @param {number} y
+     * @param {number} w
+     */
     put(i, x, y, w) {
         this.cells[3 * i] = x;
         this.cells[3 * i + 1] = y;
@@ -86,7 +97,10 @@ class Replay {
         return true;
     }
 
-    /** What others in its plane are small beside. @param {number} i */
+    /**
+     * What others in its plane are small beside.
+     * @param {number} i
+     */
     note(i) {
         const plane = this.plan.strokes[5 * i + 1], verb = this.verb[i];
         if (lineVerbs.has(verb)) return;
@@ -97,7 +111,11 @@ class Replay {
         }
     }
 
-    /** @param {number} i @param {number} a @param {number} b */
+    /**
+     * @param {number} i
+     * @param {number} a
+     * @param {number} b
+     */
     carryOut(i, a, b) {
         switch (this.verb[i]) {
             case 'pole':
@@ -136,7 +154,11 @@ class Replay {
         }
     }
 
-    /** @param {number} i @param {number} a @param {number} b */
+    /**
+     * @param {number} i
+     * @param {number} a
+     * @param {number} b
+     */
     carryOutScalar(i, a, b) {
         switch (this.verb[i]) {
             case 'ratio':
@@ -162,46 +184,78 @@ class Replay {
         }
     }
 
-    /** @param {number} i @param {number} p @param {number} dx @param {number} dy */
+    /**
+     * @param {number} i
+     * @param {number} p
+     * @param {number} dx
+     * @param {number} dy
+     */
     lineThrough(i, p, dx, dy) {
         if (this.w(p) === 0) return this.put(i, 0, 0, 1);
         return this.put(i, -dy, dx, dy * this.x(p) - dx * this.y(p));
     }
-    /** @param {number} i @param {number} p @param {number} q */
+    /**
+     * @param {number} i
+     * @param {number} p
+     * @param {number} q
+     */
     join(i, p, q) {
         if (this.w(p) === 0 && this.w(q) === 0) return this.put(i, 0, 0, 1);
         if (this.w(p) === 0) return this.lineThrough(i, q, this.x(p), this.y(p));
         if (this.w(q) === 0) return this.lineThrough(i, p, this.x(q), this.y(q));
         return this.lineThrough(i, p, this.x(q) - this.x(p), this.y(q) - this.y(p));
     }
-    /** @param {number} i @param {number} l @param {number} m */
+    /**
+     * @param {number} i
+     * @param {number} l
+     * @param {number} m
+     */
     meet(i, l, m) {
         const w = this.x(l) * this.y(m) - this.y(l) * this.x(m);
         this.put(i, (this.y(l) * this.w(m) - this.w(l) * this.y(m)) / w, (this.w(l) * this.x(m) - this.x(l) * this.w(m)) / w, 1);
     }
-    /** @param {number} a @param {number} b */
+    /**
+     * @param {number} a
+     * @param {number} b
+     */
     ratio(a, b) {
         if (this.x(b) === 0) return this.y(a) / this.y(b);
         if (this.y(b) === 0) return this.x(a) / this.x(b);
         return this.dot(a, b) / this.dot(b, b);
     }
-    /** @param {number} a @param {number} b */
+    /**
+     * @param {number} a
+     * @param {number} b
+     */
     cross(a, b) {
         return this.x(a) * this.y(b) - this.y(a) * this.x(b);
     }
-    /** @param {number} a @param {number} b */
+    /**
+     * @param {number} a
+     * @param {number} b
+     */
     dot(a, b) {
         return this.x(a) * this.x(b) + this.y(a) * this.y(b);
     }
 
     // --- guards ---------------------------------------------------------------------------------------------------------------
 
-    /** A direction of a vector or a line. @param {number} i @returns {Spot} */
+    /**
+     * A direction of a vector or a line.
+     * @param {number} i
+     * @returns {Spot}
+     */
     direction(i) {
         return this.isLine(i) ? {x: -this.y(i), y: this.x(i)} : {x: this.x(i), y: this.y(i)};
     }
-    /** What was zero may show the rounding of what it is the difference of; what was not must not vanish.
-     * @param {number} question @param {number} how @param {number} a @param {number} b @param {number} verdict */
+    /**
+     * What was zero may show the rounding of what it is the difference of; what was not must not vanish.
+     * @param {number} question
+     * @param {number} how
+     * @param {number} a
+     * @param {number} b
+     * @param {number} verdict
+     */
     holds(question, how, a, b, verdict) {
         const now = this.answer(question, a, b);
         const zero = question <= onTheLine ? 1 : 0;
@@ -211,7 +265,11 @@ class Replay {
         if (now.verdict === zero || (!now.exact && isSmall(zeroBits))) return true;
         return question === parallel && !now.exact && now.excess * 2 ** zeroBits <= this.slack(a, b);
     }
-    /** @param {number} question @param {number} a @param {number} b */
+    /**
+     * @param {number} question
+     * @param {number} a
+     * @param {number} b
+     */
     answer(question, a, b) {
         const plane = this.plan.strokes[5 * a + 1];
         switch (question) {
@@ -249,7 +307,10 @@ class Replay {
                 return plain(this.dot(b, b) < this.dot(a, a));
         }
     }
-    /** @param {Spot} d @param {Spot} e */
+    /**
+     * @param {Spot} d
+     * @param {Spot} e
+     */
     angle(d, e) {
         return zeroOf([d.x * e.y - d.y * e.x], magnitude(d) * magnitude(e));
     }
@@ -259,7 +320,11 @@ class Replay {
         const size = this.largestVector[drawingPlane], vector = this.largestVector[plane];
         return Math.max(this.largestScalar[plane], plane === forcePlane ? vector * size : vector / size);
     }
-    /** How large the vectors are of which a direction is the difference. @param {number} i @returns {number} */
+    /**
+     * How large the vectors are of which a direction is the difference.
+     * @param {number} i
+     * @returns {number}
+     */
     scaleOf(i) {
         const {strokes} = this.plan;
         switch (this.verb[i]) {
@@ -276,7 +341,10 @@ class Replay {
                 return Math.max(this.largestVector[strokes[5 * i + 1]], magnitude(this.direction(i)));
         }
     }
-    /** @param {number} a @param {number} b */
+    /**
+     * @param {number} a
+     * @param {number} b
+     */
     slack(a, b) {
         return Math.max(this.scaleOf(a) * magnitude(this.direction(b)), magnitude(this.direction(a)) * this.scaleOf(b));
     }
@@ -290,12 +358,18 @@ function magnitude(a) {
 function plain(yes) {
     return {verdict: yes ? 1 : 0, exact: true, excess: 0, unit: 0};
 }
-/** @param {number[]} excess @param {number} unit */
+/**
+ * @param {number[]} excess
+ * @param {number} unit
+ */
 function zeroOf(excess, unit) {
     const isZero = excess.every((each) => each === 0);
     return {verdict: isZero ? 1 : 0, exact: isZero, excess: Math.max(...excess.map(Math.abs)), unit};
 }
-/** @param {number} value @param {number} unit */
+/**
+ * @param {number} value
+ * @param {number} unit
+ */
 function signAnswer(value, unit) {
     const verdict = value === 0 ? 0 : value < 0 ? -1 : 1;
     return {verdict, exact: verdict === 0, excess: Math.abs(value), unit};

@@ -15,7 +15,8 @@
  *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict, stroke before which it is asked;
  *   sources: an element by column, −1 what vanishes, −2 what is not known
  * @typedef {{name: string, kind: string, unit: string, size: number, body: number, point: number, joint: number, component: string}} Column
- * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[]}} Sample
+ * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
+ *   values?: (number | null)[]}} Sample
  * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
