@@ -152,12 +152,12 @@ void add_outputs(CLI::App& command, SolveRequest& request) {
     command.add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
         .add_option("-o,--output", request.outputs,
-                    "OUT.svg, .png, .pdf, .tex or .json; may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+                    "OUT.svg, .png, .pdf, .tex, .json or .html (the live page); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
                     "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command.add_option("--format", request.format, "What to write where the name of the output does not say it")
-        ->check(CLI::IsMember({"svg", "png", "pdf", "tex", "json"}, CLI::ignore_case))
+        ->check(CLI::IsMember({"svg", "png", "pdf", "tex", "json", "html"}, CLI::ignore_case))
         ->type_name("FORMAT");
 }
 

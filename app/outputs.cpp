@@ -14,7 +14,7 @@ namespace kinegraph::app {
 namespace {
 
 /// In the order of Format.
-constexpr std::array<std::string_view, 6> names{"svg", "png", "pdf", "tex", "json", "csv"};
+constexpr std::array<std::string_view, 7> names{"svg", "png", "pdf", "tex", "json", "csv", "html"};
 
 std::optional<Format> format_named(std::string name, std::span<const Format> formats) {
     std::transform(name.begin(), name.end(), name.begin(),

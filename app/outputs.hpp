@@ -15,7 +15,7 @@
 
 namespace kinegraph::app {
 
-enum class Format { svg, png, pdf, tex, json, csv };
+enum class Format { svg, png, pdf, tex, json, csv, html };
 
 /// How SVG and PDF carry their words: as outlines alone, or so that they can be selected, searched and read aloud.
 enum class Lettering { outlines, live };
@@ -25,6 +25,7 @@ struct Target {
     Format format = Format::svg;
     bool standard() const { return path == "-"; }
     bool is_drawn() const { return format != Format::json && format != Format::csv; }
+    bool is_page() const { return format == Format::html; }  ///< live: laid out by itself
     std::string path_of_page(std::size_t page) const;  ///< OUT.svg, OUT-2.svg, OUT-3.svg …
 };
 

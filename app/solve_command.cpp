@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/driver_choice.hpp"
 #include "app/outputs.hpp"
+#include "constructions/moving.hpp"
 #include "constructions/solve.hpp"
 #include "engine/displacements.hpp"
 #include "engine/drivers.hpp"
@@ -16,6 +17,7 @@
 #include "engine/moved.hpp"
 #include "engine/problem.hpp"
 #include "engine/units.hpp"
+#include "render/live/live_page.hpp"
 #include "render/sheet/figure_alone.hpp"
 #include "render/sheet/steps.hpp"
 #include "render/text/words.hpp"
@@ -202,9 +204,7 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
 
 bool wants_lever(const SolveRequest& request) { return wants(request, "joukowsky"); }
 
-/// The sheet, its steps or one figure; else it has been said that there is no such figure.
-tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
-                                                         const SolveRequest& request, const render::Fonts& fonts) {
+render::SheetOptions options_of(const SolveRequest& request, const render::Theme& theme) {
     render::SheetOptions options;
     options.paper = request.paper;
     options.language = request.language;
@@ -217,6 +217,13 @@ tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solutio
     options.detail = request.detail;
     options.kind = request.sheet;
     options.grid = request.grid;
+    return options;
+}
+
+/// The sheet, its steps or one figure; else it has been said that there is no such figure.
+tl::expected<std::vector<render::Page>, Status> pages_of(const Solution& solution, const render::Theme& theme,
+                                                         const SolveRequest& request, const render::Fonts& fonts) {
+    const render::SheetOptions options = options_of(request, theme);
     if (request.steps) return render::lay_out_steps(solution, options, fonts);
     if (request.figure.empty()) return render::lay_out(solution, options, fonts);
     if (auto page = render::lay_out_alone(solution, options, request.figure, fonts)) return std::vector{*std::move(page)};
@@ -249,6 +256,19 @@ Words meaningless(const SolveRequest& request) {
     if (request.sheet == render::SheetKind::question && request.dimensions == render::Dimensions::on)
         return both("--dimensions on", kind);
     return {};
+}
+
+/// A live page is the whole worked solution, step by step.
+Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>& targets) {
+    if (std::none_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_page(); })) return {};
+    const char* const other = !request.figure.empty()                           ? "--figure"
+                              : request.steps                                   ? "--steps"
+                              : request.sheet != render::SheetKind::solution ? "--sheet"
+                                                                                : nullptr;
+    if (other == nullptr) return {};
+    return {"{0} has no meaning for a live page, which has every figure and every step: ask for .html in a run of its own",
+            "{0} non ha senso per una pagina viva, che ha ogni figura e ogni passo: chiedere .html in un comando a parte",
+            std::string(other)};
 }
 
 /// What was asked for and has no effect.
@@ -295,6 +315,13 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
                 "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"});
 }
 
+/// A built-in theme of colours goes with the dark one on dark screens; what was chosen otherwise is shown as it is.
+std::string live_page(const Solution& solution, const render::Theme& theme, const SolveRequest& request,
+                      const render::Fonts& fonts) {
+    const auto dark = request.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
+    return render::live_page(solution, moving_of(solution), options_of(request, theme), dark, fonts);
+}
+
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
 tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solutions, const std::vector<Target>& targets,
                                                const render::Theme& theme, const SolveRequest& request,
@@ -312,13 +339,22 @@ tl::expected<std::vector<Output>, Status> made(const std::vector<Solution>& solu
         const auto ready =
             Press::prepare(press, targets, request.language, request.live_text ? Lettering::live : Lettering::outlines);
         if (!ready) return tl::unexpected(ready.error());
+        const bool lays_out = std::any_of(targets.begin(), targets.end(),
+                                          [](const Target& target) { return target.is_drawn() && !target.is_page(); });
         for (const Solution& solution : solutions) {
+            if (!lays_out) break;
             auto more = pages_of(solution, theme, request, press->fonts());
             if (!more) return tl::unexpected(more.error());
             std::move(more->begin(), more->end(), std::back_inserter(pages));
         }
     }
     for (const Target& target : targets) {
+        if (target.is_page()) {
+            for (std::size_t i = 0; i < solutions.size(); ++i)
+                if (i == 0 || !target.standard())
+                    outputs.push_back({target.path_of_page(i), live_page(solutions[i], theme, request, press->fonts())});
+            continue;
+        }
         if (target.is_drawn()) {
             press->print(pages, target, request.dpi, outputs, remarks);
             continue;
@@ -370,11 +406,12 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
 
 Status solve_command(const SolveRequest& request) {
     const Language language = request.language;
-    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json};
+    constexpr std::array formats{Format::svg, Format::png, Format::pdf, Format::tex, Format::json, Format::html};
     const auto targets = targets_of(request.outputs, request.format, request.file, formats);
     if (!targets) return refuse(targets.error(), language);
     const auto theme = theme_of(request.theme, request.file, language);
     if (!theme) return theme.error();
+    if (const Words fault = meaningless_on_page(request, *targets); !fault.empty()) return refuse(fault, language);
     std::optional<Press> press;
     const auto found = solved(request, *targets, *theme, press);
     if (!found) return found.error();

@@ -70,6 +70,33 @@ public:
     /// this position. `closure` is of the drawn pose, with as many bits.
     std::vector<BodyPlaceOf<Exact>> refined(const Closure& closure, const Exact& coordinate);
 
+    /// How a place and the directions of a joint follow from the places of the bodies: for those who close the joints elsewhere.
+    struct PointRule {
+        Carrier carrier;
+        VectorOf<double> local;  ///< from the carrier's reference
+    };
+    struct JointRule {
+        BodyIndex turns_with;  ///< the body of the guide or of the straight profile; none: there is none
+        std::array<BodyIndex, 2> bodies;
+        VectorOf<double> guide, tangent, normal;      ///< as drawn
+        std::array<VectorOf<double>, 2> locals;       ///< guide: P on both; arc: P and C; profiles: their centres
+        std::array<double, 2> reaches{};  ///< profiles: of the centres along the drawn normal
+        std::array<bool, 2> is_straight{};
+        int first_circle = -1;  ///< profiles: the side whose centre gives the normal where none is straight
+        PointIndex point;
+        bool is_arc = false, touches = false, meshes = false;
+        VectorOf<double> pressure{1, 0};
+    };
+
+    /// The equations and rules in doubles, places in `size()`.
+    const std::vector<ClosureRowOf<double>>& rows() const { return rows_; }
+    const std::vector<Closure::Body>& bodies() const { return bodies_; }
+    const std::vector<PointRule>& point_rules() const { return points_; }
+    const std::vector<JointRule>& joint_rules() const { return joints_; }
+    const std::vector<double>& shares() const { return shares_; }  ///< by driver: its coordinate in the rows over the course's
+    const std::vector<bool>& frozen() const { return frozen_; }    ///< by column: undetermined, and at rest
+    const std::vector<double>& state() const { return here_.q; }   ///< by column, here
+
 private:
     using Spot = VectorOf<double>;
     using Row = ClosureRowOf<double>;
@@ -82,23 +109,6 @@ private:
         double slack = 1;
         int sign = 0;
     };
-    struct PointRule {
-        Carrier carrier;
-        Spot local;  ///< from the carrier's reference
-    };
-    struct JointRule {
-        BodyIndex turns_with;  ///< the body of the guide or of the straight profile; none: there is none
-        std::array<BodyIndex, 2> bodies;
-        Spot guide, tangent, normal;      ///< as drawn
-        std::array<Spot, 2> locals;       ///< guide: P on both; arc: P and C; profiles: their centres
-        std::array<double, 2> reaches{};  ///< profiles: of the centres along the drawn normal
-        std::array<bool, 2> is_straight{};
-        int first_circle = -1;  ///< profiles: the side whose centre gives the normal where none is straight
-        PointIndex point;
-        bool is_arc = false, touches = false, meshes = false;
-        Spot pressure{1, 0};
-    };
-
     Positions() = default;
     void prepare(const Closure& closure, const Mechanism& mechanism);
     void prepare_places(const Mechanism& mechanism, const Pose& pose);

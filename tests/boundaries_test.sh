@@ -43,6 +43,7 @@ check() {
         floor mechanism ink text page scene tables
         floor figures ink text page scene tables mechanism
         floor sheet ink text page scene tables mechanism figures
+        floor live ink text page scene tables mechanism figures sheet backends
         includes '["<](tests|bench)/' app | breach "app knows nothing of tests"
         includes '"' $rooms | grep -vE 'include[[:space:]]*"(engine|constructions|render|app|tests|bench)/[a-z]' |
             breach "own headers are written from the root, room first"

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "engine/problem.hpp"
+#include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"
@@ -36,6 +37,20 @@ std::vector<Choice> choices(const DrawingContext& context, WantedFigures& wanted
 }  // namespace
 
 namespace {
+
+/// Cut to the figure, which is moved there.
+AloneFigure cut_to(const DrawingContext& context, Figure figure) {
+    const Box box = box_of(figure.marks);
+    figure.move(margin - box.min.x, margin - box.min.y);
+    Page page;
+    page.width = box.width() + 2 * margin;
+    page.height = box.height() + 2 * margin;
+    page.paper = context.theme.paper;
+    page.title = title_of(context.solution, context.language) + ": " + plain(figure.caption);
+    page.language = context.language == Language::it ? "it" : "en";
+    page.marks = std::move(figure.marks);
+    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin};
+}
 
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,
                                              const SheetFormat& format, const std::string& name) {
@@ -69,17 +84,33 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
     return page_of_figure(context, *std::move(drawn));
 }
 
-Page page_of_figure(const DrawingContext& context, Figure figure) {
-    const Box box = box_of(figure.marks);
-    figure.move(margin - box.min.x, margin - box.min.y);
-    Page page;
-    page.width = box.width() + 2 * margin;
-    page.height = box.height() + 2 * margin;
-    page.paper = context.theme.paper;
-    page.title = title_of(context.solution, context.language) + ": " + plain(figure.caption);
-    page.language = context.language == Language::it ? "it" : "en";
-    page.marks = std::move(figure.marks);
-    return page;
+Page page_of_figure(const DrawingContext& context, Figure figure) { return cut_to(context, std::move(figure)).page; }
+
+std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
+    const DrawingContext context{solution, options.theme, fonts, options.language, options.dimensions};
+    const SheetFormat format = format_of(options.paper, options.orientation);
+    std::vector<AloneFigure> all;
+    const auto add = [&](const std::string& name, Figure figure) {
+        RichText scale = figure.has_scale ? scale_words(context, figure) : RichText{};
+        all.push_back(cut_to(context, std::move(figure)));
+        all.back().name = name;
+        all.back().scale_in_words = std::move(scale);
+    };
+    const bool stands = stands_for_joints(solution.mechanism);
+    if (stands) {
+        for (const std::string& name : problem_figure_names(context))
+            if (auto figure = problem_figure(context, name, format.measure, tallest)) add(name, *std::move(figure));
+        return all;
+    }
+    WantedFigures wanted(context, options.joukowsky, options.detail);
+    const std::vector<Choice> drawn = choices(context, wanted);
+    for (const Choice& each : drawn) {
+        const auto index = wanted.named(each.name);
+        if (!index || !wanted.list[*index].spare) add(each.name, each.draw(2 * format.measure + gap, tallest));
+    }
+    for (const std::string& name : contact_figure_names(solution, options, fonts))
+        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest})) add(name, *std::move(figure));
+    return all;
 }
 
 }  // namespace kinegraph::render

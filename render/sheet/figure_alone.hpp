@@ -19,5 +19,15 @@ std::optional<Page> lay_out_alone(const Solution& solution, const SheetOptions& 
 
 /// Any figure, the page cut to it.
 Page page_of_figure(const DrawingContext& context, Figure figure);
+/// A figure alone with what it is told by, for whoever moves it.
+struct AloneFigure {
+    Page page;
+    std::string name;         ///< by which it may be asked for alone
+    RichText caption;         ///< without number and scale
+    RichText scale_in_words;  ///< empty where it has none
+    Spot origin;              ///< where the origin of its coordinates lies on the page, mm
+};
+/// Those of the sheet, in its order, each as lay_out_alone() has it. Of a problem in place of joints: without origin.
+std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const SheetOptions& options, const Fonts& fonts);
 
 }  // namespace kinegraph::render

@@ -1,0 +1,30 @@
+# cmake -DSOURCE=render/live -DOUTPUT=live_script.cpp -P embed_live.cmake: the interpreter and the style sheet as text. Compilers take
+# literals of 64 kB, so they are put together of pieces.
+function(literal out text)
+    if(text MATCHES "\\)live\"")
+        message(FATAL_ERROR "a file of ${SOURCE} holds )live\", which would end the literal")
+    endif()
+    set(${out} "R\"live(${text})live\"" PARENT_SCOPE)
+endfunction()
+
+set(script)
+foreach(name types closure replay motion figures page)
+    file(READ ${SOURCE}/${name}.js text)
+    if(text MATCHES "</script")
+        message(FATAL_ERROR "${name}.js would end the element that it stands in")
+    endif()
+    literal(piece "${text}")
+    string(APPEND script "\n    ${piece}")
+endforeach()
+file(READ ${SOURCE}/page.css text)
+literal(style "${text}")
+file(WRITE ${OUTPUT} "// Made from render/live by cmake/embed_live.cmake.
+#include \"render/live/live_page.hpp\"
+
+namespace kinegraph::render {
+
+constinit const std::string_view live_script =${script};
+constinit const std::string_view live_style = ${style};
+
+}  // namespace kinegraph::render
+")

@@ -1,0 +1,374 @@
+// Moving: see moving.hpp.
+#include "constructions/moving.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "constructions/cycle.hpp"
+#include "constructions/named_results.hpp"
+#include "constructions/solve.hpp"
+#include "engine/centre_symbol.hpp"
+#include "engine/drivers.hpp"
+#include "engine/moved.hpp"
+#include "engine/problem.hpp"
+#include "engine/replay.hpp"
+
+namespace kinegraph {
+namespace {
+
+/// Over the way, every five degrees of a turn, where what is special likes to be; and how near a limit the last one stands, as a
+/// share of the way.
+constexpr int samples_of_way = 72;
+constexpr double short_of_limit = 1e-6;
+/// Positions that are special (a body at rest, two lines parallel) serve nowhere else; few stretches are more than an instant.
+constexpr std::size_t most_plans = 12;
+
+std::string driver_name(const Mechanism& mechanism, const Driver& driver) {
+    if (const auto* spin = std::get_if<SpinDriver>(&driver)) return mechanism.body(spin->body).name;
+    if (const auto* slide = std::get_if<SlideDriver>(&driver)) return mechanism.joint(slide->joint).name;
+    return mechanism.point(std::get<PointDriver>(driver).at).name;
+}
+
+// --- givens -------------------------------------------------------------------------------------------------------------------
+
+class Rules {
+public:
+    using Rule = MovingGiven::Rule;
+
+    Rules(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose) {}
+
+    /// Nothing of what is the same in every position.
+    std::optional<MovingGiven> of(const Given& given, int index) const {
+        MovingGiven rule;
+        rule.given = index;
+        rule.index = given.index;
+        switch (given.kind) {
+            case Given::Kind::place:
+                return with(rule, Rule::place);
+            case Given::Kind::guide:
+                return with(rule, Rule::guide);
+            case Given::Kind::guide_unit:
+                return with(rule, Rule::guide_unit);
+            case Given::Kind::normal:
+                return with(rule, Rule::normal);
+            case Given::Kind::other_normal:
+                return with(rule, Rule::other_normal);
+            case Given::Kind::tangent:
+                return with(rule, Rule::tangent);
+            case Given::Kind::push:
+                rule.factor = push_of(at_index(given.index));
+                return with(rule, Rule::normal);
+            case Given::Kind::driver_velocity:
+            case Given::Kind::driver_acceleration:
+                if (law_of(mechanism_.drivers[at_index(given.index)]) == nullptr) return std::nullopt;
+                return with(rule, given.kind == Given::Kind::driver_velocity ? Rule::rate : Rule::acceleration);
+            case Given::Kind::effort_unit:
+                return along(rule, std::get<ForceEffort>(mechanism_.efforts[at_index(given.index)]).along);
+            case Given::Kind::load_unit:
+            case Given::Kind::load_unit_back:
+            case Given::Kind::load_magnitude:
+                return of_load(rule, given.kind, mechanism_.loads[at_index(given.index)]);
+            default:
+                return std::nullopt;
+        }
+    }
+
+private:
+    static MovingGiven with(MovingGiven rule, Rule kind) {
+        rule.rule = kind;
+        return rule;
+    }
+    static std::optional<MovingGiven> along(MovingGiven rule, const Bearing& bearing) {
+        const auto* ends = std::get_if<Bearing::Between>(&bearing.form);
+        if (ends == nullptr) return std::nullopt;
+        rule.ends = {ends->from, ends->to};
+        return with(rule, Rule::between);
+    }
+    static std::optional<MovingGiven> of_load(MovingGiven rule, Given::Kind kind, const Load& load) {
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load)) {
+            return kind == Given::Kind::load_unit ? along(rule, distributed->along) : std::nullopt;
+        }
+        if (const auto* torsion = std::get_if<TorsionLoad>(&load)) {
+            rule.bodies = torsion->bodies;
+            rule.factor = torsion->stiffness.to_double();
+            rule.offset = torsion->turned.to_double();
+            return with(rule, Rule::torsion);
+        }
+        if (const auto* spring = std::get_if<SpringLoad>(&load)) {
+            rule.ends = spring->between;
+            if (kind == Given::Kind::load_unit_back) std::swap(rule.ends[0], rule.ends[1]);
+            if (kind != Given::Kind::load_magnitude) return with(rule, Rule::between);
+            if (!spring->elastic) return std::nullopt;
+            rule.factor = spring->elastic->stiffness.to_double();
+            rule.offset = spring->elastic->free_length.to_double();
+            return with(rule, Rule::spring);
+        }
+        const auto* force = std::get_if<ForceLoad>(&load);
+        if (force == nullptr || !force->magnitude || kind == Given::Kind::load_magnitude) return std::nullopt;
+        return along(rule, force->magnitude->second);
+    }
+    double push_of(std::size_t joint) const {
+        const auto& pushes = mechanism_.joints[joint].pushes;
+        return pushes && dot(*pushes, pose_.normals[joint]).sign() < 0 ? -1 : 1;
+    }
+
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+};
+
+// --- plans --------------------------------------------------------------------------------------------------------------------
+
+/// What is drawn, under names that any plan of the mechanism has, and what the columns read.
+class Planned {
+public:
+    Planned(const Solution& solution, const std::vector<Column>& columns) : solution_(solution), columns_(columns) {}
+
+    MovingPlan plan(const Rules& rules) {
+        read_sources();
+        read_vectors();
+        read_spots();
+        read_lines();
+        const Protocol& protocol = solution_.protocol;
+        Cut record = cut(protocol.program, wanted(), static_cast<int>(protocol.program.strokes.size()));
+        renumber(record.element);
+        for (const Value& value : givens_of(record.program, solution_.mechanism, solution_.pose))
+            plan_.givens.push_back(to_double(value));
+        for (std::size_t i = 0; i < record.program.givens.size(); ++i)
+            if (const auto rule = rules.of(record.program.givens[i], static_cast<int>(i))) plan_.moving.push_back(*rule);
+        plan_.program = std::move(record.program);
+        return std::move(plan_);
+    }
+
+private:
+    void read_sources() {
+        const std::vector<FoundValue> entries = found_values(solution_);
+        for (const Column& column : columns_) {
+            MovingPlan::Source& source = plan_.sources.emplace_back();
+            for (const FoundValue& entry : entries)
+                if (entry.quantity == column.quantity) source = {true, entry.element};
+        }
+    }
+    const std::string& figure(int polygon) const { return solution_.protocol.polygons[at_index(polygon)].id; }
+    void read_vectors() {
+        for (const DrawnVector& drawn : solution_.protocol.vectors)
+            if (drawn.trial == 0)
+                plan_.vectors.push_back({figure(drawn.polygon), name_of(drawn.symbol), drawn.tail, drawn.tip, drawn.vanishes});
+    }
+    void read_spots() {
+        for (const Image& image : solution_.protocol.images)
+            if (image.trial == 0) plan_.spots.push_back({figure(image.polygon), name_of(image.symbol), image.point});
+        for (const InstantCentre& centre : solution_.centres)
+            if (centre.at.element() != none)
+                plan_.spots.push_back({"", name_of(centre_symbol(solution_.mechanism, centre.first, centre.second, false)),
+                                       centre.at.element()});
+    }
+    void read_lines() {
+        std::map<std::string, int> count;
+        for (const DrawnLine& line : solution_.protocol.lines) {
+            if (line.trial != 0) continue;
+            std::string name = line.polygon < 0 ? "" : figure(line.polygon);
+            std::string key = std::to_string(static_cast<int>(line.reason.kind)) + " " + line.reason.from + " " + line.reason.to;
+            key += " " + std::to_string(count[name + " " + key]++);
+            plan_.lines.push_back({std::move(name), std::move(key), line.statement, line.line, line.points});
+        }
+    }
+    template <class See>
+    void each_element(See see) {
+        for (auto& source : plan_.sources) see(source.element);
+        for (auto& vector : plan_.vectors) see(vector.tail), see(vector.tip);
+        for (auto& spot : plan_.spots) see(spot.point);
+        for (auto& line : plan_.lines) {
+            see(line.line);
+            for (ElementIndex& point : line.points) see(point);
+        }
+    }
+    std::vector<ElementIndex> wanted() {
+        std::vector<ElementIndex> all;
+        each_element([&](const ElementIndex& element) {
+            if (element != none) all.push_back(element);
+        });
+        return all;
+    }
+    void renumber(const std::vector<ElementIndex>& now) {
+        each_element([&](ElementIndex& element) {
+            if (element != none) element = now[at_index(element)];
+        });
+    }
+
+    const Solution& solution_;
+    const std::vector<Column>& columns_;
+    MovingPlan plan_;
+};
+
+// --- courses ------------------------------------------------------------------------------------------------------------------
+
+class Courses {
+public:
+    explicit Courses(const Solution& solution)
+        : solution_(solution), mechanism_(solution.mechanism), pose_(solution.pose), mover_(mechanism_, pose_), rules_(mechanism_, pose_) {}
+
+    std::optional<Moving> moving() {
+        for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
+        add_plan(solution_);
+        for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) add_course(static_cast<int>(i));
+        if (moving_.courses.empty()) return std::nullopt;
+        moving_.size = pose_.size.to_double();
+        for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
+        return std::move(moving_);
+    }
+
+private:
+    void add_plan(const Solution& solution) { moving_.plans.push_back(Planned(solution, moving_.columns).plan(rules_)); }
+
+    double direction_of(const Body& body) const {
+        for (std::size_t i = 1; i < body.points.size(); ++i) {
+            const Vector along = pose_.at(body.points[i]) - pose_.at(body.points[0]);
+            if (!along.is_zero()) return std::atan2(along.y.to_double(), along.x.to_double());
+        }
+        return 0;
+    }
+
+    void add_course(int driver) {
+        const Driver& given = mechanism_.drivers[at_index(driver)];
+        MovingCourse course;
+        course.driver = driver;
+        course.name = driver_name(mechanism_, given);
+        course.turns = turns(given);
+        auto positions = Positions::of(mechanism_, pose_, Course{driver});
+        if (!positions) {
+            moving_.still.emplace_back(course.name, positions.error().front());
+            return;
+        }
+        const Law* law = law_of(given);
+        const auto travel = law != nullptr ? travel_of_law(*positions, *law, std::nullopt, std::nullopt)
+                                           : travel_of(*positions, course.turns, std::nullopt, std::nullopt);
+        if (!travel) return;
+        course.travel = *travel;
+        course.by_law = law != nullptr;
+        const Rates rates = rates_of(given);
+        if (law == nullptr && rates.second.is_zero()) course.rate = rates.first.to_double();
+        if (moving_.courses.empty()) put_closure(*positions);
+        course.shares = positions->shares();
+        for (const double at : ways_of(course)) add_sample(course, *positions, given, at);
+        moving_.courses.push_back(std::move(course));
+    }
+    void put_closure(const Positions& positions) {
+        moving_.unit = positions.size();
+        moving_.rows = positions.rows();
+        moving_.bodies = positions.bodies();
+        moving_.frozen = positions.frozen();
+        moving_.points = positions.point_rules();
+        moving_.joints = positions.joint_rules();
+    }
+    /// Evenly; near a limit, where bodies move with the root of the distance, each time half as far.
+    static std::vector<double> ways_of(const MovingCourse& course) {
+        std::vector<double> shares;
+        for (int i = 0; i <= samples_of_way; ++i) shares.push_back(static_cast<double>(i) / samples_of_way);
+        if (!course.by_law) {
+            const double drawn = (0 - course.travel.from) / (course.travel.to - course.travel.from);
+            if (drawn >= 0 && drawn <= 1) shares.push_back(drawn);
+            for (double near = 0.5 / samples_of_way; near > short_of_limit; near /= 2) {
+                if (course.travel.starts_at_limit) shares.push_back(near);
+                if (course.travel.ends_at_limit) shares.push_back(1 - near);
+            }
+            for (double& share : shares)
+                share = std::clamp(share, course.travel.starts_at_limit ? short_of_limit : 0,
+                                   course.travel.ends_at_limit ? 1 - short_of_limit : 1);
+        }
+        std::sort(shares.begin(), shares.end());
+        shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
+        std::vector<double> ways;
+        for (const double share : shares) ways.push_back(course.travel.at(share));
+        return ways;
+    }
+
+    void add_sample(MovingCourse& course, Positions& positions, const Driver& given, double at) {
+        MovingCourse::Sample sample;
+        sample.at = sample.coordinate = at;
+        std::optional<Rates> rates;
+        if (const Law* law = law_of(given)) {
+            const double drawn = law->drawn.to_double();
+            const LawState state = law->at(drawn + at);
+            sample.coordinate = state.s - law->at(drawn).s;
+            sample.rate = state.first;
+            sample.acceleration = state.second;
+            rates = Rates{Exact::from_double(state.first), Exact::from_double(state.second)};
+        }
+        if (!positions.move_to(sample.coordinate)) return;
+        sample.q = positions.state();
+        if (!positions.is_singular()) find_plan(sample, positions, course.driver, rates);
+        course.samples.push_back(std::move(sample));
+    }
+
+    /// Of those there are the one whose guards hold here, else a new one.
+    void find_plan(MovingCourse::Sample& sample, Positions& positions, int driver, const std::optional<Rates>& rates) {
+        if (sample.coordinate == 0 && !rates) {
+            sample.plan = 0;
+            return;
+        }
+        Moved moved = mover_.moved(positions, Exact::from_double(sample.coordinate));
+        if (rates) moved.mechanism.drivers[at_index(driver)] = with_rates(moved.mechanism.drivers[at_index(driver)], *rates);
+        for (std::size_t i = 0; i < moving_.plans.size(); ++i) {
+            const std::size_t tried = (i + last_) % moving_.plans.size();
+            if (!replays(moving_.plans[tried], moved.mechanism, moved.pose)) continue;
+            last_ = tried;
+            sample.plan = static_cast<int>(tried);
+            return;
+        }
+        const Solution solution = solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
+        MovingPlan plan = Planned(solution, moving_.columns).plan(rules_);
+        if (moving_.plans.size() < most_plans && replays(plan, solution.mechanism, solution.pose)) {
+            last_ = moving_.plans.size();
+            sample.plan = static_cast<int>(last_);
+            moving_.plans.push_back(std::move(plan));
+        } else {
+            sample.values = values_of(solution);
+        }
+    }
+    static bool replays(const MovingPlan& plan, const Mechanism& mechanism, const Pose& pose) {
+        return !Replay(plan.program, givens_of(plan.program, mechanism, pose), pose.size.to_double()).run();
+    }
+    /// What the position alone gives is left out.
+    std::vector<std::optional<double>> values_of(const Solution& solution) const {
+        const std::vector<FoundValue> entries = found_values(solution);
+        std::vector<std::optional<double>> values;
+        for (const Column& column : moving_.columns) {
+            const Quantity& q = column.quantity;
+            const auto entry = std::find_if(entries.begin(), entries.end(), [&](const FoundValue& each) { return each.quantity == q; });
+            std::optional<double>& value = values.emplace_back();
+            if (entry == entries.end()) continue;
+            if (column.kind == Column::Kind::along) {
+                const auto rough = [&](const std::vector<Vector>& list) {
+                    const Vector& v = list[at_index(q.joint)];
+                    return VectorOf<double>{v.x.to_double(), v.y.to_double()};
+                };
+                const Pose& pose = solution.pose;
+                value = dot(direction_of_sliding(rough(pose.guides), rough(pose.tangents), rough(pose.normals)), entry->vector);
+            } else if (column.kind == Column::Kind::result) {
+                value = q.component == Quantity::Component::whole ? entry->scalar
+                        : q.component == Quantity::Component::x   ? entry->vector.x
+                                                                  : entry->vector.y;
+            }
+        }
+        return values;
+    }
+
+    const Solution& solution_;
+    const Mechanism& mechanism_;
+    const Pose& pose_;
+    Mover mover_;
+    Rules rules_;
+    Moving moving_;
+    std::size_t last_ = 0;
+};
+
+}  // namespace
+
+std::optional<Moving> moving_of(const Solution& solution) {
+    if (stands_for_joints(solution.mechanism) || solution.mechanism.drivers.empty()) return std::nullopt;
+    return Courses(solution).moving();
+}
+
+}  // namespace kinegraph

@@ -1,0 +1,107 @@
+// Moving: what it takes to move a mechanism and its construction elsewhere than here, as data: the closure of the joints with a
+// start for Newton's method all along each driver's travel, and for each stretch of it the program whose guards hold there.
+// Knows no figure and no page. Made by constructions/moving.hpp.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/column.hpp"
+#include "engine/positions.hpp"
+#include "engine/program.hpp"
+#include "engine/statement.hpp"
+
+namespace kinegraph {
+
+/// A given whose value hangs on the position, and the rule by which it follows from the places.
+struct MovingGiven {
+    enum class Rule {
+        place,         ///< of point `index`
+        guide,         ///< of joint `index`
+        guide_unit,    ///< the same as a unit vector
+        normal,        ///< of joint `index`, times `factor` (−1: a contact that pushes against it)
+        other_normal,  ///< the normal mirrored at the tangent
+        tangent,
+        between,       ///< unit vector from `ends[0]` to `ends[1]`
+        spring,        ///< factor · (distance of the ends − offset), N
+        torsion,       ///< −factor · (offset + turn of bodies[0] − turn of bodies[1]), N m
+        rate,          ///< of a driver with a law
+        acceleration
+    } rule = Rule::place;
+    int given = 0;  ///< index in Program::givens
+    int index = -1;
+    std::array<PointIndex, 2> ends{};
+    std::array<BodyIndex, 2> bodies{};
+    double factor = 1, offset = 0;
+};
+
+/// A construction that holds for a stretch: its program, and which elements are drawn, under names that are the same in all plans.
+struct MovingPlan {
+    Program program;
+    std::vector<ValueOf<double>> givens;  ///< in the position where it was planned
+    std::vector<MovingGiven> moving;
+    /// By column of Moving::columns: the element that holds it; none: it is zero where `known`.
+    struct Source {
+        bool known = false;
+        ElementIndex element;
+    };
+    std::vector<Source> sources;
+    struct Vector {
+        std::string figure, name;  ///< id of the polygon; data-name
+        ElementIndex tail, tip;
+        bool vanishes = false;
+    };
+    std::vector<Vector> vectors;
+    /// A vertex of a polygon under its label's name, an instant centre ("P_13", figure empty).
+    struct Spot {
+        std::string figure, name;
+        ElementIndex point;
+    };
+    std::vector<Spot> spots;
+    struct Line {
+        std::string figure, name;  ///< name: reason and order, the same in all plans
+        StatementIndex statement;
+        ElementIndex line;
+        std::vector<ElementIndex> points;
+    };
+    std::vector<Line> lines;
+};
+
+/// One driver on its way, the others at rest as drawn.
+struct MovingCourse {
+    int driver = 0;
+    std::string name;
+    bool turns = true;
+    double rate = 0;  ///< of the coordinate as drawn; zero: it has no time of its own
+    Travel travel;
+    bool by_law = false;  ///< `at` of the samples is a time, and only these positions are shown
+    std::vector<double> shares;
+    struct Sample {
+        double at = 0, coordinate = 0;  ///< rad or m, zero as drawn
+        std::vector<double> q;          ///< by column of the closure; a start for Newton's method
+        int plan = -1;                  ///< index in Moving::plans; −1: no construction holds here
+        double rate = 0, acceleration = 0;
+        /// Where a verdict drowns in doubles (a body all but at rest): by column what the exact construction found; else empty.
+        std::vector<std::optional<double>> values;
+    };
+    std::vector<Sample> samples;  ///< in the order of the way
+};
+
+struct Moving {
+    double size = 0;  ///< of the drawing, m
+    double unit = 1;  ///< of the closure, m
+    std::vector<ClosureRowOf<double>> rows;
+    std::vector<Closure::Body> bodies;
+    std::vector<bool> frozen;
+    std::vector<Positions::PointRule> points;
+    std::vector<Positions::JointRule> joints;
+    std::vector<double> directions;  ///< by body: from its first point to the next, as drawn, rad
+    std::vector<Column> columns;     ///< angles, places, slides and results
+    std::vector<MovingPlan> plans;   ///< the first is that of the drawn position
+    std::vector<MovingCourse> courses;
+    std::vector<std::pair<std::string, Error>> still;  ///< drivers that cannot be moved, and why
+};
+
+}  // namespace kinegraph

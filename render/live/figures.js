@@ -1,0 +1,694 @@
+// A figure of the sheet that follows the mechanism. Its marks are those of the drawing; each is bound once to what it hangs on (a
+// body, a place, a vector of the record, a line) and moved with it. What hangs on nothing known here is left out while the
+// mechanism is elsewhere: nothing is shown that was not constructed. At the drawn position it is the sheet's figure, untouched.
+
+/**
+ * @typedef {{name: string, origin: [number, number], labels: string[][]}} FigureInfo
+ * @typedef {{letter: string, numbers: number[]}} Segment
+ * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number}[],
+ *   points: {label: string}[], centres: Record<string, string>}} Names
+ */
+
+/**
+ * @param {string} d
+ * @returns {Segment[]}
+ */
+function parsePath(d) {
+    return (d.match(/[MLCAZ][^MLCAZ]*/g) ?? []).map((part) => ({
+        letter: part[0],
+        numbers: part.slice(1).split(/[ ,]+/).filter((each) => each !== '').map(Number),
+    }));
+}
+
+/**
+ * @param {Segment[]} segments
+ * @param {(at: Spot) => Spot} map rigid, where there are arcs
+ */
+function mappedPath(segments, map) {
+    const spot = (/** @type {number} */ x, /** @type {number} */ y) => {
+        const at = map({x, y});
+        return `${at.x.toFixed(4)} ${at.y.toFixed(4)}`;
+    };
+    return segments.map(({letter, numbers}) => {
+        if (letter === 'A') return `A${numbers.slice(0, 5).join(' ')} ${spot(numbers[5], numbers[6])}`;
+        const parts = [];
+        for (let i = 0; i < numbers.length; i += 2) parts.push(spot(numbers[i], numbers[i + 1]));
+        return letter + parts.join(' ');
+    }).join('');
+}
+
+/**
+ * The places that a path goes through.
+ * @param {Segment[]} segments
+ * @returns {Spot[]}
+ */
+function spotsOf(segments) {
+    /** @type {Spot[]} */
+    const spots = [];
+    for (const {letter, numbers} of segments) {
+        for (let i = letter === 'A' ? 5 : 0; i + 1 < numbers.length; i += 2) spots.push({x: numbers[i], y: numbers[i + 1]});
+    }
+    return spots;
+}
+
+/** @param {Spot[]} spots */
+function boxOf(spots) {
+    const xs = spots.map((at) => at.x), ys = spots.map((at) => at.y);
+    const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+    return {left, right, top, bottom, centre: {x: (left + right) / 2, y: (top + bottom) / 2}};
+}
+
+/**
+ * @param {Spot} a
+ * @param {Spot} b
+ * @returns {Spot}
+ */
+function minus(a, b) {
+    return {x: a.x - b.x, y: a.y - b.y};
+}
+/**
+ * a + t·b.
+ * @param {Spot} a
+ * @param {number} t
+ * @param {Spot} b
+ * @returns {Spot}
+ */
+function along(a, t, b) {
+    return {x: a.x + t * b.x, y: a.y + t * b.y};
+}
+/**
+ * @param {Spot} a
+ * @param {Spot} b
+ */
+function apart(a, b) {
+    return Math.hypot(a.x - b.x, a.y - b.y);
+}
+
+/** What nobody can tell apart on paper, mm. */
+const samePlace = 0.02;
+/** Shorter vectors are not drawn, mm. */
+const leastVector = 0.05;
+
+/** A figure of a drawing, which may hold several. */
+class FigureView {
+    /**
+     * @param {SVGSVGElement} svg
+     * @param {Element} group
+     * @param {FigureInfo} info
+     * @param {Motion} motion
+     * @param {Names} names
+     */
+    constructor(svg, group, info, motion, names) {
+        this.svg = svg;
+        this.group = group;
+        this.info = info;
+        this.motion = motion;
+        this.names = names;
+        this.id = group.getAttribute('data-id') ?? '';
+        this.unit = group.getAttribute('data-unit') ?? '';
+        this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
+        this.scale = this.drawnScale;
+        this.isMechanism = info.name === 'mechanism' || info.name === 'centres';
+        this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
+        this.drawnOrigin = this.origin;
+        /**
+         * The scale bar: true at the drawing's scale alone.
+         * @type {Element[]}
+         */
+        this.measures = [];
+        /** @type {(() => void)[]} */
+        this.bindings = [];
+        /** @type {Map<Element, Map<string, string | null>>} */
+        this.drawn = new Map();
+        this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
+        this.isBound = false;
+    }
+
+    /** Whether the figure can follow the mechanism at all. */
+    get follows() {
+        return this.isMechanism || this.vectorsOf(0).size > 0;
+    }
+    /**
+     * Where the pole of a polygon lies: its vectors tell.
+     * @returns {Spot}
+     */
+    poleOf() {
+        for (const node of this.group.querySelectorAll(':scope > g.vector')) {
+            const elements = this.vectorsOf(0).get(node.getAttribute('data-name') ?? ''), axis = node.querySelector('line.axis');
+            const tail = elements && this.motion.spot(elements[0]);
+            if (!tail || !axis) continue;
+            return {
+                x: Number(axis.getAttribute('x1')) - tail.x / this.scale,
+                y: Number(axis.getAttribute('y1')) + tail.y / this.scale,
+            };
+        }
+        return {x: 0, y: 0};
+    }
+
+    // --- where things are -----------------------------------------------------------------------------------------------------
+
+    /**
+     * From SI to mm on paper.
+     * @param {Spot} at
+     * @returns {Spot}
+     */
+    paper(at) {
+        return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
+    }
+    /** @param {number} plan */
+    vectorsOf(plan) {
+        const found = new Map();
+        for (const [figure, name, tail, tip] of this.motion.data.plans[plan]?.vectors ?? []) {
+            if (figure === this.id) found.set(name, [tail, tip]);
+        }
+        return found;
+    }
+    /**
+     * Tail and tip on paper, in the position where the mechanism is.
+     * @param {string} name
+     * @returns {[Spot, Spot] | null}
+     */
+    vector(name) {
+        const found = this.vectorsOf(this.motion.plan).get(name);
+        const tail = found && this.motion.spot(found[0]), tip = found && this.motion.spot(found[1]);
+        return tail && tip ? [this.paper(tail), this.paper(tip)] : null;
+    }
+    /**
+     * A vertex, or a centre, on paper.
+     * @param {string} name
+     * @returns {Spot | null}
+     */
+    spot(name) {
+        const own = this.isMechanism ? '' : this.id;
+        const found = this.motion.data.plans[this.motion.plan]?.spots.find((each) => each[0] === own && each[1] === name);
+        const at = found ? this.motion.spot(found[2]) : null;
+        return at && this.paper(at);
+    }
+    /**
+     * Of a construction line: the places that it was drawn through, and its direction.
+     * @param {string} name
+     * @returns {{points: Spot[], direction: Spot} | null}
+     */
+    line(name) {
+        const own = this.isMechanism ? '' : this.id, {motion} = this;
+        const found = motion.data.plans[motion.plan]?.lines.find((each) => each[0] === own && each[1] === name);
+        if (!found) return null;
+        const points = found.slice(4).map((element) => motion.spot(Number(element))).filter((at) => at !== null);
+        const replay = motion.replays[motion.plan], element = found[3];
+        const direction = {x: -replay.y(element), y: -replay.x(element)};  // y downwards
+        if (points.length === 0 || (direction.x === 0 && direction.y === 0)) return null;
+        return {points: points.map((at) => this.paper(/** @type {Spot} */ (at))), direction: unitOf(direction)};
+    }
+    /**
+     * @param {number} point
+     * @returns {Spot}
+     */
+    point(point) {
+        return this.paper(this.motion.read.points[point]);
+    }
+
+    // --- following ------------------------------------------------------------------------------------------------------------
+
+    /** Shows the sheet's figure. */
+    restore() {
+        for (const [node, attributes] of this.drawn) {
+            for (const [name, value] of attributes) {
+                if (value === null) node.removeAttribute(name);
+                else node.setAttribute(name, value);
+            }
+        }
+        this.scale = this.drawnScale;
+        this.origin = this.drawnOrigin;
+        this.svg.setAttribute('viewBox', this.viewBox.join(' '));
+        this.svg.classList.remove('moved');
+    }
+    /**
+     * Follows the mechanism; `room`: what it may cover.
+     * @param {number[]} room
+     * @param {{scale: number, origin: Spot}} to
+     */
+    follow(room, to = {scale: this.drawnScale, origin: this.drawnOrigin}) {
+        this.scale = to.scale;
+        this.origin = to.origin;
+        for (const node of this.measures) this.show(node, to.scale === this.drawnScale);
+        this.svg.setAttribute('viewBox', room.map((each) => each.toFixed(3)).join(' '));
+        this.svg.classList.add('moved');
+        for (const update of this.bindings) update();
+    }
+    /**
+     * @param {Element} node
+     * @param {string} name
+     * @param {string} value
+     */
+    set(node, name, value) {
+        const before = this.drawn.get(node) ?? new Map();
+        if (!before.has(name)) before.set(name, node.getAttribute(name));
+        this.drawn.set(node, before);
+        node.setAttribute(name, value);
+    }
+    /**
+     * @param {Element} node
+     * @param {boolean} visible
+     */
+    show(node, visible) {
+        this.set(node, 'visibility', visible ? 'inherit' : 'hidden');
+    }
+    /**
+     * Before what the node is turned by itself.
+     * @param {Element} node
+     * @param {string} transform
+     */
+    transform(node, transform) {
+        const own = this.drawn.get(node)?.get('transform') ?? (this.drawn.get(node)?.has('transform') ? '' : node.getAttribute('transform'));
+        this.set(node, 'transform', own ? `${transform} ${own}` : transform);
+    }
+    /**
+     * @param {Element} node
+     * @param {Spot} by
+     */
+    translate(node, by) {
+        this.transform(node, `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)})`);
+    }
+
+    // --- binding, in the drawn position ---------------------------------------------------------------------------------------
+
+    /** To be called once, in the drawn position, the figure visible. */
+    bind() {
+        if (this.isBound) return;
+        this.isBound = true;
+        this.bindLabels();
+        for (const node of this.group.children) {
+            if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
+            else if (node.matches('g.vector')) this.bindVector(node);
+            else if (node.matches('g.figure, g.detail')) node.classList.add('still');
+            else if (node.tagName === 'path') this.bindPath(node);
+            else if (node.matches('g.text:not(.label ~ .text)')) this.measures.push(node);
+        }
+    }
+
+    /** @param {Element} node */
+    bindVector(node) {
+        const name = node.getAttribute('data-name') ?? '';
+        const drawn = this.vector(name);
+        if (!drawn || apart(drawn[0], drawn[1]) < leastVector) return node.classList.add('still');
+        const [tail, tip] = drawn, length = apart(tail, tip), e = unitOf(minus(tip, tail)), n = quarterTurn(e);
+        const local = (/** @type {Spot} */ at) => ({t: dot(minus(at, tail), e), n: dot(minus(at, tail), n)});
+        const paths = [...node.querySelectorAll('path')].map((path) => ({path, segments: parsePath(path.getAttribute('d') ?? '')}));
+        const heads = paths.filter(({path}) => path.getAttribute('fill') !== 'none');
+        const head = Math.max(0, ...heads.flatMap(({segments}) => spotsOf(segments).map((at) => length - local(at).t)));
+        const axis = node.querySelector('line.axis');
+        this.bindings.push(() => {
+            const now = this.vector(name), size = now ? apart(now[0], now[1]) : 0;
+            this.show(node, size >= leastVector);
+            if (!now || size < leastVector) return;
+            const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
+            const shrink = head > 0 ? Math.min(1, 0.8 * size / head) : 1;
+            const map = (/** @type {Spot} */ at) => {
+                const {t, n: side} = local(at), atTail = t < 0.01 || length - t > head + 1;
+                const from = atTail ? now[0] : now[1], k = atTail ? 1 : shrink;
+                return along(along(from, k * (atTail ? t : t - length), toward), k * side, across);
+            };
+            for (const {path, segments} of paths) this.set(path, 'd', mappedPath(segments, map));
+            if (!axis) return;
+            const [from, to] = now;
+            for (const [attribute, value] of Object.entries({x1: from.x, y1: from.y, x2: to.x, y2: to.y})) {
+                this.set(axis, attribute, value.toFixed(6));
+            }
+        });
+    }
+
+    /**
+     * A stroke that stands by itself: a construction line, a disc at a vertex, the scale bar.
+     * @param {Element} node
+     */
+    bindPath(node) {
+        const segments = parsePath(node.getAttribute('d') ?? '');
+        const spots = spotsOf(segments), box = boxOf(spots);
+        const name = this.vertexAt(box.centre);
+        if (segments.some(({letter}) => letter === 'A') && name !== null) {
+            const drawn = box.centre;
+            this.bindings.push(() => {
+                const now = this.spot(name);
+                this.show(node, now !== null);
+                if (now) this.translate(node, minus(now, drawn));
+            });
+        } else if (spots.length === 2 && node.hasAttribute('data-statement')) {
+            this.bindLine(node, segments, spots);
+        } else if (node.hasAttribute('data-statement')) {
+            node.classList.add('still');
+        } else {
+            this.measures.push(node);
+        }
+    }
+    /** @param {Spot} at */
+    vertexAt(at) {
+        const own = this.isMechanism ? '' : this.id;
+        for (const [figure, name] of this.motion.data.plans[0].spots) {
+            const spot = figure === own ? this.spot(name) : null;
+            if (spot && apart(spot, at) < samePlace) return name;
+        }
+        return null;
+    }
+    /**
+     * The construction line on which all of the spots lie.
+     * @param {Spot[]} spots
+     * @param {string | null} statement
+     */
+    lineThrough(spots, statement) {
+        const own = this.isMechanism ? '' : this.id;
+        for (const [figure, name, said] of this.motion.data.plans[0].lines) {
+            if (figure !== own || (statement !== null && String(said) !== statement)) continue;
+            const line = this.line(name);
+            if (!line) continue;
+            const off = (/** @type {Spot} */ at) => Math.abs(dot(minus(at, line.points[0]), quarterTurn(line.direction)));
+            if (spots.every((at) => off(at) < samePlace)) return {name, line};
+        }
+        return null;
+    }
+    /**
+     * @param {Element} node
+     * @param {Segment[]} segments
+     * @param {Spot[]} spots
+     */
+    bindLine(node, segments, spots) {
+        const found = this.lineThrough(spots, node.closest('[data-statement]')?.getAttribute('data-statement') ?? null);
+        if (!found) return node.classList.add('still');
+        const {name, line} = found;
+        const ends = spots.map((at) => {
+            const distances = line.points.map((point) => apart(point, at));
+            const nearest = distances.indexOf(Math.min(...distances));
+            return {nearest, beyond: dot(minus(at, line.points[nearest]), line.direction)};
+        });
+        const sense = Math.sign(dot(minus(line.points[line.points.length - 1], line.points[0]), line.direction));
+        this.bindings.push(() => {
+            const now = this.line(name);
+            const fits = now !== null && ends.every(({nearest}) => nearest < now.points.length);
+            this.show(node, fits);
+            if (!fits) return;
+            // Where the points changed their order along the line, so did its ends.
+            const turned = Math.sign(dot(minus(now.points[now.points.length - 1], now.points[0]), now.direction)) * sense < 0 ? -1 : 1;
+            const places = ends.map(({nearest, beyond}) => along(now.points[nearest], turned * beyond, now.direction));
+            let next = 0;
+            this.set(node, 'd', mappedPath(segments, () => places[next++]));
+        });
+    }
+
+    // --- labels ---------------------------------------------------------------------------------------------------------------
+
+    bindLabels() {
+        [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
+            if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
+            const names = this.info.labels[i] ?? [];
+            const box = /** @type {SVGGElement} */ (label).getBBox();
+            const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
+            const parts = this.partsOf(label, centre);
+            const vector = names.find((name) => this.vector(name));
+            const spot = names.find((name) => this.spot(name));
+            if (vector !== undefined) this.bindVectorLabel(parts, vector, centre, box);
+            else if (spot !== undefined) this.bindToPlace(parts, () => this.spot(spot));
+            else if (this.isMechanism) this.bindMechanismLabel(label, parts, centre);
+            else this.bindLineLabel(label, centre);
+        });
+    }
+    /**
+     * The label with what is set beside it in another colour, and its circle.
+     * @param {Element} label
+     * @param {Spot} centre
+     */
+    partsOf(label, centre) {
+        const parts = [label];
+        for (let next = label.nextElementSibling; next?.matches('g.text'); next = next.nextElementSibling) parts.push(next);
+        const before = label.previousElementSibling;
+        if (before?.tagName === 'path') {
+            const box = boxOf(spotsOf(parsePath(before.getAttribute('d') ?? '')));
+            if (apart(box.centre, centre) < 1.5 && box.right - box.left < 8) parts.push(before);
+        }
+        return parts;
+    }
+    /**
+     * @param {Element[]} parts
+     * @param {() => Spot | null} place
+     */
+    bindToPlace(parts, place) {
+        const drawn = place();
+        if (!drawn) return parts.forEach((part) => part.classList.add('still'));
+        this.bindings.push(() => {
+            const now = place();
+            for (const part of parts) {
+                this.show(part, now !== null);
+                if (now) this.translate(part, minus(now, drawn));
+            }
+        });
+    }
+    /**
+     * It keeps its side of the vector and its distance from it.
+     * @param {Element[]} parts
+     * @param {string} name
+     * @param {Spot} centre
+     * @param {{width: number, height: number}} box
+     */
+    bindVectorLabel(parts, name, centre, box) {
+        const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({x: (tail.x + tip.x) / 2, y: (tail.y + tip.y) / 2});
+        const reach = (/** @type {Spot} */ n) => Math.abs(n.x) * box.width / 2 + Math.abs(n.y) * box.height / 2;
+        const drawn = /** @type {[Spot, Spot]} */ (this.vector(name)), length = apart(drawn[0], drawn[1]);
+        if (length < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
+        const e = unitOf(minus(drawn[1], drawn[0])), n = quarterTurn(e), off = minus(centre, middle(drawn));
+        const side = Math.sign(dot(off, n)) || 1, share = dot(off, e) / length;
+        const clearance = Math.abs(dot(off, n)) - reach(n);
+        this.bindings.push(() => {
+            const now = this.vector(name), size = now ? apart(now[0], now[1]) : 0;
+            parts.forEach((part) => this.show(part, size >= leastVector));
+            if (!now || size < leastVector) return;
+            const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
+            const at = along(along(middle(now), share * size, toward), side * (clearance + reach(across)), across);
+            parts.forEach((part) => this.translate(part, minus(at, centre)));
+        });
+    }
+    /**
+     * A word along a construction line.
+     * @param {Element} label
+     * @param {Spot} drawnCentre
+     */
+    bindLineLabel(label, drawnCentre) {
+        const pivot = (label.getAttribute('transform') ?? '').match(/rotate\((\S+) (\S+) (\S+)\)/);
+        const centre = pivot ? {x: Number(pivot[2]), y: Number(pivot[3])} : drawnCentre;
+        const statement = label.closest('[data-statement]')?.getAttribute('data-statement') ?? null;
+        if (statement === null) return;
+        let best = null, least = 6;
+        for (const [figure, name, said] of this.motion.data.plans[0].lines) {
+            const line = figure === this.id && String(said) === statement ? this.line(name) : null;
+            const off = line ? Math.abs(dot(minus(centre, line.points[0]), quarterTurn(line.direction))) : least;
+            if (line && off < least) [best, least] = [{name, line}, off];
+        }
+        if (!best) return label.classList.add('still');
+        const {name, line} = best;
+        const last = line.points.length - 1, from = line.points[last];
+        const t = dot(minus(centre, from), line.direction), n = dot(minus(centre, from), quarterTurn(line.direction));
+        this.bindings.push(() => {
+            const now = this.line(name);
+            const fits = now !== null && last < now.points.length;
+            this.show(label, fits);
+            if (!fits) return;
+            const at = along(along(now.points[last], t, now.direction), n, quarterTurn(now.direction));
+            const degrees = (/** @type {Spot} */ a) => Math.atan2(a.y, a.x) * 180 / Math.PI;
+            const own = pivot ? Number(pivot[1]) : 0;
+            let turn = degrees(now.direction) - degrees(line.direction);
+            const upright = ((own + turn) % 360 + 540) % 360 - 180;  // −180 … 180
+            if (Math.abs(upright) > 90) turn += 180;
+            this.transform(label, `translate(${(at.x - centre.x).toFixed(4)} ${(at.y - centre.y).toFixed(4)}) ` +
+                                      `rotate(${turn.toFixed(3)} ${centre.x} ${centre.y})`);
+        });
+    }
+
+    // --- the mechanism --------------------------------------------------------------------------------------------------------
+
+    /**
+     * A group of marks by their role.
+     * @param {Element} group
+     */
+    bindRole(group) {
+        const role = group.getAttribute('class') ?? '';
+        if (role === 'dimensions') return group.classList.add('still');
+        if (role === 'vector') return this.bindVector(group);
+        if (role === 'label' || role === 'text' || role === 'ground' && !group.querySelector('g')) return;
+        for (const node of group.children) {
+            if (role === 'links') this.bindLink(node);
+            else if (role === 'tint') this.bindTint(node);
+            else if (role === 'joints') this.bindJoint(node);
+            else if (role === 'centres') this.bindCentre(node);
+            else if (role === 'construction') this.bindGuide(node);
+            else if (role === 'ground' && node.tagName === 'g') node.classList.add('still');
+            else if (role === 'arrows' && !this.isAtRest(node)) node.classList.add('still');
+        }
+    }
+    /**
+     * Moves a node with a body.
+     * @param {Element} node
+     * @param {number} body
+     */
+    bindToBody(node, body) {
+        if (body <= 0) return;
+        const {places, data} = this.motion;
+        this.bindings.push(() => {
+            const [rx, ry] = data.bodies[body], {x: c, y: s} = places.facing[body];
+            const from = this.paper({x: data.unit * rx, y: data.unit * ry});
+            const to = this.paper({x: data.unit * places.at[body].x, y: data.unit * places.at[body].y});
+            const e = to.x - c * from.x - s * from.y, f = to.y + s * from.x - c * from.y;
+            this.transform(node, `matrix(${[c, -s, s, c, e, f].map((each) => each.toFixed(6)).join(' ')})`);
+        });
+    }
+    /** @param {Element} node */
+    bindLink(node) {
+        const body = this.names.bodies.findIndex(({id}) => `link-${id}` === node.getAttribute('data-id'));
+        if (body < 0 || node.matches('.crossing')) node.classList.add('still');
+        else this.bindToBody(node, body);
+    }
+    /**
+     * The tint of a plate lies under the link with the same corners.
+     * @param {Element} node
+     */
+    bindTint(node) {
+        const outline = node.getAttribute('d') ?? '';
+        const links = [...this.group.querySelectorAll('g.link')];
+        const link = links.find((each) => [...each.querySelectorAll('path')].some((path) => path.getAttribute('d') === outline));
+        const body = this.names.bodies.findIndex(({id}) => link && `link-${id}` === link.getAttribute('data-id'));
+        if (body < 0) node.classList.add('still');
+        else this.bindToBody(node, body);
+    }
+    /** @param {Element} node */
+    bindJoint(node) {
+        const joint = this.names.joints.find(({id}) => `joint-${id}` === node.getAttribute('data-id'));
+        if (joint) {
+            const drawn = this.point(joint.point), {places} = this.motion;
+            this.bindings.push(() => {
+                const by = minus(this.point(joint.point), drawn);
+                const turn = joint.turnsWith > 0 ? -places.turn[joint.turnsWith] * 180 / Math.PI : 0;
+                this.transform(node, `translate(${by.x.toFixed(4)} ${by.y.toFixed(4)}) rotate(${turn.toFixed(4)} ${drawn.x} ${drawn.y})`);
+            });
+            return;
+        }
+        const {centre} = boxOf(spotsOf(parsePath(node.getAttribute('d') ?? '')));
+        const point = this.motion.read.points.findIndex((_, i) => apart(this.point(i), centre) < samePlace);
+        if (point < 0) node.classList.add('still');
+        else this.bindToPlace([node], () => this.point(point));
+    }
+    /** @param {Element} node */
+    bindCentre(node) {
+        const name = this.names.centres[node.getAttribute('data-id') ?? ''];
+        if (name !== undefined && this.spot(name)) return this.bindToPlace([node], () => this.spot(name));
+        const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
+        if (spots.length === 2) this.bindThroughCentres(node, segments, spots);
+        else node.classList.add('still');
+    }
+    /**
+     * A line of Aronhold and Kennedy, on which centres lie.
+     * @param {Element} node
+     * @param {Segment[]} segments
+     * @param {Spot[]} spots
+     */
+    bindThroughCentres(node, segments, spots) {
+        const toward = unitOf(minus(spots[1], spots[0]));
+        const on = Object.values(this.names.centres).flatMap((name) => {
+            const at = this.spot(name);
+            return at && Math.abs(dot(minus(at, spots[0]), quarterTurn(toward))) < samePlace ? [{name, at}] : [];
+        });
+        on.sort((a, b) => dot(minus(a.at, b.at), toward));
+        const first = on[0], last = on[on.length - 1];
+        if (on.length < 2 || apart(first.at, last.at) < 1) return node.classList.add('still');
+        const ends = spots.map((at) => {
+            const nearest = apart(at, first.at) < apart(at, last.at) ? first : last;
+            return {name: nearest.name, beyond: dot(minus(at, nearest.at), toward)};
+        });
+        this.bindings.push(() => {
+            const [from, to] = [this.spot(first.name), this.spot(last.name)];
+            const fits = from !== null && to !== null && apart(from, to) > leastVector;
+            this.show(node, fits);
+            if (!fits) return;
+            const now = unitOf(minus(to, from));
+            const places = ends.map(({name, beyond}) => along(name === first.name ? from : to, beyond, now));
+            let next = 0;
+            this.set(node, 'd', mappedPath(segments, () => places[next++]));
+        });
+    }
+    /**
+     * The axis of a guide goes with the body that has it; compass strokes are of the drawn position.
+     * @param {Element} node
+     */
+    bindGuide(node) {
+        const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
+        if (node.hasAttribute('data-statement') && spots.length === 2) return this.bindThroughCentres(node, segments, spots);
+        const joint = spots.length !== 2 ? undefined : this.names.joints.find(({point, turnsWith}) => {
+            const e = unitOf(minus(spots[1], spots[0]));
+            return turnsWith >= 0 && Math.abs(dot(minus(this.point(point), spots[0]), quarterTurn(e))) < samePlace;
+        });
+        if (joint) this.bindToBody(node, joint.turnsWith);
+        else node.classList.add('still');
+    }
+    /**
+     * The arrow of a driver on the frame stays where it is.
+     * @param {Element} node
+     */
+    isAtRest(node) {
+        const spots = spotsOf(parsePath(node.getAttribute('d') ?? ''));
+        if (spots.length === 0) return false;
+        return this.motion.data.points.some(([body], i) => body === 0 && apart(this.point(i), boxOf(spots).centre) < 16);
+    }
+    /**
+     * @param {Element} label
+     * @param {Element[]} parts
+     * @param {Spot} centre
+     */
+    bindMechanismLabel(label, parts, centre) {
+        const text = label.getAttribute('aria-label') ?? '';
+        const first = text.split(' ≡ ')[0];
+        const point = this.names.points.findIndex((each, i) => each.label === first && apart(this.point(i), centre) < 40);
+        const body = this.names.bodies.findIndex((each) => each.label === text);
+        const isBalloon = parts.some((part) => part.tagName === 'path');
+        if (isBalloon && body > 0) {
+            const {places, data} = this.motion;
+            const at = this.unpaper(centre), [rx, ry] = data.bodies[body];
+            this.bindToPlace(parts, () => {
+                const now = places.world(body, at.x / data.unit - rx, at.y / data.unit - ry);
+                return this.paper({x: data.unit * now.x, y: data.unit * now.y});
+            });
+        } else if (point >= 0) {
+            this.bindToPlace(parts, () => this.point(point));
+        } else if (!this.motion.data.points.some(([on], i) => on === 0 && apart(this.point(i), centre) < 25)) {
+            parts.forEach((part) => part.classList.add('still'));
+        }
+    }
+    /**
+     * @param {Spot} at mm
+     * @returns {Spot}
+     */
+    unpaper(at) {
+        return {x: (at.x - this.origin.x) * this.scale, y: (this.origin.y - at.y) * this.scale};
+    }
+
+    // --- room -----------------------------------------------------------------------------------------------------------------
+
+    /**
+     * Of all that it must show here, at the drawing's scale, mm.
+     * @returns {Spot[]}
+     */
+    extent() {
+        if (this.isMechanism) return this.motion.read.points.map((at) => this.paper(at));
+        return [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []);
+    }
+    /**
+     * Scale and origin with which what it shows fills the middle of its room.
+     * @returns {{scale: number, origin: Spot}}
+     */
+    fitted() {
+        const [x, y, width, height] = this.viewBox, rim = 12, below = 8;
+        this.scale = this.drawnScale;
+        this.origin = this.drawnOrigin;
+        const spots = this.extent();
+        if (spots.length === 0) return {scale: this.scale, origin: this.origin};
+        const box = boxOf(spots);
+        const wide = Math.max(width - 2 * rim, 20), high = Math.max(height - 2 * rim - below, 20);
+        const k = Math.max((box.right - box.left) / wide, (box.bottom - box.top) / high, 1e-9);
+        const middle = {x: x + width / 2, y: y + (height - below) / 2};
+        return {scale: this.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre, this.drawnOrigin))};
+    }
+}

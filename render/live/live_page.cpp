@@ -1,0 +1,355 @@
+// The live page, see live_page.hpp. Owns the HTML; what moves is data (live_data.hpp) and the interpreter's.
+#include "render/live/live_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <pugixml.hpp>
+#include <set>
+#include <vector>
+
+#include "engine/equations.hpp"
+#include "engine/problem.hpp"
+#include "render/backends/backends.hpp"
+#include "render/live/live_data.hpp"
+#include "render/scene/sentences.hpp"
+#include "render/sheet/figure_alone.hpp"
+#include "render/sheet/title_block.hpp"
+#include "render/tables/equation_text.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                if (c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= 0x20) out += c;
+        }
+    }
+    return out;
+}
+
+/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Comments of
+/// theirs begin a line.
+std::string without_comments(std::string_view source) {
+    std::string out;
+    bool in_comment = false;
+    for (std::size_t at = 0; at < source.size();) {
+        const std::size_t end = std::min(source.find('\n', at), source.size());
+        std::string_view line = source.substr(at, end - at);
+        at = end + 1;
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        in_comment = in_comment || line.starts_with("/*");
+        if (!in_comment && !line.empty() && !line.starts_with("//")) out.append(line).append("\n");
+        if (line.ends_with("*/")) in_comment = false;
+    }
+    return out;
+}
+
+std::string in_face(const std::string& text, Face face) {
+    if (text.empty()) return {};
+    const bool italic = face == Face::italic || face == Face::bold_italic, bold = face == Face::bold || face == Face::bold_italic;
+    return (bold ? "<b>" : "") + std::string(italic ? "<i>" : "") + escaped(text) + (italic ? "</i>" : "") + (bold ? "</b>" : "");
+}
+std::string html(const RichText& text) {
+    std::string out;
+    for (const Piece& piece : as_set(text)) {
+        // Combining dots stand after the letter that they belong to.
+        const std::string dots = piece.dots == 0 ? "" : piece.dots == 1 ? "\u0307" : "\u0308";
+        out += in_face(piece.text + dots, piece.face);
+        if (!piece.sub.empty()) out += "<sub>" + in_face(piece.sub, piece.sub_face) + "</sub>";
+        if (!piece.sup.empty()) out += "<sup>" + in_face(piece.sup, piece.sup_face) + "</sup>";
+    }
+    return out;
+}
+
+std::string element(const std::string& tag, const std::string& attributes, const std::string& content) {
+    return "<" + tag + (attributes.empty() ? "" : " " + attributes) + ">" + content + "</" + tag + ">\n";
+}
+
+// --- figures ------------------------------------------------------------------------------------------------------------------
+
+/// Figures as they stand in HTML: outlines shared by all of them once, ids of the drawing as data, so that none comes twice.
+class Drawings {
+public:
+    /// `svg` of a page, under what a reader hears it called.
+    std::string add(const std::string& svg, const std::string& label) {
+        pugi::xml_document document;
+        document.load_buffer(svg.data(), svg.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+        pugi::xml_node root = document.child("svg");
+        for (const pugi::xml_node outline : root.child("defs").children())
+            if (known_.insert(outline.attribute("id").value()).second) outlines_ += printed(outline);
+        root.remove_child("defs");
+        root.remove_child("title");
+        for (const char* name : {"xmlns", "xmlns:xlink", "version", "xml:lang"}) root.remove_attribute(name);
+        const std::string width = root.attribute("width").value();
+        root.remove_attribute("width");
+        root.remove_attribute("height");
+        root.append_attribute("data-width").set_value(width.c_str());
+        root.append_attribute("role").set_value("img");
+        root.append_attribute("aria-label").set_value(label.c_str());
+        tidy(root);
+        return printed(root);
+    }
+    std::string outlines() const {
+        return "<svg class=\"outlines\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>" + outlines_ + "</defs></svg>\n";
+    }
+
+private:
+    static std::string printed(const pugi::xml_node& node) {
+        struct Sink : pugi::xml_writer {
+            std::string out;
+            void write(const void* data, std::size_t size) override { out.append(static_cast<const char*>(data), size); }
+        } sink;
+        // No empty element's end may be left out: in HTML that is so for SVG alone, and there it is understood.
+        node.print(sink, "", pugi::format_raw, pugi::encoding_utf8);
+        return std::move(sink.out);
+    }
+    static void tidy(pugi::xml_node node) {
+        for (pugi::xml_node child : node.children()) {
+            if (pugi::xml_attribute id = child.attribute("id")) id.set_name("data-id");
+            if (std::string_view(child.name()) == "g" && child.attribute("role")) child.remove_attribute("role");
+            tidy(child);
+        }
+    }
+
+    std::set<std::string> known_;
+    std::string outlines_;
+};
+
+// --- themes -------------------------------------------------------------------------------------------------------------------
+
+std::string hex(Colour c) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string text = "#";
+    for (const unsigned each : {c.red, c.green, c.blue}) {
+        text += digits[each >> 4U];
+        text += digits[each & 15U];
+    }
+    return text;
+}
+
+/// For a dark screen every colour of the drawing becomes that which has its role in the dark theme.
+std::string dark_rules(const Theme& light, const Theme& dark, const std::string& scope) {
+    std::map<std::pair<std::string, std::string>, std::string> rules;  // attribute, colour: the other
+    const auto pair = [&](const char* attribute, Colour from, Colour to) { rules.try_emplace({attribute, hex(from)}, hex(to)); };
+    for (const char* attribute : {"stroke", "fill"}) {
+        pair(attribute, light.text, dark.text);
+        pair(attribute, light.paper, dark.paper);
+        pair(attribute, light.secondary, dark.secondary);
+        pair(attribute, light.skeleton, dark.skeleton);
+        pair(attribute, light.faint, dark.faint);
+        pair(attribute, light.accent, dark.accent);
+        for (std::size_t i = 0; i < std::min(light.bodies.size(), dark.bodies.size()); ++i) {
+            pair(attribute, light.bodies[i].line, dark.bodies[i].line);
+            pair(attribute, light.bodies[i].letter, dark.bodies[i].letter);
+            pair(attribute, light.bodies[i].tint, dark.bodies[i].tint);
+        }
+    }
+    std::string css;
+    for (const auto& [from, to] : rules)
+        css += scope + " svg [" + from.first + "=\"" + from.second + "\"]{" + from.first + ":" + to + "}";
+    return css;
+}
+std::string variables(const Theme& theme) {
+    return "--paper:" + hex(theme.paper) + ";--text:" + hex(theme.text) + ";--secondary:" + hex(theme.secondary) +
+           ";--faint:" + hex(theme.faint) + ";--accent:" + hex(theme.accent);
+}
+/// Paper and ink for the chosen theme, else for the system's.
+std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
+    std::string css = ":root{" + variables(theme) + "}";
+    if (dark) {
+        const std::string on_dark = variables(*dark) + ";color-scheme:dark";
+        css += "@media screen{:root[data-theme=dark]{" + on_dark + "}" + dark_rules(theme, *dark, ":root[data-theme=dark]") + "}";
+        css += "@media screen and (prefers-color-scheme:dark){:root:not([data-theme]){" + on_dark + "}" +
+               dark_rules(theme, *dark, ":root:not([data-theme])") + "}";
+    }
+    return css + without_comments(live_style);
+}
+
+// --- text ---------------------------------------------------------------------------------------------------------------------
+
+class Writer {
+public:
+    Writer(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options, const Fonts& fonts)
+        : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
+
+    std::string write(const std::optional<Theme>& dark) {
+        std::string sheets, figures;
+        const Language first = options_.language, second = first == Language::en ? Language::it : Language::en;
+        for (const Language language : {first, second}) {
+            sheets += sheet(language);
+            figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") + figures_json_ + "]";
+        }
+        const std::string style = style_of(options_.theme, dark), script = without_comments(live_script);
+        std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
+        if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
+        data += "}";
+        std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(first) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
+        page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
+                sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) +
+                "'; base-uri 'none'; form-action 'none'\">\n";
+        page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+        page += element("title", "", escaped(title_of(solution_, first)));
+        page += element("style", "", style);
+        page += "</head>\n<body>\n" + drawings_.outlines() + controls(dark.has_value()) + sheets;
+        page += "<p id=\"announcement\" class=\"unseen\" aria-live=\"polite\"></p>\n";
+        page += element("script", "type=\"application/json\" id=\"data\"", data);
+        page += element("script", "", script);
+        return page + "</body>\n</html>\n";
+    }
+
+private:
+    static std::string code(Language language) { return language == Language::en ? "en" : "it"; }
+
+    /// Empty until the script has words for them.
+    std::string controls(bool has_dark) const {
+        std::string out = "<header id=\"controls\">\n";
+        if (moving_) {
+            out += "<div class=\"row\" id=\"moving\"><label data-word-in=\"driver\"><span data-word=\"driver\"></span> <select "
+                   "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
+                   "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
+                   "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
+                   "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
+                   "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
+        }
+        out += "<div class=\"row\"><button id=\"previous\" type=\"button\" data-word=\"previous\"></button>\n"
+               "<button id=\"next\" type=\"button\" data-word=\"next\"></button>\n"
+               "<button id=\"all\" type=\"button\" data-word=\"all\"></button>\n<span id=\"step\"></span>\n"
+               "<label><span data-word=\"language\"></span> <select id=\"language\"><option value=\"en\">English</option>"
+               "<option value=\"it\">Italiano</option></select></label>\n";
+        if (has_dark)
+            out += "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme system\"></option>"
+                   "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme dark\"></option>"
+                   "</select></label>\n";
+        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n</header>\n";
+    }
+
+    std::string sheet(Language language) {
+        std::string out = element("h1", "", escaped(title_of(solution_, language)));
+        out += element("div", "class=\"figures\"", figures(language));
+        out += element("div", "class=\"text\"", steps(language) + equations(language) + values(language) + results(language));
+        const bool first = language == options_.language;
+        return element("main", "lang=\"" + code(language) + "\"" + (first ? "" : " hidden"), out);
+    }
+
+    std::string figures(Language language) {
+        SheetOptions options = options_;
+        options.language = language;
+        const std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
+        std::string out;
+        figures_json_.clear();
+        for (const AloneFigure& figure : drawn) {
+            figures_json_ += (figures_json_.empty() ? "" : ",") + figure_json(figure);
+            const std::string svg = drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption));
+            std::string caption = html(figure.caption);
+            if (!figure.scale_in_words.empty())
+                caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
+            out += element("figure", "data-figure-name=\"" + escaped(figure.name) + "\"",
+                           svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not followed\" hidden></p>");
+        }
+        return out;
+    }
+
+    std::string steps(Language language) const {
+        std::string out;
+        std::optional<Topic> topic;
+        bool is_open = false;
+        const std::vector<Statement>& statements = solution_.protocol.statements;
+        for (std::size_t i = 0; i < statements.size(); ++i) {
+            const Statement& statement = statements[i];
+            if (options_.detail == SolutionDetail::brief && is_incidental(statement.message.sentence)) continue;
+            if (topic != statement.section) {
+                topic = statement.section;
+                if (is_open) out += "</ol>\n";
+                if (*topic != Topic::unnamed) out += element("h2", "", word("steps " + std::string(name_of(*topic)), language));
+                out += "<ol class=\"steps\">\n";
+                is_open = true;
+            }
+            std::string said = html(say(statement.message, language));
+            if (statement.equation) said += equation(*statement.equation, language);
+            out += element("li", "data-says=\"" + std::to_string(i) + "\"", said);
+        }
+        if (is_open) out += "</ol>\n";
+        if (!out.empty() && moving_) out += "<p class=\"note\" data-word=\"of drawn position\" hidden></p>\n";
+        return out;
+    }
+    /// Under each term whether its magnitude and its direction are known.
+    static std::string equation(const Equation& equation, Language language) {
+        std::string terms, magnitudes, directions;
+        for (std::size_t side = 0; side < equation.sides.size(); ++side) {
+            for (std::size_t k = 0; k < equation.sides[side].size(); ++k) {
+                const Term& term = equation.sides[side][k];
+                if (side + k > 0) {
+                    terms += element("td", "", k > 0 ? "+" : "=");
+                    magnitudes += "<td></td>";
+                    directions += "<td></td>";
+                }
+                terms += element("td", "", html(typeset(term.symbol, language)));
+                magnitudes += element("td", "", term.magnitude_known ? "✓" : "?");
+                directions += element("td", "", term.direction_known ? "✓ " + html(typeset(term.line, language)) : "?");
+            }
+        }
+        const auto row = [&](const std::string& head, const std::string& cells) {
+            return element("tr", "", element("th", "scope=\"row\"", head) + cells);
+        };
+        return element("table", "class=\"equation\"", row("", terms) + row(word("magnitude", language), magnitudes) +
+                                                          row(word("direction", language), directions));
+    }
+
+    std::string equations(Language language) const {
+        if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
+        return element("pre", "", escaped(equations_as_text(solution_, language)));
+    }
+    /// The columns that follow the mechanism; the script fills them in.
+    std::string values(Language language) const {
+        if (!moving_) return {};
+        std::string rows;
+        for (std::size_t i = 0; i < moving_->columns.size(); ++i) {
+            const Column& column = moving_->columns[i];
+            const Unit unit = unit_of_column(column, solution_.mechanism.units);
+            rows += element("tr", "",
+                            element("th", "scope=\"row\"", escaped(column.name)) +
+                                element("td", "data-column=\"" + std::to_string(i) + "\"", "") + element("td", "", escaped(unit.symbol)));
+        }
+        const std::string head = element("tr", "", element("th", "scope=\"col\"", word("live column", language)) +
+                                                       element("th", "scope=\"col\"", word("live value", language)) +
+                                                       element("th", "scope=\"col\"", word("unit", language)));
+        return element("h2", "", word("live values", language)) +
+               element("table", "class=\"values\"", element("thead", "", head) + element("tbody", "", rows));
+    }
+    std::string results(Language language) const {
+        return element("h2", "", word("results", language) + (moving_ ? " (" + word("live drawn", language) + ")" : "")) +
+               element("pre", "tabindex=\"0\"", escaped(results_table(solution_, language)));
+    }
+
+    const Solution& solution_;
+    const std::optional<Moving>& moving_;
+    const SheetOptions& options_;
+    const Fonts& fonts_;
+    Drawings drawings_;
+    std::string figures_json_;  // of the sheet that was written last
+};
+
+}  // namespace
+
+std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
+                      const std::optional<Theme>& dark, const Fonts& fonts) {
+    return Writer(solution, moving, options, fonts).write(dark);
+}
+
+}  // namespace kinegraph::render

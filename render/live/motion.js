@@ -1,0 +1,215 @@
+// Where the mechanism is and what holds there: a driver's coordinate made places, the places made givens, the givens a program
+// replayed, the program's elements the values of the columns. Knows no figure.
+
+/** @typedef {{points: Spot[], guides: Spot[], normals: Spot[], tangents: Spot[]}} Read */
+
+class Motion {
+    /** @param {MovingData} data */
+    constructor(data) {
+        this.data = data;
+        this.places = new Places(data);
+        this.replays = data.plans.map((plan) => new Replay(plan, data.size));
+        this.course = data.courses[0];
+        /** As Sample.at. */
+        this.at = 0;
+        /** Index of the plan that holds here; −1: none. */
+        this.plan = 0;
+        this.read = this.places.read();
+        this.rates = {rate: 0, acceleration: 0};
+        this.isDrawn = true;
+        /**
+         * Values by column that do not come from a plan.
+         * @type {(number | null)[] | null}
+         */
+        this.told = null;
+        this.toDrawn();
+    }
+
+    /**
+     * Exactly where the file has it.
+     * @param {Course} course
+     */
+    toDrawn(course = this.course) {
+        const {places, data} = this;
+        const q = new Float64Array(data.frozen.length);
+        for (const [x, y, column] of data.bodies) {
+            if (column >= 0) [q[column], q[column + 1]] = [x, y];
+        }
+        places.set(q);
+        this.course = course;
+        this.at = 0;
+        const sample = course.samples.find((each) => each.at === 0);
+        this.rates = {rate: sample?.rate ?? 0, acceleration: sample?.acceleration ?? 0};
+        this.read = places.read();
+        this.isDrawn = true;
+        this.told = null;
+        this.plan = this.planHere([0]);
+    }
+
+    /**
+     * False where the joints do not close; then nothing moved.
+     * @param {Course} course
+     * @param {number} at
+     */
+    moveTo(course, at) {
+        const {samples} = course;
+        let after = samples.findIndex((sample) => sample.at >= at);
+        if (after < 0) after = samples.length - 1;
+        const low = samples[Math.max(after - 1, 0)], high = samples[after];
+        const nearest = Math.abs(high.at - at) <= Math.abs(at - low.at) ? high : low;
+        const place = course.byLaw ? nearest.at : at;
+        const share = high.at === low.at ? 1 : Math.min(Math.max((place - low.at) / (high.at - low.at), 0), 1);
+        const start = low.q.map((value, k) => value + share * (high.q[k] - value));
+        const coordinate = course.byLaw ? nearest.coordinate : at;
+        if (!this.places.close(start, coordinate, course.shares)) return false;
+        this.course = course;
+        this.at = place;
+        this.isDrawn = place === 0;
+        this.rates = {rate: nearest.rate, acceleration: nearest.acceleration};
+        this.read = this.places.read();
+        this.told = null;
+        const likely = [nearest.plan, low.plan, high.plan];
+        this.plan = this.planHere(likely);
+        if (this.plan < 0) this.stepAside(course, start, coordinate, likely, nearest.at === place ? nearest.values : undefined);
+        return true;
+    }
+
+    /**
+     * Where a verdict drowns in doubles the numbers are those of the exact construction, and figures are drawn a hair
+     * beside: a millionth of the way.
+     * @param {Course} course
+     * @param {number[]} start
+     * @param {number} coordinate
+     * @param {number[]} likely
+     * @param {(number | null)[] | undefined} values
+     */
+    stepAside(course, start, coordinate, likely, values) {
+        const told = this.data.columns.map((column, i) => isOfPlace(column) ? this.value(i) : values?.[i] ?? null);
+        for (const by of [1e-6, -1e-6]) {
+            if (!this.places.close(start, coordinate + by * (course.to - course.from), course.shares)) continue;
+            this.read = this.places.read();
+            this.plan = this.planHere(likely);
+            if (this.plan >= 0) break;
+        }
+        this.told = told;
+    }
+
+    /**
+     * The plan whose guards hold, those of the neighbours first.
+     * @param {number[]} likely
+     */
+    planHere(likely) {
+        const tried = new Set([this.plan, ...likely]);
+        this.replays.forEach((_, i) => tried.add(i));
+        likely.forEach((i) => tried.delete(i));
+        for (const i of [...new Set(likely), ...tried]) {
+            if (i < 0) continue;
+            for (const rule of this.data.plans[i].moving) this.replays[i].give(rule.given, this.valueOf(rule));
+            if (this.replays[i].run()) return i;
+        }
+        return -1;
+    }
+
+    /**
+     * @param {MovingGiven} rule
+     * @returns {number[]}
+     */
+    valueOf(rule) {
+        const {points, guides, normals, tangents} = this.read;
+        const between = () => {
+            const [from, to] = rule.ends.map((end) => points[end]);
+            return {x: to.x - from.x, y: to.y - from.y};
+        };
+        const as = (/** @type {Spot} */ a, factor = 1) => [factor * a.x, factor * a.y];
+        switch (rule.rule) {
+            case 'place':
+                return [points[rule.index].x, points[rule.index].y, 1];
+            case 'guide':
+                return as(guides[rule.index]);
+            case 'guide_unit':
+                return as(unitOf(guides[rule.index]));
+            case 'normal':
+                return as(normals[rule.index], rule.factor);
+            case 'other_normal': {
+                const n = normals[rule.index], t = tangents[rule.index], k = 2 * dot(n, t) / dot(t, t);
+                return [k * t.x - n.x, k * t.y - n.y];
+            }
+            case 'tangent':
+                return as(tangents[rule.index]);
+            case 'between':
+                return as(unitOf(between()));
+            case 'spring':
+                return [rule.factor * (Math.hypot(between().x, between().y) - rule.offset)];
+            case 'torsion':
+                return [-rule.factor * (rule.offset + this.places.turn[rule.bodies[0]] - this.places.turn[rule.bodies[1]])];
+            case 'rate':
+                return [this.rates.rate];
+            default:
+                return [this.rates.acceleration];
+        }
+    }
+
+    /**
+     * A column's value, SI; none where no construction holds, or finds it.
+     * @param {number} index
+     * @returns {number | null}
+     */
+    value(index) {
+        if (this.told) return this.told[index];
+        const column = this.data.columns[index];
+        switch (column.kind) {
+            case 'angle':
+                return this.data.directions[column.body] + this.places.turn[column.body];
+            case 'place_x':
+                return this.read.points[column.point].x;
+            case 'place_y':
+                return this.read.points[column.point].y;
+            case 'slid':
+                return this.places.slid(this.data.joints[column.joint]);
+            default:
+                return this.result(index);
+        }
+    }
+    /**
+     * @param {number} index
+     * @returns {number | null}
+     */
+    result(index) {
+        if (this.plan < 0) return null;
+        const column = this.data.columns[index], source = this.data.plans[this.plan].sources[index];
+        if (source === -2) return null;
+        if (source === -1) return 0;
+        const replay = this.replays[this.plan];
+        if (column.kind === 'along') {
+            return dot(this.slidingDirection(column.joint), {x: replay.x(source), y: replay.y(source)});
+        }
+        return column.component === 'y' ? replay.y(source) : replay.x(source);
+    }
+    /**
+     * X of a slide, or the common tangent of a contact or a curved slot.
+     * @param {number} joint
+     */
+    slidingDirection(joint) {
+        const guide = this.read.guides[joint], tangent = this.read.tangents[joint];
+        if (guide.x !== 0 || guide.y !== 0) return unitOf(guide);
+        return unitOf(tangent.x !== 0 || tangent.y !== 0 ? tangent : quarterTurn(this.read.normals[joint]));
+    }
+    /**
+     * Where an element stands that is a point; none: at infinity, or not evaluated here.
+     * @param {number} element
+     * @returns {Spot | null}
+     */
+    spot(element) {
+        if (this.plan < 0 || element < 0) return null;
+        const replay = this.replays[this.plan];
+        return replay.w(element) === 0 ? null : {x: replay.x(element), y: replay.y(element)};
+    }
+}
+
+/**
+ * What the position alone gives.
+ * @param {Column} column
+ */
+function isOfPlace(column) {
+    return ['angle', 'place_x', 'place_y', 'slid'].includes(column.kind);
+}

@@ -1,0 +1,486 @@
+// The page: what a reader's hand does, and what it changes. Holds the one motion; figures follow it.
+
+class Page {
+    constructor() {
+        this.data = JSON.parse(/** @type {HTMLElement} */ (document.getElementById('data')).textContent ?? '');
+        this.language = document.documentElement.lang;
+        this.motion = this.data.moving ? new Motion(this.data.moving) : null;
+        this.step = -1;  // all
+        this.isPlaying = false;
+        /** @type {Record<string, FigureView[]>} */
+        this.views = {};
+        /**
+         * What the figures may cover on the way of a driver, by language and driver.
+         * @type {Map<string, Map<SVGSVGElement, number[]>>}
+         */
+        this.rooms = new Map();
+        this.sheets = [...document.querySelectorAll('main')];
+    }
+
+    start() {
+        this.wireReading();
+        if (this.motion) this.wireMoving(this.motion);
+        this.setLanguage(this.language);
+        if (this.motion) this.chooseDriver(0);
+        document.documentElement.dataset.ready = 'true';
+    }
+
+    /** @param {string} key */
+    word(key) {
+        return this.data.words[this.language][key];
+    }
+    /** @returns {HTMLElement} */
+    get sheet() {
+        return /** @type {HTMLElement} */ (this.sheets.find((each) => each.lang === this.language));
+    }
+    /**
+     * @param {string} id
+     * @returns {any}
+     */
+    at(id) {
+        return document.getElementById(id);
+    }
+    /** Figures of the language that is shown. */
+    get figures() {
+        return this.views[this.language] ?? [];
+    }
+
+    // --- language, theme ------------------------------------------------------------------------------------------------------
+
+    /** @param {string} language */
+    setLanguage(language) {
+        this.language = language;
+        document.documentElement.lang = language;
+        for (const sheet of this.sheets) sheet.hidden = sheet.lang !== language;
+        for (const node of document.querySelectorAll('[data-word]')) {
+            const main = node.closest('main');
+            const words = this.data.words[main ? main.lang : language];
+            node.textContent = words[/** @type {HTMLElement} */ (node).dataset.word ?? ''];
+        }
+        this.at('language').value = language;
+        document.title = this.sheet.querySelector('h1')?.textContent ?? '';
+        this.bindFigures();
+        this.showStep(this.step, false);
+        if (this.motion) this.show();
+    }
+    /** The figures of a language are bound when they are first seen, in the drawn position. */
+    bindFigures() {
+        const {motion} = this;
+        if (!motion || this.views[this.language]) return;
+        const here = {course: motion.course, at: motion.at};
+        motion.toDrawn();
+        const svgs = [...this.sheet.querySelectorAll('.figures svg')];
+        this.views[this.language] = svgs.flatMap((svg, i) => {
+            const info = this.data.figures[this.language][i], own = /** @type {SVGSVGElement} */ (svg);
+            const groups = [...svg.querySelectorAll('g.figure')].filter((group) => !group.parentElement?.closest('g.figure'));
+            const views = groups.map((group) => new FigureView(own, group, info, motion, this.data.names));
+            const follow = views.length > 0 && views.every((view) => view.follows);
+            svg.classList.toggle('following', follow);
+            if (follow) views.forEach((view) => view.bind());
+            return views;
+        });
+        motion.moveTo(here.course, here.at);
+    }
+
+    // --- reading --------------------------------------------------------------------------------------------------------------
+
+    wireReading() {
+        this.at('previous').onclick = () => this.showStep(this.step < 0 ? this.says.length - 1 : Math.max(this.step - 1, 0));
+        this.at('next').onclick = () => this.showStep(this.step < 0 ? 0 : Math.min(this.step + 1, this.says.length - 1));
+        this.at('all').onclick = () => this.showStep(-1);
+        this.at('print').onclick = () => window.print();
+        this.at('language').onchange = () => this.setLanguage(this.at('language').value);
+        const theme = this.at('theme');
+        if (theme) {
+            theme.onchange = () => {
+                if (theme.value) document.documentElement.dataset.theme = theme.value;
+                else delete document.documentElement.dataset.theme;
+            };
+        }
+        document.addEventListener('keydown', (event) => this.onKey(event));
+        for (const sheet of this.sheets) {
+            sheet.addEventListener('pointerover', (event) => this.light(this.saidAt(event.target)));
+            sheet.addEventListener('pointerleave', () => this.light(null));
+            sheet.addEventListener('click', (event) => {
+                const sentence = /** @type {Element} */ (event.target).closest('li[data-says]');
+                if (sentence) this.showStep(this.says.indexOf(/** @type {HTMLElement} */ (sentence)));
+            });
+        }
+    }
+    /**
+     * The sentences of the sheet that is shown, in order.
+     * @returns {HTMLElement[]}
+     */
+    get says() {
+        return [...this.sheet.querySelectorAll('li[data-says]')].map((each) => /** @type {HTMLElement} */ (each));
+    }
+    /** @param {KeyboardEvent} event */
+    onKey(event) {
+        const target = /** @type {HTMLElement} */ (event.target);
+        if (event.ctrlKey || event.metaKey || event.altKey || target.matches('input, select')) return;
+        const actions = /** @type {Record<string, () => void>} */ ({
+            'ArrowRight': () => this.at('next').click(),
+            'n': () => this.at('next').click(),
+            'ArrowLeft': () => this.at('previous').click(),
+            'p': () => this.at('previous').click(),
+            'Escape': () => this.showStep(-1),
+            'Home': () => this.showStep(0),
+            'End': () => this.showStep(this.says.length - 1),
+            ' ': () => this.at('play')?.click(),
+            '0': () => this.at('drawn')?.click(),
+        });
+        const action = actions[event.key];
+        if (!action || (event.key === ' ' && target.matches('button'))) return;
+        event.preventDefault();
+        action();
+    }
+    /**
+     * The number of the statement that is said or drawn there.
+     * @param {EventTarget | null} target
+     */
+    saidAt(target) {
+        const node = target instanceof Element ? target.closest('[data-statement], [data-says]') : null;
+        return node && (node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
+    }
+    /**
+     * Of a sentence its strokes, of a stroke its sentence.
+     * @param {string | null} number
+     */
+    light(number) {
+        for (const node of this.sheet.querySelectorAll('.lit')) node.classList.remove('lit');
+        if (number === null) return;
+        for (const node of this.sheet.querySelectorAll(`[data-statement="${number}"], [data-says="${number}"]`)) node.classList.add('lit');
+    }
+    /**
+     * @param {number} step −1: all
+     * @param {boolean} announced
+     */
+    showStep(step, announced = true) {
+        const {says} = this;
+        this.step = says.length > 0 ? step : -1;
+        const number = (/** @type {HTMLElement} */ each) => Number(each.dataset.says);
+        const now = this.step < 0 ? Infinity : number(says[this.step]);
+        says.forEach((each, i) => {
+            each.classList.toggle('now', i === this.step);
+            if (i === this.step) each.setAttribute('aria-current', 'step');
+            else each.removeAttribute('aria-current');
+        });
+        for (const svg of this.sheet.querySelectorAll('.figures svg')) svg.classList.toggle('reading', this.step >= 0);
+        for (const node of this.sheet.querySelectorAll('svg [data-statement]')) {
+            const drawn = Number(node.getAttribute('data-statement'));
+            node.classList.toggle('now', drawn === now);
+            node.classList.toggle('past', this.step >= 0 && drawn < now);
+            node.classList.toggle('later', this.step >= 0 && drawn > now);
+        }
+        const where = this.step < 0 ? '' : this.word('step').replace('{0}', String(this.step + 1)).replace('{1}', String(says.length));
+        this.at('step').textContent = where;
+        if (!announced || this.step < 0) return;
+        says[this.step].scrollIntoView({block: 'nearest'});
+        this.announce(`${where}: ${spoken(says[this.step])}`);
+    }
+    /** @param {string} words */
+    announce(words) {
+        this.at('announcement').textContent = words;
+    }
+
+    // --- moving ---------------------------------------------------------------------------------------------------------------
+
+    /** @param {Motion} motion */
+    wireMoving(motion) {
+        const driver = this.at('driver');
+        motion.data.courses.forEach((course, i) => driver.add(new Option(course.name, String(i))));
+        driver.parentElement.hidden = motion.data.courses.length < 2;
+        driver.onchange = () => this.chooseDriver(Number(driver.value));
+        const position = this.at('position');
+        position.oninput = () => {
+            this.pause();
+            this.moveTo(Number(position.value));
+        };
+        this.at('play').onclick = () => (this.isPlaying ? this.pause() : this.play());
+        this.at('drawn').onclick = () => {
+            this.pause();
+            motion.toDrawn(this.course);
+            this.show();
+        };
+        this.at('fit').onchange = () => this.show();
+        for (const sheet of this.sheets) {
+            for (const svg of sheet.querySelectorAll('.figures svg')) this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
+        }
+    }
+    /** @returns {Course} */
+    get course() {
+        return this.data.moving.courses[Number(this.at('driver').value) || 0];
+    }
+    /** @param {number} index */
+    chooseDriver(index) {
+        this.pause();
+        this.at('driver').value = String(index);
+        const {course} = this, position = this.at('position');
+        position.min = String(course.samples[0].at);
+        position.max = String(course.samples[course.samples.length - 1].at);
+        position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
+        this.motion?.toDrawn(course);
+        this.showStops();
+        this.show();
+    }
+    /** Limits and change points of the way, a button each. */
+    showStops() {
+        const {course} = this, {samples} = course, stops = this.at('stops');
+        stops.textContent = '';
+        const ends = [
+            ...course.startsAtLimit ? [samples[0].at] : [], ...course.changePoints,
+            ...course.endsAtLimit ? [samples[samples.length - 1].at] : [],
+        ];
+        for (const at of ends) {
+            const button = document.createElement('button');
+            button.type = 'button';
+            button.textContent = this.positionText(at);
+            button.title = this.word(course.changePoints.includes(at) ? 'change point' : 'limit');
+            button.onclick = () => {
+                this.pause();
+                this.moveTo(at);
+            };
+            stops.append(button, ' ');
+        }
+    }
+    /** @param {number} at */
+    moveTo(at) {
+        if (!this.motion?.moveTo(this.course, at)) return this.say(this.word('out of reach'));
+        this.show();
+    }
+    play() {
+        this.isPlaying = true;
+        this.at('play').textContent = this.word('pause');
+        const {course} = this, {samples} = course, from = samples[0].at, to = samples[samples.length - 1].at;
+        const turns = !course.startsAtLimit && !course.endsAtLimit;
+        let sense = 1, before = performance.now();
+        const frame = (/** @type {number} */ now) => {
+            if (!this.isPlaying) return;
+            let at = (this.motion?.at ?? 0) + sense * (to - from) * Math.min(now - before, 100) / 8000;
+            before = now;
+            if (turns && at > to) at = from + (at - to);
+            if (at >= to || at <= from) sense = at >= to ? -1 : 1;
+            this.moveTo(Math.min(Math.max(at, from), to));
+            requestAnimationFrame(frame);
+        };
+        requestAnimationFrame(frame);
+    }
+    pause() {
+        this.isPlaying = false;
+        if (this.at('play')) this.at('play').textContent = this.word('play');
+    }
+
+    /** @param {number} at */
+    positionText(at) {
+        const {course} = this;
+        const written = (/** @type {number} */ value, /** @type {number} */ digits) =>
+            value.toLocaleString(this.language, {maximumFractionDigits: digits}).replace('-', '−');
+        if (course.byLaw) return `${written(at, 3)} s`;
+        return course.turns ? `${written(at * 180 / Math.PI, 2)}°` : `${written(at * 1000, 2)} mm`;
+    }
+    /** All that hangs on the position. */
+    show() {
+        const {motion} = this;
+        if (!motion) return;
+        const {course} = this, {samples} = course;
+        this.at('position').value = String(motion.at);
+        this.at('where').textContent = this.positionText(motion.at);
+        const isNear = (/** @type {number} */ at) => Math.abs(at - motion.at) < 1e-6 * Math.abs(course.to - course.from);
+        const atLimit = course.startsAtLimit && isNear(samples[0].at) || course.endsAtLimit && isNear(samples[samples.length - 1].at);
+        if (course.changePoints.some(isNear)) this.say(this.word('change point'));
+        else if (atLimit) this.say(this.word('limit'));
+        else this.say(motion.plan < 0 ? this.word('no construction') : '');
+        for (const view of this.figures) this.showFigure(view, motion);
+        for (const cell of this.sheet.querySelectorAll('td[data-column]')) {
+            const index = Number(/** @type {HTMLElement} */ (cell).dataset.column), value = motion.value(index);
+            cell.textContent = value === null ? '–' : this.numberText(value / motion.data.columns[index].size);
+        }
+        for (const note of this.sheet.querySelectorAll('.text .note')) /** @type {HTMLElement} */ (note).hidden = motion.isDrawn;
+    }
+    /** @param {string} words */
+    say(words) {
+        if (this.at('reason').textContent !== words) this.at('reason').textContent = words;
+    }
+    /** @param {number} value */
+    numberText(value) {
+        const size = Math.abs(value);
+        const text = size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(4) : String(Number(value.toPrecision(6)));
+        return (this.language === 'it' ? text.replace('.', ',') : text).replace('-', '−');
+    }
+    /**
+     * @param {FigureView} view
+     * @param {Motion} motion
+     */
+    showFigure(view, motion) {
+        const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (view.isMechanism || motion.plan >= 0);
+        const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
+        note.hidden = motion.isDrawn || canFollow;
+        view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
+        view.restore();
+        if (motion.isDrawn || !canFollow) return this.sayScale(view, 1);
+        const fits = this.at('fit').checked && !view.isMechanism;
+        const to = fits ? view.fitted() : undefined;
+        view.follow(fits ? view.viewBox : this.roomOf(view), to);
+        this.sayScale(view, to ? to.scale / view.drawnScale : 1);
+    }
+    /**
+     * @param {FigureView} view
+     * @param {number} share
+     */
+    sayScale(view, share) {
+        const scale = /** @type {HTMLElement | null} */ (view.svg.closest('figure')?.querySelector('.scale'));
+        if (!scale) return;
+        scale.dataset.drawn ??= scale.innerHTML;
+        if (share === 1) {
+            if (scale.innerHTML !== scale.dataset.drawn) scale.innerHTML = scale.dataset.drawn;
+        } else {
+            scale.textContent = `1 mm ≙ ${this.numberText(Number((view.drawnScale * share).toPrecision(3)))} ${view.unit}`;
+        }
+    }
+    /**
+     * The figure's own room and what it covers anywhere on the way: so nothing leaves it, and it stays as large throughout.
+     * @param {FigureView} view
+     */
+    roomOf(view) {
+        const key = `${this.language} ${this.course.driver}`;
+        if (!this.rooms.has(key)) this.rooms.set(key, this.measureRooms());
+        return this.rooms.get(key)?.get(view.svg) ?? view.viewBox;
+    }
+    measureRooms() {
+        const motion = /** @type {Motion} */ (this.motion), {course} = this, here = motion.at;
+        const margin = 8, most = 1;
+        const rooms = new Map(this.figures.map((view) => {
+            const [x, y, width, height] = view.viewBox;
+            return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
+        }));
+        for (const sample of course.samples) {
+            if (!motion.moveTo(course, sample.at)) continue;
+            for (const view of this.figures) {
+                if (!view.svg.matches('.following') || (!view.isMechanism && motion.plan < 0)) continue;
+                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg));
+                view.scale = view.drawnScale;
+                view.origin = view.drawnOrigin;
+                for (const at of view.extent()) {
+                    room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
+                    room.right = Math.min(Math.max(room.right, at.x + margin), x + most * width);
+                    room.top = Math.max(Math.min(room.top, at.y - margin), y - most * height);
+                    room.bottom = Math.min(Math.max(room.bottom, at.y + margin), y + most * height);
+                }
+            }
+        }
+        motion.moveTo(course, here);
+        return new Map([...rooms].map(
+            ([svg, room]) => [svg, [room.left, room.top, room.right - room.left, room.bottom - room.top]]));
+    }
+
+    // --- dragging -------------------------------------------------------------------------------------------------------------
+
+    /**
+     * A point that moves is taken by hand: the mechanism goes where on its way the point is nearest to the hand.
+     * @param {SVGSVGElement} svg
+     * @param {Motion} motion
+     */
+    wireDragging(svg, motion) {
+        /** @type {{point: number, path: Spot[], sample: number} | null} */
+        let held = null;
+        const view = () => this.figures.find((each) => each.svg === svg && each.isMechanism);
+        const spotOf = (/** @type {PointerEvent} */ event) => {
+            const matrix = svg.getScreenCTM();
+            return matrix ? new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()) : null;
+        };
+        svg.addEventListener('pointerdown', (event) => {
+            const figure = view(), at = spotOf(event);
+            if (!figure || !at) return;
+            const point = nearestMoving(figure, motion, at);
+            if (point < 0) return;
+            this.pause();
+            const path = this.pathOf(point), {samples} = this.course;
+            const sample = samples.reduce((best, each, i) =>
+                Math.abs(each.at - motion.at) < Math.abs(samples[best].at - motion.at) ? i : best, 0);
+            held = {point, path, sample};
+            svg.setPointerCapture(event.pointerId);
+            svg.classList.add('holding');
+            event.preventDefault();
+        });
+        svg.addEventListener('pointermove', (event) => {
+            const figure = view(), at = spotOf(event);
+            if (!held || !figure || !at) return;
+            const near = nearestOnPath(held.path, figure.unpaper(at), held.sample, !this.course.startsAtLimit && !this.course.endsAtLimit);
+            held.sample = near.sample;
+            const {samples} = this.course, next = samples[Math.min(near.sample + 1, samples.length - 1)];
+            this.moveTo(samples[near.sample].at + near.share * (next.at - samples[near.sample].at));
+        });
+        const leave = () => {
+            held = null;
+            svg.classList.remove('holding');
+        };
+        svg.addEventListener('pointerup', leave);
+        svg.addEventListener('pointercancel', leave);
+    }
+    /**
+     * Where a point comes on the driver's way, m.
+     * @param {number} point
+     * @returns {Spot[]}
+     */
+    pathOf(point) {
+        const motion = /** @type {Motion} */ (this.motion), here = motion.at;
+        const path = this.course.samples.map((sample) => {
+            motion.places.set(sample.q);
+            return motion.places.read().points[point];
+        });
+        motion.moveTo(this.course, here);
+        return path;
+    }
+}
+
+/**
+ * The point under the hand that moves; −1: none.
+ * @param {FigureView} figure
+ * @param {Motion} motion
+ * @param {Spot} at
+ */
+function nearestMoving(figure, motion, at) {
+    let best = -1, least = 6;
+    motion.data.points.forEach(([body], i) => {
+        const off = body === 0 ? least : apart(figure.point(i), at);
+        if (off < least) [best, least] = [i, off];
+    });
+    return best;
+}
+
+/**
+ * The place of a path that is nearest to the hand, not far from where it was: a path that crosses itself is gone along.
+ * @param {Spot[]} path
+ * @param {Spot} at
+ * @param {number} before
+ * @param {boolean} closes
+ */
+function nearestOnPath(path, at, before, closes) {
+    const count = path.length - 1, reach = Math.ceil(count / 6);
+    let best = {sample: Math.min(before, count - 1), share: 0}, least = Infinity;
+    for (let k = before - reach; k <= before + reach; ++k) {
+        const i = closes ? (k % count + count) % count : k;
+        if (i < 0 || i >= count) continue;
+        const step = minus(path[i + 1], path[i]), size = dot(step, step);
+        const share = size > 0 ? Math.min(Math.max(dot(minus(at, path[i]), step) / size, 0), 1) : 0;
+        const off = apart(along(path[i], share, step), at);
+        if (off < least) [best, least] = [{sample: i, share}, off];
+    }
+    return best;
+}
+
+/**
+ * A sentence as it is heard, with its equation's table left out.
+ * @param {Element} sentence
+ */
+function spoken(sentence) {
+    const copy = /** @type {Element} */ (sentence.cloneNode(true));
+    for (const table of copy.querySelectorAll('table')) table.remove();
+    return copy.textContent ?? '';
+}
+
+if (typeof document !== 'undefined') {
+    const page = new Page();
+    page.start();
+    Object.assign(window, {kinegraph: page});
+}

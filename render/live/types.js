@@ -1,0 +1,26 @@
+// What the page is given: the shapes of its data, written by render/live/live_data.cpp. No code.
+
+/**
+ * @typedef {{x: number, y: number}} Spot
+ * @typedef {[number, number, number, number, number, number, number, number, number, number, number, number, number, number]} Row
+ *   kind, bodies i and j, p, q, along (x and y each), offset, lever, share of i, share of j, driver (or −1)
+ * @typedef {{turnsWith: number, bodies: [number, number], guide: [number, number], tangent: [number, number],
+ *   locals: [[number, number], [number, number]], reaches: [number, number], straight: [boolean, boolean], circle: number,
+ *   point: number, arc: boolean, touches: boolean, meshes: boolean, pressure: [number, number]}} JointRule
+ * @typedef {{rule: string, given: number, index: number, ends: [number, number], bodies: [number, number], factor: number,
+ *   offset: number}} MovingGiven
+ * @typedef {{givens: (number[])[], strokes: number[], guards: number[], doubtfulBits: number, moving: MovingGiven[],
+ *   sources: number[], vectors: [string, string, number, number, number][], spots: [string, string, number][],
+ *   lines: [string, string, number, number, ...number[]][]}} Plan
+ *   strokes: verb, plane, two inputs, given of each; guards: question, how, two inputs, verdict, stroke before which it is asked;
+ *   sources: an element by column, −1 what vanishes, −2 what is not known
+ * @typedef {{name: string, kind: string, unit: string, size: number, body: number, point: number, joint: number, component: string}} Column
+ * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
+ *   values?: (number | null)[]}} Sample
+ * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
+ *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
+ * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
+ *   points: [number, number, number, number][], joints: JointRule[], directions: number[], columns: Column[], plans: Plan[],
+ *   courses: Course[]}} MovingData
+ *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y, contact
+ */

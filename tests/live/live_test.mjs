@@ -1,0 +1,188 @@
+// The live page, in node and in Chromium: that its interpreter says what the sweep says, that its figures follow and come back,
+// and that a reader's hand and keys do what they should.   node live_test.mjs PROGRAM EXAMPLES
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {Browser} from './browser.mjs';
+import {differences, readPage} from './page.mjs';
+
+const [program, examples] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), 'live-test-'));
+/** @type {Browser} */
+let browser;
+before(async () => {
+    browser = await Browser.start();
+});
+after(async () => {
+    await browser.close();
+    rmSync(folder, {recursive: true, force: true});
+});
+
+const run = (...words) => execFileSync(program, words, {stdio: ['ignore', 'pipe', 'ignore']});
+function pageOf(name, file = join(examples, `${name}.json`), ...more) {
+    const out = join(folder, `${name}.html`);
+    run('solve', file, '-o', out, ...more);
+    return out;
+}
+async function open(path, options) {
+    browser.messages.length = 0;
+    await browser.open(`file://${path}`, options);
+    assert.equal(await browser.run('document.documentElement.dataset.ready'), 'true');
+}
+const quiet = () => assert.deepEqual(browser.messages, []);
+
+// --- the interpreter ----------------------------------------------------------------------------------------------------------
+
+const moved = [
+    'four_bar', 'slider_crank', 'slider_crank_law', 'watt_six_bar', 'quick_return', 'exam_2001', 'geneva_wheel', 'cam_roller_follower',
+    'planetary_train', 'jansen_leg', 'five_bar', 'toggle_clamp', 'scotch_yoke', 'stephenson_1_driver_2', 'whitworth', 'lever_on_springs',
+    'elliptic_trammel', 'rack_and_pinion', 'disc_on_line', 'slider_crank_offset',
+];
+for (const name of moved) {
+    test(`${name}: every value in 72 positions is the sweep's`, () => {
+        const page = readPage(pageOf(name));
+        const sweep = JSON.parse(run('sweep', join(examples, `${name}.json`), '--steps', '72', '-o', '-', '--format', 'json'));
+        const found = differences(page, sweep);
+        assert.deepEqual(found.missing, []);
+        assert.ok(found.compared >= 60 * page.data.moving.columns.length, `${found.compared} values`);
+        assert.ok(found.worst.share <= 1e-9, JSON.stringify(found.worst));
+        assert.ok(Buffer.byteLength(page.html) <= (name === 'four_bar' ? 250e3 : 1e6));
+    });
+}
+
+// --- the page -----------------------------------------------------------------------------------------------------------------
+
+test('figures follow the slider and come back as they were', async () => {
+    await open(pageOf('watt_six_bar'));
+    const drawing = 'kinegraph.sheet.querySelector(".figures").innerHTML';
+    const before = await browser.run(drawing);
+    const moved = await browser.run(`(() => {
+        const slider = document.getElementById('position');
+        slider.value = String(Math.PI / 3);
+        slider.dispatchEvent(new Event('input'));
+        const at = document.querySelector('[data-figure-name=velocity] [data-name=v_B] line.axis');
+        const length = Math.hypot(at.x2.baseVal.value - at.x1.baseVal.value, at.y2.baseVal.value - at.y1.baseVal.value);
+        const {motion, figures} = kinegraph;
+        const view = figures.find((each) => each.id === 'velocity');
+        const names = motion.data.columns.map((column) => column.name);
+        const v = Math.hypot(motion.value(names.indexOf('vx B')), motion.value(names.indexOf('vy B')));
+        return {length, wanted: v / view.scale, where: document.getElementById('where').textContent,
+            shown: document.querySelector('td[data-column="' + names.indexOf('omega 6') + '"]').textContent,
+            omega: motion.value(names.indexOf('omega 6'))};
+    })()`);
+    assert.equal(moved.where, '60°');
+    assert.ok(Math.abs(moved.length - moved.wanted) < 1e-4 * moved.wanted, JSON.stringify(moved));
+    assert.ok(Math.abs(Number(moved.shown.replace('−', '-')) - moved.omega) < 1e-5 * Math.abs(moved.omega));
+    assert.notEqual(await browser.run(drawing), before);
+    await browser.run('document.getElementById("drawn").click()');
+    assert.equal(await browser.run(drawing), before);
+    quiet();
+});
+
+test('plays only when asked, and stops', async () => {
+    const at = 'kinegraph.motion.at';
+    assert.equal(await browser.run(at), 0);
+    await browser.run('document.getElementById("play").click()');
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    await browser.run('document.getElementById("play").click()');
+    const stopped = await browser.run(at);
+    assert.ok(stopped > 0);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    assert.equal(await browser.run(at), stopped);
+    quiet();
+});
+
+test('a joint is dragged along its path', async () => {
+    await open(pageOf('four_bar'));
+    const spot = (turn) => `(() => {
+        const figure = kinegraph.figures[0], path = kinegraph.pathOf(kinegraph.data.names.points.findIndex((each) => each.label === 'A'));
+        const samples = kinegraph.course.samples, i = samples.findIndex((each) => each.at >= ${turn} - 1e-9);
+        const at = new DOMPoint(figure.paper(path[i]).x, figure.paper(path[i]).y).matrixTransform(figure.svg.getScreenCTM());
+        return [at.x, at.y];
+    })()`;
+    const [x, y] = await browser.run(spot(0));
+    await browser.mouse('mousePressed', x, y);
+    for (const turn of [0.2, 0.4, 0.6, 0.8]) await browser.mouse('mouseMoved', ...await browser.run(spot(turn)));
+    await browser.mouse('mouseReleased', ...await browser.run(spot(0.8)));
+    const at = await browser.run('kinegraph.motion.at');
+    assert.ok(Math.abs(at - 0.8) < 0.1, String(at));
+    quiet();
+});
+
+test('limits are stops with their reason', async () => {
+    await open(pageOf('five_bar'));
+    await browser.run('document.querySelector("#stops button").click()');
+    assert.match(await browser.run('document.getElementById("reason").textContent'), /dead point/);
+    quiet();
+});
+
+test('steps by keys, announced, each with its sentence and its strokes', async () => {
+    await open(pageOf('four_bar'));
+    await browser.key('ArrowRight');
+    await browser.key('ArrowRight');
+    assert.match(await browser.run('document.getElementById("announcement").textContent'), /^Step 2 of \d+: \S/);
+    await browser.key('Escape');
+    assert.equal(await browser.run('document.querySelectorAll("svg .later").length'), 0);
+    const number = await browser.run('document.querySelector("[data-figure-name=velocity] g.vector").dataset.statement');
+    const lit = await browser.run(`kinegraph.light('${number}'), [...document.querySelectorAll('main:not([hidden]) .lit')].map((each) => each.tagName)`);
+    assert.ok(lit.includes('LI') && lit.includes('g'), lit.join());
+    quiet();
+});
+
+test('the keyboard reaches every control, and the focus is seen', async () => {
+    const seen = [];
+    await browser.run('document.activeElement.blur()');
+    for (let i = 0; i < 12; ++i) {
+        await browser.key('Tab');
+        seen.push(await browser.run('document.activeElement.id + (getComputedStyle(document.activeElement).outlineStyle === "none" ? " unseen" : "")'));
+    }
+    for (const id of ['play', 'position', 'drawn', 'fit', 'previous', 'next', 'all', 'language', 'theme', 'print']) {
+        assert.ok(seen.includes(id), `${id} in ${seen.join()}`);
+    }
+});
+
+test('speaks both languages', async () => {
+    const [english, italian] = await browser.run(`['en', 'it'].map((language) => {
+        kinegraph.setLanguage(language);
+        return document.getElementById('next').textContent + kinegraph.says[0].textContent + document.documentElement.lang;
+    })`);
+    assert.match(english, /^Next step.*en$/);
+    assert.match(italian, /^Passo successivo.*it$/);
+    quiet();
+});
+
+test('figures have names for those who hear them, and no id comes twice', async () => {
+    const page = await browser.run(`(() => {
+        const ids = [...document.querySelectorAll('[id]')].map((each) => each.id);
+        return {twice: ids.filter((id, i) => ids.indexOf(id) !== i),
+            mute: [...document.querySelectorAll('.figures > figure > svg')].filter((svg) => !svg.getAttribute('aria-label')).length,
+            nameless: [...document.querySelectorAll('button, select, input')].filter((each) => !each.textContent.trim() &&
+                !each.labels?.[0]?.textContent.trim() && !each.getAttribute('aria-label')).map((each) => each.id)};
+    })()`);
+    assert.deepEqual(page, {twice: [], mute: 0, nameless: []});
+});
+
+test('names are text, whatever they say, and nothing is loaded', async () => {
+    const file = JSON.parse(readFileSync(join(examples, 'four_bar.json'), 'utf8'));
+    file.title = '</script><img src=x onerror="document.title=1">';
+    const text = JSON.stringify(file).replaceAll('"O4"', '"<b onclick=alert(1)>"').replaceAll('"B"', '"javascript:alert(1)"');
+    const hostile = join(folder, 'hostile.json');
+    writeFileSync(hostile, text);
+    const path = pageOf('hostile', hostile);
+    await open(path);
+    assert.equal(await browser.run('document.querySelector("h1").textContent'), file.title);
+    assert.equal(await browser.run('document.querySelectorAll("img, b[onclick], a, iframe, link").length'), 0);
+    assert.equal(await browser.run('performance.getEntriesByType("resource").length'), 0);
+    assert.match(readFileSync(path, 'utf8'), /default-src 'none'; script-src 'sha256-[^' ]+'; style-src 'sha256-[^' ]+'; base-uri 'none'/);
+    quiet();
+});
+
+test('a file without a driver is read all the same', async () => {
+    await open(pageOf('beam'));
+    assert.equal(await browser.run('document.getElementById("play")'), null);
+    assert.ok(await browser.run('document.querySelectorAll("main:not([hidden]) svg[role=img]").length') > 0);
+    quiet();
+});
