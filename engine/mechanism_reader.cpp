@@ -71,7 +71,7 @@ private:
             members(root, {"$schema", "kinegraph", "title",  "units",   "parameters", "precision", "frame",
                            "points",  "bodies",    "joints", "drivers", "masses",     "gravity",   "inertia forces",
                            "loads",   "effort",    "motion", "find",    "scales",     "hertz",     "reye",
-                           "impact",  "ask",       "vary",   "require"},
+                           "impact",  "positions", "ask",    "vary",  "require"},
                     {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
