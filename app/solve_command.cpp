@@ -263,9 +263,9 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     }
     if (wants(request, "equations") && (!solution.equations || !solution.equations->why_not.empty()))
         remark({"no equations: {0}", "nessuna equazione: {0}",
-                solution.equations ? solution.equations->why_not
-                                   : Words("a problem of contact, wear or impact has no joints",
-                                           "un problema di contatto, usura o urto non ha coppie")});
+                solution.equations
+                    ? solution.equations->why_not
+                    : Words("a problem in place of joints has no loops", "un problema al posto delle coppie non ha maglie")});
     if (!request.figure.empty() && !draws)
         remark({"--figure chooses what is drawn, and no drawing is asked for",
                 "--figure sceglie che cosa si disegna, e nessun disegno è richiesto"});

@@ -86,8 +86,8 @@ private:
             on_one_bisector(displacement);
         }
     }
-    /// Both bisectors are one line. The joins of both points meet in the pole; where they coincide too, it is a half turn about the
-    /// common middle; where they are parallel, the body did not turn.
+    /// Both bisectors are one line. The joins of both points meet in the pole; where they coincide too, it is a half turn about
+    /// the common middle; where they are parallel, the body did not turn.
     void on_one_bisector(Displacement& displacement) {
         const std::size_t from = displacement.from, to = displacement.to;
         const Line before = board_.join(places_[from][0], places_[from][1]), after = board_.join(places_[to][0], places_[to][1]);
@@ -199,25 +199,27 @@ std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSo
     for (std::size_t i = 0; i < problem.positions.size(); ++i)
         if (problem.positions[i].moved > 0)
             remarks.emplace_back("{0}{1} was moved by {2} along {3}{0}, so that the body keeps its distance.",
-                                 "{0}{1} è stato spostato di {2} lungo {3}{0}, perché il corpo conservi la distanza.", problem.points[1],
-                                 std::to_string(i + 1), said(problem.positions[i].moved, mechanism), problem.points[0]);
+                                 "{0}{1} è stato spostato di {2} lungo {3}{0}, perché il corpo conservi la distanza.",
+                                 problem.points[1], std::to_string(i + 1), said(problem.positions[i].moved, mechanism),
+                                 problem.points[0]);
     for (const Displacement& each : found.displacements)
         if (each.kind == Displacement::Kind::rest)
             remarks.emplace_back("Positions {0} and {1} are the same: nothing takes one to the other.",
-                                 "Le posizioni {0} e {1} coincidono: nulla porta dall’una all’altra.", std::to_string(each.from + 1),
-                                 std::to_string(each.to + 1));
+                                 "Le posizioni {0} e {1} coincidono: nulla porta dall’una all’altra.",
+                                 std::to_string(each.from + 1), std::to_string(each.to + 1));
     for (std::size_t i = 0; i < found.pivots.size(); ++i) {
         const std::string& point = problem.points.at(i);
         if (found.pivots[i].kind == FixedPivot::Kind::straight)
-            remarks.emplace_back("The three places of {0} lie on a straight line: its pivot lies at infinity, and a slider on that line guides it.",
-                                 "I tre luoghi di {0} stanno su una retta: la sua cerniera è all’infinito, e lo guida un corsoio su quella retta.",
-                                 point);
+            remarks.emplace_back(
+                "The three places of {0} lie on a straight line: its pivot lies at infinity, and a slider on that line guides it.",
+                "I tre luoghi di {0} stanno su una retta: la sua cerniera è all’infinito, e lo guida un corsoio su quella retta.",
+                point);
         if (found.pivots[i].kind == FixedPivot::Kind::free)
             remarks.emplace_back("Two places of {0} coincide: every point of one bisector may be its pivot.",
                                  "Due luoghi di {0} coincidono: ogni punto di un asse può esserne la cerniera.", point);
         if (found.pivots[i].kind == FixedPivot::Kind::fixed)
-            remarks.emplace_back("{0} keeps its place: it is itself the fixed pivot.", "{0} non si sposta: è esso stesso la cerniera fissa.",
-                                 point);
+            remarks.emplace_back("{0} keeps its place: it is itself the fixed pivot.",
+                                 "{0} non si sposta: è esso stesso la cerniera fissa.", point);
     }
     return remarks;
 }

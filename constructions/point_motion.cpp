@@ -17,17 +17,20 @@ using Form = PointProblem::Form;
 // ----- numbers with their noise
 
 Estimate operator+(const Estimate& a, const Estimate& b) {
-    return {a.value + b.value, a.noise + b.noise + std::numeric_limits<double>::epsilon() * (std::abs(a.value) + std::abs(b.value))};
+    return {a.value + b.value,
+            a.noise + b.noise + std::numeric_limits<double>::epsilon() * (std::abs(a.value) + std::abs(b.value))};
 }
 Estimate operator-(const Estimate& a) { return {-a.value, a.noise}; }
 Estimate operator-(const Estimate& a, const Estimate& b) { return a + -b; }
 Estimate operator*(const Estimate& a, const Estimate& b) {
     const double value = a.value * b.value;
-    return {value, std::abs(a.value) * b.noise + std::abs(b.value) * a.noise + std::numeric_limits<double>::epsilon() * std::abs(value)};
+    return {value,
+            std::abs(a.value) * b.noise + std::abs(b.value) * a.noise + std::numeric_limits<double>::epsilon() * std::abs(value)};
 }
 Estimate operator/(const Estimate& a, const Estimate& b) {
     const double value = a.value / b.value;
-    return {value, (a.noise + std::abs(value) * b.noise) / std::abs(b.value) + std::numeric_limits<double>::epsilon() * std::abs(value)};
+    return {value,
+            (a.noise + std::abs(value) * b.noise) / std::abs(b.value) + std::numeric_limits<double>::epsilon() * std::abs(value)};
 }
 Estimate certain(double value) { return {value, std::numeric_limits<double>::epsilon() * std::abs(value)}; }
 Estimate certain(const Exact& value) { return certain(value.to_double()); }
@@ -72,8 +75,9 @@ public:
     }
     /// NaN where it is not found.
     double x_at(double way) {
-        // No step longer than the last curve lets it be foreseen.
-        constexpr int steps = 16;
+        // The first way may be long; from sample to sample it is short.
+        const int steps = has_begun_ ? 4 : 400;
+        has_begun_ = true;
         const double from = way_;
         for (int i = 1; i <= steps; ++i) {
             const double next = from + (way - from) * i / steps;
@@ -85,7 +89,8 @@ public:
 
 private:
     double rate(double x) const {
-        const double slope = curve(x)[1].value;
+        const double unit = path_.f.law.unit.to_double(), per = path_.f.law.variable_unit.to_double();
+        const double slope = unit / per * estimate(of_path_.by_order[1], constants_, x / per).value;
         return std::sqrt(1 + slope * slope);
     }
     double length_between(double from, double to) const {
@@ -115,6 +120,7 @@ private:
     const Derived& of_path_;
     const NamedConstants& constants_;
     double x_, way_ = 0;
+    bool has_begun_ = false;
 };
 
 // ----- the motion
@@ -251,13 +257,14 @@ private:
                     return not_finite(problem_.laws[i], orders.at(order), values_of(i, time).at(order).value, time);
         if (problem_.path)
             if (const auto* graph = std::get_if<GraphPath>(&*problem_.path))
-                return Error{ErrorCode::bad_input,
-                             graph->f.where,
-                             {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
-                              "shorten the interval, or begin elsewhere (\"start\")",
-                              "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
-                              "accorciare l’intervallo, o partire altrove (\"start\")",
-                              number_text(time)}};
+                return Error{
+                    ErrorCode::bad_input,
+                    graph->f.where,
+                    {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
+                     "shorten the interval, or begin elsewhere (\"start\")",
+                     "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
+                     "accorciare l’intervallo, o partire altrove (\"start\")",
+                     number_text(time)}};
         return Error{ErrorCode::bad_input,
                      where,
                      {"these numbers are too large to be computed with; check the units",
@@ -273,12 +280,14 @@ private:
         return text;
     }
     Error not_finite(const StatedLaw& law, const Words& order, double value, double time) const {
-        const Words how = std::isinf(value) ? Words("is infinite", "è infinita") : Words("is not real, or is infinite,", "non è reale, o è infinita,");
-        return Error{ErrorCode::bad_input,
-                     law.where,
-                     {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
-                      "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la legge", order,
-                      Words(law.symbol), how, number_text(time)}};
+        const Words how = std::isinf(value) ? Words("is infinite", "è infinita")
+                                            : Words("is not real, or is infinite,", "non è reale, o è infinita,");
+        return Error{
+            ErrorCode::bad_input,
+            law.where,
+            {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
+             "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la legge",
+             order, Words(law.symbol), how, number_text(time)}};
     }
 
     // ----- over the interval
@@ -483,13 +492,15 @@ std::vector<Words> remarks_on(const PointProblem& problem, const PointMotionSolu
             "In questo istante il punto è fermo (v = 0): tangente, normale e raggio di curvatura non sono definiti, quindi l’accelerazione "
             "non ha componenti tangenziale e normale.");
     else if (found.straight)
-        remarks.emplace_back("The normal acceleration vanishes: the radius of curvature is infinite, the centre of curvature lies at infinity "
-                             "on the normal.",
-                             "L’accelerazione normale è nulla: il raggio di curvatura è infinito, il centro di curvatura è all’infinito sulla "
-                             "normale.");
+        remarks.emplace_back(
+            "The normal acceleration vanishes: the radius of curvature is infinite, the centre of curvature lies at infinity "
+            "on the normal.",
+            "L’accelerazione normale è nulla: il raggio di curvatura è infinito, il centro di curvatura è all’infinito sulla "
+            "normale.");
     if (found.at_pole)
-        remarks.emplace_back("The point passes the origin: its polar angle and its radial and transverse components are not defined there.",
-                             "Il punto passa per l’origine: lì l’anomalia e le componenti radiale e trasversale non sono definite.");
+        remarks.emplace_back(
+            "The point passes the origin: its polar angle and its radial and transverse components are not defined there.",
+            "Il punto passa per l’origine: lì l’anomalia e le componenti radiale e trasversale non sono definite.");
     if (problem.form == Form::polar && found.r < 0)
         remarks.emplace_back("r is negative: the point lies on the radius drawn backwards.",
                              "r è negativo: il punto sta sul prolungamento del raggio vettore.");
@@ -505,7 +516,8 @@ Result<ProblemSolution> solve_point_motion(const PointProblem& problem, const Me
     motion.construct(mechanism, pose);
     PointMotionSolution found = std::move(motion).solution();
     ProblemSolution solution;
-    solution.subject = {"Motion of a point: velocity, acceleration, curvature", "Moto di un punto: velocità, accelerazione, curvatura"};
+    solution.subject = {"Motion of a point: velocity, acceleration, curvature",
+                        "Moto di un punto: velocità, accelerazione, curvatura"};
     solution.values = values_of(problem, found, check_point_motion(problem));
     if (auto why = why_no_numbers(solution.values, problem.where)) return tl::unexpected(*std::move(why));
     solution.remarks = remarks_on(problem, found);

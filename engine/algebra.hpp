@@ -10,8 +10,8 @@ namespace kinegraph {
 
 /// What an algebra does. Its functions may be called by many threads at once.
 struct Algebra {
-    /// The derivative by the variable, in an order of terms and factors that depends on the expression alone. Errors, in words: what
-    /// divides by zero or is not real whatever the variable is.
+    /// The derivative by the variable, in an order of terms and factors that depends on the expression alone. Errors, in words:
+    /// what divides by zero or is not real whatever the variable is.
     tl::expected<Expression, Words> (*derivative)(const Expression& of, const NamedConstants& constants) = nullptr;
 };
 

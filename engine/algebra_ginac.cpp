@@ -1,5 +1,5 @@
-// Derivatives by GiNaC: expressions become its, and what it finds becomes expressions again, sorted by an order of ours, since its
-// own hangs on addresses. Its counts of references are not for several threads: one at a time is let in.
+// Derivatives by GiNaC: expressions become its, and what it finds becomes expressions again, sorted by an order of ours, since
+// its own hangs on addresses. Its counts of references are not for several threads: one at a time is let in.
 #include <ginac/ginac.h>
 
 #include <algorithm>
@@ -133,8 +133,8 @@ private:
         std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         // What begins a sum has no minus, if anything has none.
         if (kind == Kind::sum) {
-            const auto positive = std::find_if(parts.begin(), parts.end(),
-                                               [](const auto& each) { return !each.first.second.starts_with('-'); });
+            const auto positive =
+                std::find_if(parts.begin(), parts.end(), [](const auto& each) { return !each.first.second.starts_with('-'); });
             if (positive != parts.end()) std::rotate(parts.begin(), positive, positive + 1);
         }
         Expression made = Expression::of(kind);

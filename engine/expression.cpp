@@ -53,7 +53,8 @@ std::size_t name_length(std::string_view text) {
 // ----- how large it is
 
 bool is_constant_number(const Expression& of) {
-    return of.kind == Kind::number || (of.kind == Kind::product && std::all_of(of.parts.begin(), of.parts.end(), is_constant_number));
+    return of.kind == Kind::number ||
+           (of.kind == Kind::product && std::all_of(of.parts.begin(), of.parts.end(), is_constant_number));
 }
 std::optional<Exact> number_of(const Expression& of) {
     if (of.kind == Kind::number) return of.value;
@@ -171,10 +172,11 @@ private:
         if (rest().starts_with("−") || rest().starts_with("–"))
             return refused({"a minus is written \"-\" in an expression", "il meno in un’espressione si scrive \"-\""});
         if (rest().starts_with("·") || rest().starts_with("×") || is_letter(rest()[0]) || rest()[0] == '(' || is_digit(rest()[0]))
-            return refused({"{0}: a product is written \"*\" in an expression", "{0}: il prodotto in un’espressione si scrive \"*\"",
-                            quoted(rest())});
+            return refused({"{0}: a product is written \"*\" in an expression",
+                            "{0}: il prodotto in un’espressione si scrive \"*\"", quoted(rest())});
         return refused({"{0} is not understood here; +, -, *, /, ^, brackets, numbers with units and names are",
-                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi", quoted(rest())});
+                        "{0} qui non si capisce; si capiscono +, -, *, /, ^, parentesi, numeri con unità e nomi",
+                        quoted(rest())});
     }
     bool too_deep() {
         if (++depth_ <= deepest) return false;
@@ -212,9 +214,8 @@ private:
             if (!other) return other;
             if (!times) {
                 if (other->is_number(0)) return by_zero();
-                other = other->kind == Kind::number
-                            ? Expression::number(1 / other->value)
-                            : Expression::of(Kind::power, {*std::move(other), Expression::number(-1)});
+                other = other->kind == Kind::number ? Expression::number(1 / other->value)
+                                                    : Expression::of(Kind::power, {*std::move(other), Expression::number(-1)});
             }
             factors.push_back(*std::move(other));
         }
@@ -262,7 +263,8 @@ private:
     static Outcome raised(Expression base, Expression exponent) {
         if (const auto number = number_of(exponent)) {
             if (abs(*number) > Exact(static_cast<int>(highest_degree)) || number->bits() > 64)
-                return refused({"an exponent must be a fraction from −{0} to {0}", "un esponente deve essere una frazione fra −{0} e {0}",
+                return refused({"an exponent must be a fraction from −{0} to {0}",
+                                "un esponente deve essere una frazione fra −{0} e {0}",
                                 std::to_string(static_cast<int>(highest_degree))});
             exponent = Expression::number(*number);
             if (base.is_number(0) && number->sign() <= 0) return by_zero();
@@ -318,16 +320,16 @@ private:
         const auto known = elementary_called(name);
         if (!known && name != "sqrt" && name != "ln") {
             if (name == variable_ || look_up_(name)) return unexpected_here();
-            return refused({"{0} is no function known here; there are sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log",
-                            "{0} non è una funzione nota; ci sono sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log",
-                            quoted(name)});
+            return refused(
+                {"{0} is no function known here; there are sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log",
+                 "{0} non è una funzione nota; ci sono sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log",
+                 quoted(name)});
         }
         takes('(');
         Outcome argument = sum();
         if (!argument) return argument;
         if (!takes(')')) return refused({"a bracket is not closed", "una parentesi non è chiusa"});
-        if (name == "sqrt")
-            return raised(*std::move(argument), Expression::number(Exact::ratio(1, 2)));
+        if (name == "sqrt") return raised(*std::move(argument), Expression::number(Exact::ratio(1, 2)));
         return Expression::of(known.value_or(Elementary::log), *std::move(argument));
     }
     Outcome constant(std::string_view name) {
@@ -388,7 +390,8 @@ private:
             const std::string_view spelt = text_.substr(from, length);
             if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || unit_spelt(spelt) == nullptr) continue;
             const std::size_t behind = from + length;
-            const bool goes_on = behind < text_.size() && is_letter(spelt.back()) && (is_letter(text_[behind]) || is_digit(text_[behind])) &&
+            const bool goes_on = behind < text_.size() && is_letter(spelt.back()) &&
+                                 (is_letter(text_[behind]) || is_digit(text_[behind])) &&
                                  static_cast<signed char>(spelt.back()) >= 0 && static_cast<signed char>(text_[behind]) >= 0;
             if (goes_on) continue;
             at_ = behind;
@@ -456,9 +459,10 @@ private:
             const Found other = of(sum.parts[i]);
             if (!other) return other;
             if (*other == *first || sum.parts[i].is_number(0)) continue;
-            return refused({"{0} is {1} and {2} is {3}: they do not go together in a sum; where a number wants a unit, write it behind it",
-                            "{0} è {1} e {2} è {3}: non vanno insieme in una somma; dove un numero vuole un’unità, scriverla dopo di esso",
-                            spelt(sum.parts[0]), described_as(*first), spelt(sum.parts[i]), described_as(*other)});
+            return refused(
+                {"{0} is {1} and {2} is {3}: they do not go together in a sum; where a number wants a unit, write it behind it",
+                 "{0} è {1} e {2} è {3}: non vanno insieme in una somma; dove un numero vuole un’unità, scriverla dopo di esso",
+                 spelt(sum.parts[0]), described_as(*first), spelt(sum.parts[i]), described_as(*other)});
         }
         return first;
     }
@@ -467,18 +471,20 @@ private:
         if (!base) return base;
         if (!exponent) return exponent;
         if (!exponent->is_a_number())
-            return refused({"an exponent must be a bare number, and {0} is {1}", "un esponente deve essere un numero puro, e {0} è {1}",
-                            spelt(power.parts[1]), described_as(*exponent)});
+            return refused({"an exponent must be a bare number, and {0} is {1}",
+                            "un esponente deve essere un numero puro, e {0} è {1}", spelt(power.parts[1]),
+                            described_as(*exponent)});
         if (base->is_a_number()) return base;
         if (power.parts[1].kind != Kind::number)
             return refused({"{0} is {1}, so its exponent must be a number as it stands",
-                            "{0} è {1}, quindi il suo esponente deve essere un numero scritto", spelt(power.parts[0]), described_as(*base)});
+                            "{0} è {1}, quindi il suo esponente deve essere un numero scritto", spelt(power.parts[0]),
+                            described_as(*base)});
         const mpq_class& to = power.parts[1].value.rational();
         const long top = to.get_num().get_si(), below = to.get_den().get_si();
         const auto times = [&](int each) { return static_cast<int>(each * top / below); };
         if (base->length * top % below != 0 || base->mass * top % below != 0 || base->time * top % below != 0)
-            return refused({"no quantity is that root: {0} is {1}", "nessuna grandezza è quella radice: {0} è {1}", spelt(power.parts[0]),
-                            described_as(*base)});
+            return refused({"no quantity is that root: {0} is {1}", "nessuna grandezza è quella radice: {0} è {1}",
+                            spelt(power.parts[0]), described_as(*base)});
         return Dimension{times(base->length), times(base->mass), times(base->time), 0};
     }
 
@@ -508,7 +514,8 @@ std::string_view name_of(Elementary function) {
     return found->first;
 }
 std::optional<Elementary> elementary_called(std::string_view name) {
-    const auto* const found = std::find_if(functions.begin(), functions.end(), [&](const auto& each) { return each.first == name; });
+    const auto* const found =
+        std::find_if(functions.begin(), functions.end(), [&](const auto& each) { return each.first == name; });
     if (found == functions.end() || found->second == Elementary::abs) return std::nullopt;
     return found->second;
 }
@@ -543,8 +550,8 @@ bool depends_on_variable(const Expression& of) {
 tl::expected<Expressed, Words> read_expression(std::string_view text, const ExpressionForm& form, const LookUp& look_up,
                                                NamedConstants& constants) {
     if (text.size() > longest_text)
-        return refused({"an expression of more than {0} characters; shorten it", "un’espressione di oltre {0} caratteri; accorciarla",
-                        std::to_string(longest_text)});
+        return refused({"an expression of more than {0} characters; shorten it",
+                        "un’espressione di oltre {0} caratteri; accorciarla", std::to_string(longest_text)});
     Outcome tree = Reader(text, form.variable, look_up, constants).whole();
     if (!tree) return refused(std::move(tree.error()));
     if (size_of(*tree).second > longest_derivative)
@@ -647,6 +654,11 @@ private:
             const bool first = text.empty() || text == "-";
             if (!first && part.kind == Kind::power && part.parts[1].is_number(-1)) {
                 text += "/" + within(part.parts[0], Tight::power);
+                continue;
+            }
+            if (!first && part.kind == Kind::number && part.value.rational().get_num() == 1 &&
+                part.value.rational().get_den() != 1) {
+                text += "/" + part.value.rational().get_den().get_str();
                 continue;
             }
             if (!first) text += "*";

@@ -82,12 +82,12 @@ struct ExpressionForm {
     QuantityKind is = QuantityKind::length;
     Exact length_unit = 1;  ///< of bare numbers, m
 };
-/// Names are looked up as formulas look them up; what is met first is added to `constants`. Errors, in words that quote the place:
-/// syntax, unknown names and functions, dimensions that do not go together, more than 100 brackets within each other, powers
-/// whose degrees multiply to more than 1000, numbers of more than 300 digits, texts of more than 1000 characters, and expressions
-/// whose second derivative would be longer than any page. Costs no more than that.
+/// Names are looked up as formulas look them up; what is met first is added to `constants`. Errors, in words that quote the
+/// place: syntax, unknown names and functions, dimensions that do not go together, more than 100 brackets within each other,
+/// powers whose degrees multiply to more than 1000, numbers of more than 300 digits, texts of more than 1000 characters, and
+/// expressions whose second derivative would be longer than any page. Costs no more than that.
 tl::expected<Expressed, Words> read_expression(std::string_view text, const ExpressionForm& form, const LookUp& look_up,
-                                          NamedConstants& constants);
+                                               NamedConstants& constants);
 
 /// "a*cos(omega*t)": reads again as the same.
 std::string written(const Expression& of, const NamedConstants& constants, std::string_view variable);
@@ -99,8 +99,8 @@ struct Estimate {
 };
 Estimate estimate(const Expression& of, const NamedConstants& constants, double variable);
 
-/// Value, first and second derivative by the variable, each rule applied to numbers as the value is computed. Not finite where the
-/// expression is not, or not real.
+/// Value, first and second derivative by the variable, each rule applied to numbers as the value is computed. Not finite where
+/// the expression is not, or not real.
 using Jet = std::array<double, 3>;
 Jet jet(const Expression& of, const NamedConstants& constants, double variable);
 

@@ -19,13 +19,15 @@ const Words& an_expression() {
 
 bool ProblemReader::is_motion_of_a_point(JsonValue motion) {
     if (!motion || !motion.is_object() || motion["body"] || motion["velocities"]) return false;
-    return motion["point"] || std::any_of(law_keys.begin(), law_keys.end(), [&](std::string_view key) { return bool(motion[key]); });
+    return motion["point"] ||
+           std::any_of(law_keys.begin(), law_keys.end(), [&](std::string_view key) { return bool(motion[key]); });
 }
 
 // ----- the motion of a point
 
 tl::expected<Measured, Words> ProblemReader::look_up_constant(std::string_view name) {
-    const auto found = std::find_if(law_constants_.begin(), law_constants_.end(), [&](const auto& each) { return each.first == name; });
+    const auto found =
+        std::find_if(law_constants_.begin(), law_constants_.end(), [&](const auto& each) { return each.first == name; });
     if (found != law_constants_.end()) {
         if (!found->second) return tl::make_unexpected(Words());
         return *found->second;
@@ -40,15 +42,16 @@ tl::expected<Measured, Words> ProblemReader::look_up_constant(std::string_view n
 }
 
 void ProblemReader::read_constants(JsonValue constants) {
-    if (!constants ||
-        !expect(constants, Kind::object, {"an object of constants by name", "un oggetto con le costanti per nome"}))
+    if (!constants || !expect(constants, Kind::object, {"an object of constants by name", "un oggetto con le costanti per nome"}))
         return;
     for (const JsonValue member : constants) {
         std::optional<Measured> value;
         if (!is_parameter_name(member.key()) || member.key() == "t" || member.key() == "x" || elementary_called(member.key()))
-            fault(member, {"{0} can be no constant’s name: a letter, then letters, digits and _; not t, x, pi nor a function",
-                           "{0} non può essere il nome di una costante: una lettera, poi lettere, cifre e _; non t, x, pi né una funzione",
-                           quoted(member.key())});
+            fault(
+                member,
+                {"{0} can be no constant’s name: a letter, then letters, digits and _; not t, x, pi nor a function",
+                 "{0} non può essere il nome di una costante: una lettera, poi lettere, cifre e _; non t, x, pi né una funzione",
+                 quoted(member.key())});
         else if (parameters_.contains(member.key()))
             fault(member, {"{0} is a parameter already; rename one of them", "{0} è già un parametro; rinominare uno dei due",
                            quoted(member.key())});
@@ -60,13 +63,15 @@ void ProblemReader::read_constants(JsonValue constants) {
 
 std::optional<Measured> ProblemReader::read_constant(JsonValue member) {
     if (!is_numeric(member) && !member.is_string()) {
-        wrong(member, {"a number, a quantity as \"20 m/s\" or a formula", "un numero, una grandezza come \"20 m/s\" o una formula"});
+        wrong(member,
+              {"a number, a quantity as \"20 m/s\" or a formula", "un numero, una grandezza come \"20 m/s\" o una formula"});
         return std::nullopt;
     }
     auto value = read_measured(member.text(), [this](std::string_view name) { return look_up_constant(name); });
     if (value && member.is_string() && !is_formula(member.text()) && value->is_bare)
         value = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
-                                          "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette", quoted(member.text())));
+                                          "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",
+                                          quoted(member.text())));
     if (value) return *std::move(value);
     if (!value.error().empty()) fault(member, std::move(value.error()));
     return std::nullopt;
@@ -86,7 +91,8 @@ StatedLaw ProblemReader::read_law(JsonValue value, const std::string& symbol, Qu
     law.text = value.text();
     law_variable_ = of == QuantityKind::time ? "t" : "x";
     const ExpressionForm form{law_variable_, of, is, bare_unit(QuantityKind::length).si};
-    auto read = read_expression(law.text, form, [this](std::string_view name) { return look_up_constant(name); }, constants);
+    auto read = read_expression(
+        law.text, form, [this](std::string_view name) { return look_up_constant(name); }, constants);
     if (read)
         law.law = *std::move(read);
     else if (!read.error().empty())
@@ -113,8 +119,8 @@ void ProblemReader::read_laws(const Members& form, PointProblem& problem) {
     const auto alone = [&](std::initializer_list<std::string_view> others) {
         for (const std::string_view key : others)
             if (form[key])
-                fault(form[key], {"{0} and {1} do not go together; take one of them out", "{0} e {1} non stanno insieme; toglierne una",
-                                  quoted(key), quoted(leading.key())});
+                fault(form[key], {"{0} and {1} do not go together; take one of them out",
+                                  "{0} e {1} non stanno insieme; toglierne una", quoted(key), quoted(leading.key())});
     };
     const auto law = [&](JsonValue value, const char* symbol, QuantityKind is) {
         problem.laws.push_back(read_law(value, symbol, QuantityKind::time, is, problem.constants));
@@ -127,8 +133,8 @@ void ProblemReader::read_laws(const Members& form, PointProblem& problem) {
         problem.form = PointProblem::Form::polar;
         alone({"y", "s"});
         law(leading, "r", QuantityKind::length);
-        law(required(form, "theta", {"the angle of the radius, an expression in t", "l’angolo del raggio, un’espressione in t"}), "θ",
-            QuantityKind::angle);
+        law(required(form, "theta", {"the angle of the radius, an expression in t", "l’angolo del raggio, un’espressione in t"}),
+            "θ", QuantityKind::angle);
     } else {
         problem.form = PointProblem::Form::path;
         alone({"y", "theta"});
@@ -139,7 +145,8 @@ void ProblemReader::read_laws(const Members& form, PointProblem& problem) {
 }
 
 void ProblemReader::read_path(JsonValue value, PointProblem& problem) {
-    if (!expect(value, Kind::object, {"{\"y\": …}, {\"circle\": …} or {\"line\": …}", "{\"y\": …}, {\"circle\": …} o {\"line\": …}"}))
+    if (!expect(value, Kind::object,
+                {"{\"y\": …}, {\"circle\": …} or {\"line\": …}", "{\"y\": …}, {\"circle\": …} o {\"line\": …}"}))
         return;
     const Members form = members(value, {"y", "circle", "line", "start"}, {"a path", "una traiettoria"});
     const JsonValue kind = one_of(form, {"y", "circle", "line"});
@@ -160,12 +167,15 @@ void ProblemReader::read_path(JsonValue value, PointProblem& problem) {
                                QuantityKind::length, {"a radius", "un raggio"});
         problem.path = path;
     } else {
-        if (start) fault(start, {"a line starts where it is \"from\"; take \"start\" out", "una retta parte da \"from\"; togliere \"start\""});
+        if (start)
+            fault(start,
+                  {"a line starts where it is \"from\"; take \"start\" out", "una retta parte da \"from\"; togliere \"start\""});
         if (!expect(kind, Kind::object, {"{\"from\": [x, y], \"along\": X}", "{\"from\": [x, y], \"along\": X}"})) return;
         const Members line = members(kind, {"from", "along"}, {"a line", "una retta"});
         LinePath path;
         path.from = vector(line["from"], QuantityKind::length, {"a place [x, y]", "un luogo [x, y]"}).value_or(Vector{});
-        path.direction = own_direction(required(line, "along", {"its direction, an angle or [dx, dy]", "la sua direzione, un angolo o [dx, dy]"}));
+        path.direction = own_direction(
+            required(line, "along", {"its direction, an angle or [dx, dy]", "la sua direzione, un angolo o [dx, dy]"}));
         problem.path = path;
     }
 }
@@ -178,7 +188,8 @@ Vector ProblemReader::own_direction(JsonValue value) {
 
 void ProblemReader::read_times(const Members& form, PointProblem& problem) {
     const JsonValue at = required(form, "at", {"the instant that is looked at, a time", "l’istante considerato, un tempo"});
-    const JsonValue to = required(form, "to", {"the time up to which the motion is followed", "il tempo fino al quale si segue il moto"});
+    const JsonValue to =
+        required(form, "to", {"the time up to which the motion is followed", "il tempo fino al quale si segue il moto"});
     problem.at = quantity_or_zero(at, QuantityKind::time);
     problem.from = form["from"] ? quantity_or_zero(form["from"], QuantityKind::time) : Exact();
     problem.to = quantity_or_zero(to, QuantityKind::time);
@@ -198,7 +209,8 @@ void ProblemReader::read_times(const Members& form, PointProblem& problem) {
 // ----- positions of a body
 
 std::optional<PositionsProblem> ProblemReader::read_positions(JsonValue section) {
-    const Words wanted("two or three positions {\"A\": [x, y], \"B\": [x, y]}", "due o tre posizioni {\"A\": [x, y], \"B\": [x, y]}");
+    const Words wanted("two or three positions {\"A\": [x, y], \"B\": [x, y]}",
+                       "due o tre posizioni {\"A\": [x, y], \"B\": [x, y]}");
     if (section.size() != 2 && section.size() != 3) {
         fault(section, {"two positions of a body, or three; {0} are given", "due posizioni di un corpo, o tre; ne sono date {0}",
                         std::to_string(section.size())});
@@ -211,8 +223,9 @@ std::optional<PositionsProblem> ProblemReader::read_positions(JsonValue section)
         if (!expect(position, Kind::object, wanted)) return std::nullopt;
         if (problem.positions.empty()) {
             if (position.size() != 2) {
-                fault(position, {"the first position gives the places of two points; {0} are given",
-                                 "la prima posizione dà i luoghi di due punti; ne sono dati {0}", std::to_string(position.size())});
+                fault(position,
+                      {"the first position gives the places of two points; {0} are given",
+                       "la prima posizione dà i luoghi di due punti; ne sono dati {0}", std::to_string(position.size())});
                 return std::nullopt;
             }
             std::size_t i = 0;
@@ -229,8 +242,9 @@ std::optional<PositionsProblem> ProblemReader::read_positions(JsonValue section)
 
 void ProblemReader::read_position(JsonValue value, PositionsProblem& problem) {
     const bool first = problem.positions.empty();
-    const Members form = first ? members(value, {problem.points[0], problem.points[1]}, {"a position", "una posizione"})
-                               : members(value, {problem.points[0], problem.points[1], "turned"}, {"a position", "una posizione"});
+    const Members form = first
+                             ? members(value, {problem.points[0], problem.points[1]}, {"a position", "una posizione"})
+                             : members(value, {problem.points[0], problem.points[1], "turned"}, {"a position", "una posizione"});
     PositionsProblem::Position position;
     position.where = value.pointer();
     const Words place("a place [x, y]", "un luogo [x, y]");
@@ -252,7 +266,8 @@ void ProblemReader::read_position(JsonValue value, PositionsProblem& problem) {
         if (!first) keep_distance(second, problem, position);
     }
     if (first && position.places[0] == position.places[1])
-        fault(value, {"both points lie at the same place; they must lie apart", "i due punti coincidono; devono essere distinti"});
+        fault(value,
+              {"both points lie at the same place; they must lie apart", "i due punti coincidono; devono essere distinti"});
     problem.positions.push_back(std::move(position));
 }
 
@@ -265,10 +280,14 @@ void ProblemReader::keep_distance(JsonValue at, const PositionsProblem& problem,
     const double here = length(arm), there = length(start[1] - start[0]);
     if (arm.is_zero() || std::abs(here - there) > rounded_away * there) {
         const KnownUnit& unit = bare_unit(QuantityKind::length);
-        const auto said = [&](double si) { return Words(std::to_string(si / unit.si.to_double()) + " " + std::string(unit.symbol)); };
-        fault(at, {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; correct one, or give \"turned\"",
-                   "un corpo rigido conserva le distanze: qui {0} e {1} distano {2}, nella prima posizione {3}; correggere, o dare \"turned\"",
-                   problem.points[0], problem.points[1], said(here), said(there)});
+        const auto said = [&](double si) {
+            return Words(std::to_string(si / unit.si.to_double()) + " " + std::string(unit.symbol));
+        };
+        fault(
+            at,
+            {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; correct one, or give \"turned\"",
+             "un corpo rigido conserva le distanze: qui {0} e {1} distano {2}, nella prima posizione {3}; correggere, o dare \"turned\"",
+             problem.points[0], problem.points[1], said(here), said(there)});
         return;
     }
     position.places[1] = position.places[0] + square_root(wanted / squared_length(arm), 200).value * arm;

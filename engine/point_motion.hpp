@@ -58,16 +58,16 @@ struct Derived {
 
 /// What was found of the motion of a point at the instant. Of components that are undefined there the flags tell.
 struct PointMotionSolution {
-    std::vector<Derived> laws;       ///< of PointProblem::laws
-    std::optional<Derived> of_path;  ///< f, f′, f″
+    std::vector<Derived> laws;             ///< of PointProblem::laws
+    std::optional<Derived> of_path;        ///< f, f′, f″
     Vector place, velocity, acceleration;  ///< the doubles that the laws give, as the board takes them
     double way = 0;                        ///< s from `from` on; of a path as its law counts it
     bool rests = false;                    ///< v = 0: no tangent, no normal, no curvature
     bool straight = false;                 ///< a_n = 0: the centre of curvature at infinity
     bool at_pole = false;                  ///< of coordinates: r = 0, no direction of the radius
     /// By the construction; none where `rests`.
-    std::optional<Vector> tangential, normal;  ///< components of the acceleration
-    std::optional<Vector> centre;              ///< of curvature; none where `straight`
+    std::optional<Vector> tangential, normal;                                      ///< components of the acceleration
+    std::optional<Vector> centre;                                                  ///< of curvature; none where `straight`
     double speed = 0, acceleration_length = 0, along = 0, across = 0, radius = 0;  ///< v, |a|, a_t, a_n, ρ
     double r = 0, theta = 0;
     std::array<double, 2> polar_velocity{}, polar_acceleration{};  ///< radial, transverse
@@ -109,8 +109,8 @@ struct Displacement {
     std::optional<Vector> pole;  ///< none of a translation or of rest
     Vector way;                  ///< of a translation
     double angle = 0;            ///< −π … π, counter-clockwise positive
-    /// How the pole was found: the bisectors' meet; where they coincide, the meet of both joins, or the common middle; a point that
-    /// stays.
+    /// How the pole was found: the bisectors' meet; where they coincide, the meet of both joins, or the common middle; a point
+    /// that stays.
     enum class By { bisectors, joins, middle, point } by = By::bisectors;
 };
 /// The fixed pivot of a crank that carries one of the points through three positions: centre of the circle through them.

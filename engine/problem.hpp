@@ -1,6 +1,6 @@
-// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, the motion of a point, positions of a body
-// (the last two in engine/point_motion.hpp); contact at joints of a mechanism, whose force is found first; and what was found of
-// them, as values in SI units. Knows no method: those are constructions/hertz.hpp and its like, the numeric checks
+// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, the motion of a point, positions of a
+// body (the last two in engine/point_motion.hpp); contact at joints of a mechanism, whose force is found first; and what was
+// found of them, as values in SI units. Knows no method: those are constructions/hertz.hpp and its like, the numeric checks
 // engine/check_hertz.hpp and its like.
 #pragma once
 

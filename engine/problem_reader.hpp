@@ -1,7 +1,6 @@
-// The sections of a file that state a problem in place of joints: "hertz", "reye", "impact", "positions", and the "motion" of a point
-// (the last two in motion_reader.cpp); and the "materials" of a joint. Each
-// fault where it stands; what only numbers can tell (curvatures that leave no contact) is told here too, since these problems
-// need no drawing.
+// The sections of a file that state a problem in place of joints: "hertz", "reye", "impact", "positions", and the "motion" of a
+// point (the last two in motion_reader.cpp); and the "materials" of a joint. Each fault where it stands; what only numbers can
+// tell (curvatures that leave no contact) is told here too, since these problems need no drawing.
 #pragma once
 
 #include <memory>

@@ -533,7 +533,7 @@ private:
     const Teller& tell_;
 };
 
-/// What was found of contact, wear or impact: its own section, and the checks of its values.
+/// What was found of a problem in place of joints: its own section, and the checks of its values.
 class ProblemResults {
 public:
     ProblemResults(const Solution& solution, bool exact)

@@ -47,7 +47,8 @@ protected:
     const BodyColour& accelerations() const { return theme_.body(BodyIndex(4)); }
     Pen thin(const std::vector<double>& kind = {}) const { return {theme_.thin, theme_.secondary, kind, false}; }
 
-    void name(const std::string& text, Spot at, Colour colour, std::optional<Spot> toward = std::nullopt, double clearance = 2.2) {
+    void name(const std::string& text, Spot at, Colour colour, std::optional<Spot> toward = std::nullopt,
+              double clearance = 2.2) {
         figure_.labels.push_back({.text = formula(text),
                                   .size = theme_.label,
                                   .colour = colour,
@@ -104,10 +105,8 @@ public:
         draw_path();
         if (!as_question_) draw_vectors();
         figure_.marks.emplace_back(ring(at_, 1.1, theme_.paper, {2 * theme_.outline, path().line, {}, false}));
-        figure_.labels.push_back({.text = one_piece(problem_.point, Face::italic),
-                                  .size = theme_.label,
-                                  .colour = path().letter,
-                                  .anchor = at_});
+        figure_.labels.push_back(
+            {.text = one_piece(problem_.point, Face::italic), .size = theme_.label, .colour = path().letter, .anchor = at_});
         return finished(std::move(figure_), context_, room_);
     }
 
@@ -153,7 +152,8 @@ private:
     void draw_path() {
         std::vector<Spot> spots;
         for (const auto& each : found_.course) spots.push_back(spot_of(each.place, scale_));
-        figure_.marks.emplace_back(GroupBegin{"curve", figure_.id + "-path", problem_.point, {{"data-name", problem_.point}}, none});
+        figure_.marks.emplace_back(
+            GroupBegin{"curve", figure_.id + "-path", problem_.point, {{"data-name", problem_.point}}, none});
         figure_.marks.emplace_back(polyline(spots, {2 * theme_.outline, path().line, {}, true}));
         figure_.marks.emplace_back(GroupEnd{});
         for (const std::size_t i : ticks(spots.size())) figure_.marks.emplace_back(disc(spots[i], 0.55, path().line));
@@ -162,7 +162,8 @@ private:
              spots.front(), path().letter);
         // Half-way between the beginning and the point, along the path.
         std::vector<Spot> gone;
-        for (std::size_t i = 0; i < spots.size() && found_.course[i].time <= problem_.at.to_double(); ++i) gone.push_back(spots[i]);
+        for (std::size_t i = 0; i < spots.size() && found_.course[i].time <= problem_.at.to_double(); ++i)
+            gone.push_back(spots[i]);
         if (gone.size() > 2 && length(gone.back() - gone.front()) > 6) {
             const std::size_t middle = gone.size() / 2;
             name("{s}", gone[middle], path().letter, gone[middle + 1], 1.4);
@@ -197,13 +198,15 @@ private:
         const double acceleration_scale = scale_for(found_.acceleration_length, 22, units().acceleration);
         std::string further;
         if (found_.speed > 0) further = per_millimetre(speed_scale, units().velocity);
-        if (found_.acceleration_length > 0) further += (further.empty() ? "" : ", ") + per_millimetre(acceleration_scale, units().acceleration);
+        if (found_.acceleration_length > 0)
+            further += (further.empty() ? "" : ", ") + per_millimetre(acceleration_scale, units().acceleration);
         figure_.further_scale = further;
         if (found_.acceleration_length > 0) {
             const Spot a = spot_of(found_.acceleration, acceleration_scale);
             const bool in_parts = !found_.rests && !found_.straight && !found_.tangential->is_zero();
             if (in_parts) {
-                const Spot along = spot_of(*found_.tangential, acceleration_scale), across = spot_of(*found_.normal, acceleration_scale);
+                const Spot along = spot_of(*found_.tangential, acceleration_scale),
+                           across = spot_of(*found_.normal, acceleration_scale);
                 figure_.marks.emplace_back(line(at_ + a, at_ + along, thin(dashes())));
                 figure_.marks.emplace_back(line(at_ + a, at_ + across, thin(dashes())));
                 vector("a_t", "{a_t}", at_, along, std::abs(found_.along), "m/s²", accelerations(), dashes());
@@ -269,8 +272,9 @@ public:
     Figure draw() {
         choose();
         const double metres = speed_scale_ * speed_scale_ / acceleration_scale_;
-        figure_ = begun("curvature", "curvature-centre", {"The centre of curvature by similar triangles", "Il centro di curvatura per triangoli simili"},
-                        metres, "m", context_.language);
+        figure_ = begun("curvature", "curvature-centre",
+                        {"The centre of curvature by similar triangles", "Il centro di curvatura per triangoli simili"}, metres,
+                        "m", context_.language);
         const Units& units = context_.solution.mechanism.units;
         figure_.further_scale =
             per_millimetre(speed_scale_, units.velocity) + ", " + per_millimetre(acceleration_scale_, units.acceleration);
@@ -309,7 +313,8 @@ private:
         const double speed_si = units.velocity.si.to_double(), acceleration_si = units.acceleration.si.to_double();
         for (const double longest : {26.0, 22.0, 18.0, 15.0, 12.0, 10.0, 8.0}) {
             speed_scale_ = choose_scale(found_.speed / speed_si, 0, longest, 1, std::nullopt) * speed_si;
-            acceleration_scale_ = choose_scale(found_.across / acceleration_si, 0, 0.6 * longest, 1, std::nullopt) * acceleration_si;
+            acceleration_scale_ =
+                choose_scale(found_.across / acceleration_si, 0, 0.6 * longest, 1, std::nullopt) * acceleration_si;
             const Spot v = spot_of(found_.velocity, speed_scale_), a = spot_of(*found_.normal, acceleration_scale_);
             const double metres = speed_scale_ * speed_scale_ / acceleration_scale_;
             const Box box = box_of_places({-0.35 * v, 1.35 * v, -1.35 * a, a, (found_.radius / metres + 5) * unit(a)});
@@ -380,10 +385,11 @@ Figure speed_figure(const DrawingContext& context, double room_x, double room_y)
 }
 Figure components_figure(const DrawingContext& context, double room_x, double room_y) {
     const PointMotionSolution& found = solution_of(context);
-    return over_time(context, "components", {"Components of the acceleration over time", "Componenti dell’accelerazione nel tempo"},
-                     QuantityKind::acceleration,
-                     {{"a_t", &PointMotionSolution::At::along, found.along}, {"a_n", &PointMotionSolution::At::across, found.across}},
-                     {room_x, room_y});
+    return over_time(
+        context, "components", {"Components of the acceleration over time", "Componenti dell’accelerazione nel tempo"},
+        QuantityKind::acceleration,
+        {{"a_t", &PointMotionSolution::At::along, found.along}, {"a_n", &PointMotionSolution::At::across, found.across}},
+        {room_x, room_y});
 }
 
 }  // namespace kinegraph::render

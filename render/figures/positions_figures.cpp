@@ -99,9 +99,11 @@ private:
     void draw_body(std::size_t position) {
         const BodyColour& colour = theme_.body(BodyIndex(position + 1));
         const Spot a = place(position, 0), b = place(position, 1);
-        figure_.marks.emplace_back(GroupBegin{"link", figure_.id + "-" + std::to_string(position + 1), std::to_string(position + 1), {}, none});
+        figure_.marks.emplace_back(
+            GroupBegin{"link", figure_.id + "-" + std::to_string(position + 1), std::to_string(position + 1), {}, none});
         figure_.marks.emplace_back(line(a, b, {theme_.link, colour.line, {}, true}));
-        for (const Spot pin : {a, b}) figure_.marks.emplace_back(ring(pin, 1.2, theme_.paper, {theme_.outline, colour.line, {}, false}));
+        for (const Spot pin : {a, b})
+            figure_.marks.emplace_back(ring(pin, 1.2, theme_.paper, {theme_.outline, colour.line, {}, false}));
         figure_.marks.emplace_back(GroupEnd{});
         name(numbered(0, position), a, colour.letter);
         name(numbered(1, position), b, colour.letter);
@@ -179,10 +181,12 @@ private:
     void draw_pivot(std::size_t point) {
         const Spot pin = spot(*found_.pivots.at(point).centre);
         figure_.marks.emplace_back(line(pin, place(0, point), {theme_.outline, theme_.text, {}, false}));
-        figure_.marks.emplace_back(polyline({pin, pin + Spot{-3, 5}, pin + Spot{3, 5}}, {theme_.outline, theme_.text, {}, false}, true));
+        figure_.marks.emplace_back(
+            polyline({pin, pin + Spot{-3, 5}, pin + Spot{3, 5}}, {theme_.outline, theme_.text, {}, false}, true));
         figure_.marks.emplace_back(line(pin + Spot{-4.5, 5}, pin + Spot{4.5, 5}, {2 * theme_.outline, theme_.text, {}, false}));
         for (int i = -2; i <= 2; ++i)
-            figure_.marks.emplace_back(line(pin + Spot{1.8 * i, 5}, pin + Spot{1.8 * i - 1.4, 6.6}, {theme_.thin, theme_.text, {}, false}));
+            figure_.marks.emplace_back(
+                line(pin + Spot{1.8 * i, 5}, pin + Spot{1.8 * i - 1.4, 6.6}, {theme_.thin, theme_.text, {}, false}));
         figure_.marks.emplace_back(ring(pin, 1.2, theme_.paper, {theme_.outline, theme_.text, {}, false}));
         name("{" + problem_.points.at(point) + "_0}", pin, theme_.text);
     }

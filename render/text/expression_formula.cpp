@@ -148,8 +148,7 @@ private:
     Formula name_of_function(Elementary function) const {
         std::string name(name_of(function));
         if (function == Elementary::log) name = "ln";
-        if (function == Elementary::asin || function == Elementary::acos || function == Elementary::atan)
-            name.insert(1, "rc");
+        if (function == Elementary::asin || function == Elementary::acos || function == Elementary::atan) name.insert(1, "rc");
         if (language_ == Language::it) {
             if (function == Elementary::sin) name = "sen";
             if (function == Elementary::asin) name = "arcsen";
