@@ -69,7 +69,7 @@ public:
         }
         if (GiNaC::is_a<GiNaC::add>(of)) return sorted(Kind::sum, of);
         if (GiNaC::is_a<GiNaC::mul>(of)) return sorted(Kind::product, of);
-        if (GiNaC::is_a<GiNaC::power>(of)) return Expression::of(Kind::power, {back(of.op(0)), back(of.op(1))});
+        if (GiNaC::is_a<GiNaC::power>(of)) return power_back(back(of.op(0)), back(of.op(1)));
         if (GiNaC::is_a<GiNaC::function>(of)) return function_back(of);
         throw Unwritable("no expression");
     }
@@ -122,24 +122,87 @@ private:
         if (!known || of.nops() != 1) throw Unwritable("no expression");
         return Expression::of(*known, back(of.op(0)));
     }
-    /// Factors: numbers, π, letters, powers of these, functions; terms by the power of the variable; the same by their text.
+    /// GiNaC gives a sum that is a factor, or raised to a whole power, the sign that its own order of terms suggests; here it is
+    /// that of ours.
+    Expression power_back(Expression base, Expression exponent) const {
+        const bool is_whole = exponent.kind == Kind::number && exponent.value.rational().get_den() == 1;
+        if (base.kind != Kind::sum || !is_whole || !first_is_negative(base))
+            return Expression::of(Kind::power, {std::move(base), std::move(exponent)});
+        turn_over(base);
+        const bool is_odd = mpz_odd_p(exponent.value.rational().get_num_mpz_t()) != 0;
+        Expression power = Expression::of(Kind::power, {std::move(base), std::move(exponent)});
+        if (!is_odd) return power;
+        return Expression::of(Kind::product, {Expression::number(-1), std::move(power)});
+    }
+    void turn_over(Expression& sum) const {
+        for (Expression& term : sum.parts) term = opposite(std::move(term));
+        std::stable_sort(sum.parts.begin(), sum.parts.end(), [&](const Expression& a, const Expression& b) {
+            return place_of(Kind::sum, a) < place_of(Kind::sum, b);
+        });
+        put_positive_first(sum);
+    }
+    static bool is_negative(const Expression& of) {
+        const Expression& leading = of.kind == Kind::product ? of.parts[0] : of;
+        return leading.kind == Kind::number && leading.value.sign() < 0;
+    }
+    static Expression opposite(Expression of) {
+        if (of.kind == Kind::number) return Expression::number(-of.value);
+        if (of.kind != Kind::product) return Expression::of(Kind::product, {Expression::number(-1), std::move(of)});
+        if (of.parts[0].kind != Kind::number) {
+            of.parts.insert(of.parts.begin(), Expression::number(-1));
+            return of;
+        }
+        of.parts[0].value = -of.parts[0].value;
+        if (!of.parts[0].is_number(1)) return of;
+        of.parts.erase(of.parts.begin());
+        return of.parts.size() == 1 ? Expression(of.parts[0]) : of;
+    }
+    /// Factors: numbers, π, letters, the variable, sums, functions; terms by the power of the variable; what is alike by its
+    /// text, whatever its sign.
+    using Place = std::pair<int, std::string>;
+    Place place_of(Kind kind, const Expression& part) const {
+        if (kind == Kind::product) return {rank_of_factor(part), written(part, constants_, "t")};
+        return {rank_of_term(part), written(is_negative(part) ? opposite(part) : part, constants_, "t")};
+    }
+    bool first_is_negative(const Expression& sum) const {
+        return is_negative(*std::min_element(sum.parts.begin(), sum.parts.end(), [&](const Expression& a, const Expression& b) {
+            return place_of(Kind::sum, a) < place_of(Kind::sum, b);
+        }));
+    }
+    /// What begins a sum has no minus, if anything has none.
+    static void put_positive_first(Expression& sum) {
+        const auto positive =
+            std::find_if(sum.parts.begin(), sum.parts.end(), [](const Expression& part) { return !is_negative(part); });
+        if (positive != sum.parts.end()) std::rotate(sum.parts.begin(), positive, positive + 1);
+    }
     Expression sorted(Kind kind, const GiNaC::ex& of) {
-        std::vector<std::pair<std::pair<int, std::string>, Expression>> parts;
+        std::vector<std::pair<Place, Expression>> parts;
+        Exact coefficient = 1;
+        const auto take = [&](Expression part) {
+            if (kind == Kind::product && part.kind == Kind::number) {
+                coefficient *= part.value;
+                return;
+            }
+            if (kind == Kind::product && part.kind == Kind::sum && first_is_negative(part)) {
+                turn_over(part);
+                coefficient = -coefficient;
+            }
+            Place place = place_of(kind, part);
+            parts.emplace_back(std::move(place), std::move(part));
+        };
         for (const GiNaC::ex& each : of) {
             Expression part = back(each);
-            const int rank = kind == Kind::product ? rank_of_factor(part) : rank_of_term(part);
-            parts.push_back({{rank, written(part, constants_, "t")}, std::move(part)});
+            if (kind == Kind::product && part.kind == Kind::product)
+                for (Expression& factor : part.parts) take(std::move(factor));
+            else
+                take(std::move(part));
         }
         std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        // What begins a sum has no minus, if anything has none.
-        if (kind == Kind::sum) {
-            const auto positive =
-                std::find_if(parts.begin(), parts.end(), [](const auto& each) { return !each.first.second.starts_with('-'); });
-            if (positive != parts.end()) std::rotate(parts.begin(), positive, positive + 1);
-        }
         Expression made = Expression::of(kind);
-        for (auto& [key, part] : parts) made.parts.push_back(std::move(part));
-        return made;
+        if (coefficient != Exact(1)) made.parts.push_back(Expression::number(coefficient));
+        for (auto& [place, part] : parts) made.parts.push_back(std::move(part));
+        if (kind == Kind::sum) put_positive_first(made);
+        return made.parts.size() == 1 ? Expression(made.parts[0]) : made;
     }
     static int rank_of_factor(const Expression& of) {
         const Expression& base = of.kind == Kind::power ? of.parts[0] : of;

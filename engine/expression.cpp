@@ -592,23 +592,33 @@ public:
     }
 
 private:
-    static Tight tightness(const Expression& of) {
+    Tight tightness(const Expression& of) const {
         switch (of.kind) {
             case Kind::sum:
                 return Tight::sum;
             case Kind::product:
                 return Tight::product;
             case Kind::power:
-                return of.parts[1].is_number(-1) ? Tight::product : Tight::power;
+                return divides(of) ? Tight::product : Tight::power;
             case Kind::number:
                 return of.value.sign() < 0 ? Tight::sum : of.value.rational().get_den() != 1 ? Tight::product : Tight::piece;
-            case Kind::pi:
             case Kind::constant:
+                return constants_[of.constant].name.empty() ? Tight::product : Tight::piece;
+            case Kind::pi:
             case Kind::variable:
             case Kind::function:
                 break;
         }
         return Tight::piece;
+    }
+    /// What stands behind a stroke.
+    static bool divides(const Expression& of) {
+        return of.kind == Kind::power && of.parts[1].kind == Kind::number && of.parts[1].value.sign() < 0;
+    }
+    std::string divisor(const Expression& of) const {
+        const Exact exponent = -of.parts[1].value;
+        if (exponent == Exact(1)) return within(of.parts[0], Tight::power);
+        return within(Expression::of(Kind::power, {of.parts[0], Expression::number(exponent)}), Tight::power);
     }
     std::string spelt(const Expression& of) const {
         switch (of.kind) {
@@ -627,7 +637,7 @@ private:
             case Kind::power:
                 if (of.parts[1].kind == Kind::number && of.parts[1].value == Exact::ratio(1, 2))
                     return "sqrt(" + spelt(of.parts[0]) + ")";
-                if (of.parts[1].is_number(-1)) return "1/" + within(of.parts[0], Tight::power);
+                if (divides(of)) return "1/" + divisor(of);
                 return within(of.parts[0], Tight::piece) + "^" + within(of.parts[1], Tight::piece);
             case Kind::function:
                 return std::string(name_of(of.function)) + "(" + spelt(of.parts[0]) + ")";
@@ -652,8 +662,8 @@ private:
                 continue;
             }
             const bool first = text.empty() || text == "-";
-            if (!first && part.kind == Kind::power && part.parts[1].is_number(-1)) {
-                text += "/" + within(part.parts[0], Tight::power);
+            if (divides(part)) {
+                text += (first ? "1/" : "/") + divisor(part);
                 continue;
             }
             if (!first && part.kind == Kind::number && part.value.rational().get_num() == 1 &&

@@ -142,10 +142,13 @@ TEST(PointMotion, ConstructionIsOnRecord) {
 
 TEST(PointMotion, DerivativesInSymbolsReadLikeABook) {
     NamedConstants constants;
-    EXPECT_EQ(derivative("a*cos(w*t)", constants), "-a*w*sin(t*w)");
-    EXPECT_EQ(derivative("t^3/3 - 2*t + 7", constants), "-2 + t^2");
+    EXPECT_EQ(derivative("a*cos(w*t)", constants), "-a*w*sin(w*t)");
+    EXPECT_EQ(derivative("t^3/3 - 2*t + 7", constants), "t^2 - 2");
     EXPECT_EQ(derivative("exp(-a*t)", constants), "-a*exp(-a*t)");
     EXPECT_EQ(derivative("7", constants), "0");
+    // A sum that is divided by keeps a sign of its own, whatever order the library has it in.
+    EXPECT_EQ(derivative("1/(b - a*t)", constants), "a/(b - a*t)^2");
+    EXPECT_EQ(derivative("t/(w - a)^3", constants), "-1/(a - w)^3");
 }
 
 class RandomText {
