@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/algebra_source.hpp"
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "engine/assert.hpp"
@@ -652,6 +653,7 @@ int main(int count, char** arguments) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     const Language language = language_of(count, arguments);
+    kinegraph::take_algebra_from(loaded_algebra);
     const kinegraph::Words ours("this is a fault of ours", "questo è un errore nostro");
     try {
         return static_cast<int>(run(count, arguments, language));

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "constructions/finite_displacements.hpp"
 #include "constructions/hertz.hpp"
 #include "constructions/impact.hpp"
+#include "constructions/point_motion.hpp"
 #include "constructions/reye.hpp"
 #include "engine/assert.hpp"
 
@@ -12,6 +14,8 @@ namespace kinegraph {
 Result<ProblemSolution> solve_problem(const Problem& problem, const Mechanism& mechanism, const Pose& pose) {
     if (const auto* hertz = std::get_if<HertzProblem>(&problem.of)) return solve_hertz(*hertz);
     if (const auto* reye = std::get_if<ReyeProblem>(&problem.of)) return solve_reye(*reye);
+    if (const auto* point = std::get_if<PointProblem>(&problem.of)) return solve_point_motion(*point, mechanism, pose);
+    if (const auto* positions = std::get_if<PositionsProblem>(&problem.of)) return solve_positions(*positions, mechanism, pose);
     KG_ASSERT(std::holds_alternative<ImpactProblem>(problem.of), "contacts at joints are no problem of their own");
     return solve_impact(std::get<ImpactProblem>(problem.of), mechanism, pose);
 }

@@ -82,8 +82,7 @@ public:
 
     Equations write() {
         if (stands_for_joints(mechanism_))
-            return refused(
-                {"a problem of contact, wear or impact has no joints", "un problema di contatto, usura o urto non ha coppie"});
+            return refused({"a problem in place of joints has no loops", "un problema al posto delle coppie non ha maglie"});
         if (mechanism_.joints.empty() || mechanism_.motion)
             return refused({"there are no joints, and so no loops", "non ci sono coppie, quindi nessuna maglia"});
         collect_classes();

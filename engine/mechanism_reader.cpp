@@ -67,12 +67,11 @@ private:
     // ----- the file
 
     void read_file(JsonValue root) {
-        const Members file =
-            members(root, {"$schema", "kinegraph", "title",  "units",   "parameters", "precision", "frame",
-                           "points",  "bodies",    "joints", "drivers", "masses",     "gravity",   "inertia forces",
-                           "loads",   "effort",    "motion", "find",    "scales",     "hertz",     "reye",
-                           "impact",  "ask",       "vary",   "require"},
-                    {"a mechanism", "un meccanismo"});
+        const Members file = members(
+            root, {"$schema", "kinegraph", "title",  "units",   "parameters",     "precision", "frame",  "points", "bodies",
+                   "joints",  "drivers",   "masses", "gravity", "inertia forces", "loads",     "effort", "motion", "find",
+                   "scales",  "hertz",     "reye",   "impact",  "positions",      "ask",       "vary",   "require"},
+            {"a mechanism", "un meccanismo"});
         const JsonValue version =
             required(file, "kinegraph",
                      {"write \"kinegraph\": 1, the version of the format", "scrivere \"kinegraph\": 1, la versione del formato"});

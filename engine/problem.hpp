@@ -1,6 +1,7 @@
-// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact; contact at joints of a mechanism, whose
-// force is found first; and what was found of them, as values in SI units. Knows no method: those are constructions/hertz.hpp and
-// its like, the numeric checks engine/check_hertz.hpp and its like.
+// Problems that a file states in place of joints: contact (Hertz), wear (Reye), impact, the motion of a point, positions of a
+// body (the last two in engine/point_motion.hpp); contact at joints of a mechanism, whose force is found first; and what was
+// found of them, as values in SI units. Knows no method: those are constructions/hertz.hpp and its like, the numeric checks
+// engine/check_hertz.hpp and its like.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "engine/mechanism.hpp"
+#include "engine/point_motion.hpp"
 #include "engine/units.hpp"
 
 namespace kinegraph {
@@ -99,7 +101,7 @@ struct ReyeProblem {
     std::string where;
 };
 struct Problem {
-    std::variant<HertzProblem, ImpactProblem, ReyeProblem, LoadedContacts> of;
+    std::variant<HertzProblem, ImpactProblem, ReyeProblem, LoadedContacts, PointProblem, PositionsProblem> of;
 };
 /// Whether a problem stands in place of joints; contacts stand at joints.
 inline bool stands_for_joints(const Mechanism& mechanism) {
@@ -214,7 +216,7 @@ using SolvedContacts = std::vector<SolvedContact>;
 
 struct ProblemSolution {
     Words subject;  ///< what the sheet is, for its title block
-    std::variant<HertzSolution, ImpactSolution, ReyeSolution, SolvedContacts> of;
+    std::variant<HertzSolution, ImpactSolution, ReyeSolution, SolvedContacts, PointMotionSolution, PositionsSolution> of;
     std::vector<ProblemValue> values;
     std::vector<Words> remarks;
 };

@@ -21,14 +21,15 @@ constexpr std::string_view flat_word = "flat";
 std::span<const Material> known_materials() { return materials; }
 
 bool ProblemReader::states_problem(const Members& file) {
-    return std::any_of(problem_keys.begin(), problem_keys.end(),
-                       [&](std::string_view key) { return file.has_or_misspells(key); });
+    return std::any_of(problem_keys.begin(), problem_keys.end(), [&](std::string_view key) {
+        return key == "motion" ? is_motion_of_a_point(file[key]) : file.has_or_misspells(key);
+    });
 }
 
 std::shared_ptr<const Problem> ProblemReader::read_problem(const Members& file, Mechanism& mechanism) {
     JsonValue section;
     for (const std::string_view key : problem_keys) {
-        if (!file[key]) continue;
+        if (!file[key] || (key == "motion" && !is_motion_of_a_point(file[key]))) continue;
         if (section)
             fault(file[key], {"{0} and {1} do not go together; take one of them out",
                               "{0} e {1} non stanno insieme; toglierne una", quoted(key), quoted(section.key())});
@@ -38,16 +39,22 @@ std::shared_ptr<const Problem> ProblemReader::read_problem(const Members& file, 
     if (!section) return nullptr;
     for (const std::string_view key :
          {"joints", "drivers", "motion", "masses", "gravity", "inertia forces", "loads", "effort", "find", "scales"}) {
-        if (file[key])
+        if (file[key] && !(key == "motion" && is_motion_of_a_point(file[key])))
             fault(file[key], {"{0} and {1} do not go together; take one of them out",
                               "{0} e {1} non stanno insieme; toglierne una", quoted(key), quoted(section.key())});
     }
-    if (!expect(section, Kind::object, {"an object", "un oggetto"})) return nullptr;
+    if (section.key() == "positions") {
+        if (!expect(section, Kind::array, {"an array of positions", "un array di posizioni"})) return nullptr;
+    } else if (!expect(section, Kind::object, {"an object", "un oggetto"})) {
+        return nullptr;
+    }
     const auto shared = [](auto problem) -> std::shared_ptr<const Problem> {
         if (!problem) return nullptr;
         return std::make_shared<const Problem>(Problem{*std::move(problem)});
     };
     if (section.key() == "reye") return shared(read_reye(section));
+    if (section.key() == "positions") return shared(read_positions(section));
+    if (section.key() == "motion") return shared(read_point_motion(section));
     return section.key() == "hertz" ? shared(read_hertz(section, mechanism)) : shared(read_impact(section, mechanism));
 }
 

@@ -560,7 +560,7 @@ private:
     const Teller& tell_;
 };
 
-/// What was found of contact, wear or impact: its own section, and the checks of its values.
+/// What was found of a problem in place of joints: its own section, and the checks of its values.
 class ProblemResults {
 public:
     ProblemResults(const Solution& solution, bool exact)
@@ -612,6 +612,61 @@ private:
         file.emplace_back("reye", object_of_lines(members));
     }
     void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values_of(found_))); }
+    void add(const PointMotionSolution& found, Members& file) const {
+        const auto& problem = std::get<PointProblem>(mechanism_.problem->of);
+        const auto if_defined = [](bool defined, const std::string& value) { return defined ? value : std::string("null"); };
+        Members members{{"point", quoted(problem.point)},
+                        {"at", number(problem.at)},
+                        {"position", pair(found.place)},
+                        {"velocity", pair(found.velocity)},
+                        {"acceleration", pair(found.acceleration)},
+                        {"way", number(found.way)},
+                        {"speed", number(found.speed)},
+                        {"tangential acceleration", if_defined(!found.rests, number(found.along))},
+                        {"normal acceleration", if_defined(!found.rests, number(found.across))},
+                        {"radius of curvature", if_defined(found.centre.has_value(), number(found.radius))},
+                        {"centre of curvature", found.centre ? pair(*found.centre) : "null"}};
+        const auto two = [](const std::array<double, 2>& of) { return pair(number(of[0]), number(of[1])); };
+        members.emplace_back("polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
+                                                                         {"velocity", two(found.polar_velocity)},
+                                                                         {"acceleration", two(found.polar_acceleration)}})));
+        Members derivatives;
+        const auto add_law = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
+            std::vector<std::string> orders;
+            for (const Expression& each : derived.by_order)
+                orders.push_back((orders.empty() ? "" : ", ") + quoted(written(each, problem.constants, variable)));
+            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol, "[" + orders[0] + orders[1] + orders[2] + "]");
+        };
+        for (std::size_t i = 0; i < found.laws.size(); ++i) add_law(problem.laws[i], found.laws[i], "t");
+        if (found.of_path) add_law(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
+        members.emplace_back("derivatives", object(derivatives));
+        file.emplace_back("motion", object_of_lines(members));
+    }
+    void add(const PositionsSolution& found, Members& file) const {
+        const auto& problem = std::get<PositionsProblem>(mechanism_.problem->of);
+        Members displacements, pivots;
+        for (const Displacement& each : found.displacements) {
+            static constexpr std::array kinds{"rest", "translation", "rotation", "general"};
+            Members members{{"kind", quoted(kinds.at(static_cast<std::size_t>(each.kind)))}};
+            if (each.kind == Displacement::Kind::translation) members.emplace_back("translation", pair(each.way));
+            members.emplace_back("pole", each.pole ? pair(*each.pole) : "null");
+            members.emplace_back("angle", number(each.angle));
+            if (exact_ && each.pole) members.emplace_back("exact", object({{"pole", fractions(*each.pole)}}));
+            displacements.emplace_back(std::to_string(each.from + 1) + "," + std::to_string(each.to + 1), object(members));
+        }
+        for (std::size_t i = 0; i < found.pivots.size(); ++i) {
+            static constexpr std::array kinds{"pivot", "straight line", "free", "fixed"};
+            const FixedPivot& pivot = found.pivots[i];
+            Members members{{"kind", quoted(kinds.at(static_cast<std::size_t>(pivot.kind)))},
+                            {"pivot", pivot.centre ? pair(*pivot.centre) : "null"}};
+            if (pivot.centre) members.emplace_back("crank", number(pivot.radius));
+            if (exact_ && pivot.centre) members.emplace_back("exact", object({{"pivot", fractions(*pivot.centre)}}));
+            pivots.emplace_back(problem.points.at(i), object(members));
+        }
+        Members members{{"displacements", object(displacements)}};
+        if (!pivots.empty()) members.emplace_back("fixed pivots", object(pivots));
+        file.emplace_back("positions", object_of_lines(members));
+    }
     static void add(const SolvedContacts&, Members&) {}  // they go with the mechanism's own results
     std::string checks() const {
         std::vector<std::string> all;

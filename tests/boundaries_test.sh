@@ -53,6 +53,8 @@ check() {
             breach "cairo is render/backends/cairo_backend.cpp's"
         includes '[<"]hb' $rooms | grep -vE '^render/text/(typeface|subset)\.cpp:' |
             breach "HarfBuzz is render/text/typeface.cpp's and subset.cpp's"
+        includes '[<"](ginac|cln)/' $rooms | grep -v '^engine/algebra_ginac\.cpp:' |
+            breach "GiNaC is engine/algebra_ginac.cpp's"
         includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"
         users=$(includes '[<"]CGAL/' engine | cut -d: -f1 | sort -u)
         if [ "$(printf '%s' "$users" | grep -c .)" -gt 2 ]; then
@@ -108,6 +110,7 @@ seen "check.cpp's" tests/a_test.cpp '<Eigen/Dense>'
 seen "check.cpp's" engine/check_forces.hpp '<Eigen/Dense>'
 seen "cairo_backend.cpp's" render/text/text.cpp '<cairo/cairo.h>'
 seen "cairo_backend.cpp's" app/main.cpp '<cairo-pdf.h>'
+seen "algebra_ginac.cpp's" engine/expression.cpp '<ginac/ginac.h>'
 seen "HarfBuzz is" render/text/text.cpp '<hb.h>'
 seen "the engine's" constructions/a.cpp '<CGAL/Point_2.h>'
 seen "more than two" engine/a.cpp '<CGAL/a.h>' engine/b.cpp '<CGAL/a.h>' engine/c.hpp '<CGAL/a.h>'

@@ -7,6 +7,7 @@
 #include "constructions/conditions.hpp"
 #include "constructions/oversights.hpp"
 #include "constructions/solve.hpp"
+#include "engine/algebra.hpp"
 #include "engine/variation.hpp"
 #include "render/backends/backends.hpp"
 #include "render/sheet/sheet.hpp"
@@ -17,6 +18,12 @@ namespace kinegraph::tests {
 namespace {
 
 using namespace render;
+
+// The tests link what the program loads.
+[[maybe_unused]] const bool has_algebra = [] {
+    take_algebra_from([]() -> tl::expected<const Algebra*, Words> { return &ginac_algebra; });
+    return true;
+}();
 
 void expect(bool holds, const char* what) {
     if (!holds) throw std::runtime_error(what);

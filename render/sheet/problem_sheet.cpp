@@ -160,7 +160,19 @@ private:
         std::vector<Item> all{{fitted(heading_block(context_, measure(), say(section.heading))), s, between_sections, true}};
         for (const ProblemFigure& figure : section.figures)
             all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
-        for (const Words& each : section.sentences) all.push_back({sentence(each, measure()), s, 0, false});
+        const auto add_pieces = [&](std::size_t after) {
+            for (const ProblemPiece& piece : section.pieces) {
+                // What announces a formula stays with it.
+                if (piece.after != after) continue;
+                if (!all.empty() && after > 0) all.back().holds_next = true;
+                all.push_back({fitted(piece.set(measure())), s, 0, false});
+            }
+        };
+        add_pieces(0);
+        for (std::size_t k = 0; k < section.sentences.size(); ++k) {
+            all.push_back({sentence(section.sentences[k], measure()), s, 0, false});
+            add_pieces(k + 1);
+        }
         return all;
     }
     static void add(std::vector<Item>& to, std::vector<Item> more) {
@@ -318,13 +330,21 @@ private:
         const Block heading = fitted(heading_block(context_, measure(), say(section.heading)));
         set(marks, heading, {left, y});
         y += heading.height;
-        for (std::size_t i = 0; i <= k; ++i) {
-            Block block = sentence(section.sentences[i], measure());
-            if (i < k)
+        const auto put = [&](Block block, bool is_new) {
+            if (!is_new)
                 for (Mark& mark : block.marks)
                     if (auto* text = std::get_if<TextMark>(&mark)) text->colour = context_.theme.secondary;
             set(marks, block, {left, y});
             y += block.height;
+        };
+        const auto put_pieces = [&](std::size_t after, bool is_new) {
+            for (const ProblemPiece& piece : section.pieces)
+                if (piece.after == after) put(fitted(piece.set(measure())), is_new);
+        };
+        put_pieces(0, k == 0);
+        for (std::size_t i = 0; i <= k; ++i) {
+            put(sentence(section.sentences[i], measure()), i == k);
+            put_pieces(i + 1, i == k);
         }
         return marks;
     }
