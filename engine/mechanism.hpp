@@ -245,11 +245,17 @@ struct RelativeMotionQuery {
     PointIndex translating_with = none;  ///< … or, where there is one, it translates with this point
     std::string where;
 };
+/// A cut through three bars of a truss: bodies, in the file's order of the wish.
+struct CutQuery {
+    std::vector<BodyIndex> bars;
+    std::string where;
+};
 struct Find {
     bool stated = false;  ///< false: all that the data allow
     bool instant_centres = false, velocity = false, acceleration = false, forces = false, curvature = false;
     bool equations = false;  ///< the closure equations: of a file that states nothing else, too
     std::vector<RelativeMotionQuery> relative_motion;
+    std::vector<CutQuery> cuts;
 };
 
 /// A unit of what is printed: its symbol and its size in SI.

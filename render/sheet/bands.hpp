@@ -32,6 +32,7 @@ struct Band {
             steps,
             results,
             reactions,
+            bars,
             lever,
             equations,
             answers,
@@ -76,6 +77,7 @@ private:
     void collect_curvature();
     void collect_forces();
     void collect_bodies();
+    void collect_truss();
     void collect_equations();
     Band& add(const std::string& question, const std::vector<std::string>& figures);
     void add_step(Band& band, std::size_t statement);

@@ -144,7 +144,7 @@ private:
 
     void add_force(const ResultRow& row) {
         const Kind kind = row.quantity.kind;
-        if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort) return;
+        if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort && kind != Kind::bar) return;
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         if (row.group.couples) {
             answer.tolerance = tolerance_of_couple(row);
