@@ -122,7 +122,10 @@ private:
         };
         const auto any = [&](auto rule) { return std::any_of(all.begin(), all.end(), rule); };
         const auto direct = [&](const auto& group) {
-            return leads_on([&] { return magnitudes(group, loads, run); }) ||
+            return leads_on([&] {
+                       if (is_whole(group)) say_of(group, Sentence::structure_whole, {});
+                       return magnitudes(group, loads, run);
+                   }) ||
                    leads_on([&] { return lines(group, loads, run, false); });
         };
         const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
