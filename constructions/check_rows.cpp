@@ -136,10 +136,56 @@ private:
                 add({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.efforts[e].value->to_double(),
                     numeric.efforts[e]);
         for (const Resultant& found : solution_.resultants) compare_resultant(found, numeric);
+        if (solution_.truss) compare_bars(*solution_.truss, numeric);
         for (const FreeBody& body : solution_.free_bodies) {
             auto& actions = comparison_.actions.emplace_back();
             for (const AppliedForce& applied : body.forces) actions.push_back(action_on(body, applied, numeric));
         }
+    }
+    /// What the joints at a bar's first pin give it, with its loads there, seen along the bar.
+    void compare_bars(const Truss& truss, const NumericForces& numeric) {
+        const std::vector<Vector>& places = solution_.pose.points;
+        for (std::size_t b = 0; b < truss.bars.size(); ++b) {
+            const TrussStructure::Bar& bar = truss.structure.bars[b];
+            const PointIndex first = truss.structure.pins[at(bar.pins[0])].point, second = truss.structure.pins[at(bar.pins[1])].point;
+            Pair end{};
+            bool known = true;
+            for (const NumericForces::Action& action : numeric.actions) {
+                if (action.on != bar.body || mechanism_.joint(action.joint).point != first) continue;
+                known = known && action.known;
+                end = {end[0] + action.force[0], end[1] + action.force[1]};
+            }
+            for (const Load& load : mechanism_.loads) {
+                const Pair given = load_at(load, bar.body, first);
+                end = {end[0] + given[0], end[1] + given[1]};
+            }
+            if (!known || !truss.bars[b].force) continue;
+            const Vector along = places[at(second)] - places[at(first)];
+            const Pair unit{along.x.to_double() / kinegraph::length(along), along.y.to_double() / kinegraph::length(along)};
+            const double pull = -(end[0] * unit[0] + end[1] * unit[1]);
+            add({.kind = Kind::bar, .body = bar.body}, truss.tension(b, places), pull);
+            comparison_.bars.emplace_back(b, pull);
+        }
+    }
+    /// What a load gives a body at a point.
+    Pair load_at(const Load& load, BodyIndex body, PointIndex point) const {
+        if (const auto* force = std::get_if<ForceLoad>(&load)) {
+            if (force->body != body || force->at != point) return {};
+            if (force->value) return {force->value->x.to_double(), force->value->y.to_double()};
+            const Vector along = direction_of(force->magnitude->second, solution_.pose);
+            const double share = force->magnitude->first.to_double() / kinegraph::length(along);
+            return {share * along.x.to_double(), share * along.y.to_double()};
+        }
+        const auto* spring = std::get_if<SpringLoad>(&load);
+        if (spring == nullptr) return {};
+        Pair sum{};
+        for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+            if (spring->bodies[end] != body || spring->between[end] != point) continue;
+            const Vector along = solution_.pose.at(spring->between[1 - end]) - solution_.pose.at(spring->between[end]);
+            const double share = pull_of(*spring, solution_.pose).to_double() / kinegraph::length(along);
+            sum = {sum[0] + share * along.x.to_double(), sum[1] + share * along.y.to_double()};
+        }
+        return sum;
     }
     void compare_resultant(const Resultant& found, const NumericForces& numeric) {
         NumericForces::Sum sum;
@@ -397,6 +443,7 @@ void enter(Comparison comparison, Solution& solution) {
             applied.numeric_force = comparison.actions[b][f].force;
             applied.numeric_couple = comparison.actions[b][f].couple;
         }
+    for (const auto& [bar, pull] : comparison.bars) solution.truss->bars[bar].numeric = pull;
 }
 
 std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies) {

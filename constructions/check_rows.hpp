@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/solution.hpp"
@@ -22,6 +23,8 @@ struct Comparison {
         std::optional<double> force, couple;
     };
     std::vector<std::vector<Action>> actions;
+    /// Of bars of a truss, by Truss::bars: N, tension positive.
+    std::vector<std::pair<std::size_t, double>> bars;
     /// By BodyIndex: whether the check finds its motion determined, and not at rest.
     struct Moved {
         bool determined = false, moves = false;

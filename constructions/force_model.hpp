@@ -139,6 +139,8 @@ public:
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
     /// Members that hang together, and neither on the frame nor on an effort.
     std::vector<Group> floating() const;
+    /// Structures of more than one body that hang on the frame.
+    std::vector<Group> hung_on_frame() const;
     /// Bonds between a group and the rest.
     std::vector<int> outer_bonds(const Group& group) const;
 

@@ -9,6 +9,7 @@
 #include "constructions/force_model.hpp"
 #include "constructions/free_bodies.hpp"
 #include "constructions/trial_size.hpp"
+#include "constructions/truss.hpp"
 #include "engine/assert.hpp"
 
 namespace kinegraph {
@@ -20,7 +21,12 @@ class Rules {
 public:
     /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium.
     Rules(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift)
-        : model_(model), board_(board), mechanism_(mechanism), origin_(board.place(PointIndex(0))), adrift_(std::move(adrift)) {}
+        : model_(model),
+          board_(board),
+          mechanism_(mechanism),
+          origin_(board.place(PointIndex(0))),
+          adrift_(std::move(adrift)),
+          wholes_(model.hung_on_frame()) {}
 
     Run run() {
         Run result = solve(model_.loads());
@@ -30,6 +36,19 @@ public:
         return result;
     }
     const NamedMeets& meets() const { return meets_; }
+
+    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame.
+    Run whole(const Group& hung) {
+        Run run = fresh();
+        const Board::Mark before = board_.mark();
+        for (const MemberIndex member : hung) lines({member}, model_.loads(), run, false);
+        bool any = false;
+        for (const Group& group : wholes_)
+            while (magnitudes(group, model_.loads(), run) || lines(group, model_.loads(), run, false)) any = true;
+        if (any) return run;
+        board_.rewind(before);
+        return fresh();
+    }
 
 private:
     // --- one run ------------------------------------------------------------------------------------------------------------
@@ -72,7 +91,7 @@ private:
     }
 
     std::vector<Group> groups() const {
-        std::vector<Group> result;
+        std::vector<Group> result = wholes_;
         for (const MemberIndex member : model_.moving_members()) result.push_back({member});
         // Bodies that slide in one another, taken together; then any two that touch.
         for (const bool only_guides : {true, false}) {
@@ -103,7 +122,10 @@ private:
         };
         const auto any = [&](auto rule) { return std::any_of(all.begin(), all.end(), rule); };
         const auto direct = [&](const auto& group) {
-            return leads_on([&] { return magnitudes(group, loads, run); }) ||
+            return leads_on([&] {
+                       if (is_whole(group)) say_of(group, Sentence::structure_whole, {});
+                       return magnitudes(group, loads, run);
+                   }) ||
                    leads_on([&] { return lines(group, loads, run, false); });
         };
         const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
@@ -163,9 +185,19 @@ private:
     /// A sentence of a body, or of several taken together: they are its first argument.
     void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
         std::string names;
-        for (const MemberIndex member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
+        constexpr std::size_t most_names = 4;
+        if (group.size() > most_names)
+            names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
+        else
+            for (const MemberIndex member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
         arguments.insert(arguments.begin(), BodyName{names});
         say(sentence, std::move(arguments), source, group);
+    }
+    /// Pins come after the bodies.
+    MemberIndex last_body_of(const Group& group) const {
+        const auto last =
+            std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
+        return last == group.rend() ? group.back() : *last;
     }
     /// What the sentence said last finds of a bond, or says of it.
     void found_line(int b, Run& run) const {
@@ -363,7 +395,10 @@ private:
         run.reactions[at(b)].couple = in(group, model_.bonds()[at(b)].first) ? couple_on_group : board_.opposite(couple_on_group);
     }
 
+    bool is_whole(const Group& group) const { return std::find(wholes_.begin(), wholes_.end(), group) != wholes_.end(); }
+
     void note(const Group& group, Run& run) {
+        if (is_whole(group)) return;  // its bodies are resolved later
         for (const MemberIndex member : group) {
             const bool there =
                 std::any_of(run.order.begin(), run.order.end(), [&](const Resolved& r) { return r.member == member; });
@@ -851,6 +886,7 @@ private:
     const Mechanism& mechanism_;
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
+    std::vector<Group> wholes_;                                   ///< structures hung on the frame: cut free whole first
     long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
     int trials_ = 0;                                              ///< trials under way, one in the other
     StatementIndex statement_ = none;                             ///< said last
@@ -859,17 +895,85 @@ private:
     std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
+/// Bars by which a truss hangs on the frame: alone at an unloaded hinge.
+Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& truss) {
+    Group hung;
+    for (const TrussStructure::Pin& pin : truss.pins) {
+        if (pin.hinges.empty() || pin.bars.size() != 1) continue;
+        const ElementIndex here = board.place(pin.point).element;
+        const bool loaded = std::any_of(model.loads().begin(), model.loads().end(),
+                                        [&](const Load& load) { return load.place.element == here; });
+        if (!loaded) hung.push_back(member_of(truss.bars[at(pin.bars.front())].body));
+    }
+    return hung;
+}
+
+/// All that is given on a truss as one force, and where the lines of the reactions meet it.
+std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets, const Run& run) {
+    Group all;
+    for (const MemberIndex member : model.moving_members()) all.push_back(member);
+    Run loads_alone;
+    loads_alone.reactions.resize(run.reactions.size());
+    const Wrench given = model.known_on(all, model.loads(), loads_alone);
+    Truss::Whole whole;
+    for (const Reaction& reaction : run.reactions)
+        if (reaction.known) whole.statement = std::max(whole.statement, reaction.force_statement);
+    if (whole.statement == none || !given.force) return std::nullopt;
+    whole.force = Recorded<Vector>::at(given.force->element);
+    whole.through = Recorded<Vector>::at(given.place.element);
+    for (const auto& [member, named] : meets)
+        for (const NamedMeet& meet : named) {
+            const bool listed =
+                std::any_of(whole.meets.begin(), whole.meets.end(), [&](const auto& each) { return each.name == meet.name; });
+            if (!listed) whole.meets.push_back({meet.name, Recorded<Vector>::at(meet.place.element), meet.statement});
+        }
+    return whole;
+}
+
+/// The whole first, then pin by pin; where that does not lead to the end, body by body.
+ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
+                        const TrussStructure& truss) {
+    const Board::Mark before = board.mark();
+    Statement opening;
+    opening.section = Topic::forces;
+    opening.message = {Sentence::truss_whole, {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
+    board.state(std::move(opening));
+    Rules rules(model, board, mechanism, {});
+    const Run whole = rules.whole(hung_bars(model, board, truss));
+    TrussDrawing drawing(model, board, mechanism, truss, whole);
+    if (drawing.resolve()) {
+        const Run run = drawing.run(whole);
+        ForceResults results = cut_free(model, board, mechanism, mobility, run, rules.meets(), false);
+        results.truss = drawing.finish(run);
+        results.truss->whole = whole_of(model, rules.meets(), whole);
+        for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
+        if (!drawing.has_plan()) results.remarks.push_back({Sentence::truss_without_plan, {}});
+        return results;
+    }
+    board.rewind(before);
+    Rules one_by_one(model, board, mechanism, {});
+    const Run run = one_by_one.run();
+    ForceResults results = cut_free(model, board, mechanism, mobility, run, one_by_one.meets());
+    if (!run.complete || !results.unsolved.empty()) return results;
+    TrussDrawing bars(model, board, mechanism, truss, run);
+    bars.read_off(run);
+    results.truss = bars.finish(run);
+    results.remarks.push_back({Sentence::truss_without_order, {}});
+    return results;
+}
+
 }  // namespace
 }  // namespace statics
 
 ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
     if (structure.mechanism().points.empty()) return {};
     statics::ForceModel model(structure, board, motion);
-    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}, {}};
+    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}, {}, {}};
     std::set<statics::MemberIndex> adrift;
     if (structure.mechanism().drivers.empty())
         for (const statics::Group& group : model.floating())
             if (!model.known_on(group, model.loads(), {}).vanishes()) adrift.insert(group.begin(), group.end());
+    if (const auto truss = truss_of(structure.mechanism())) return statics::draw_truss(model, board, structure.mechanism(), mobility, *truss);
     statics::Rules rules(model, board, structure.mechanism(), std::move(adrift));
     const statics::Run run = rules.run();
     return statics::cut_free(model, board, structure.mechanism(), mobility, run, rules.meets());

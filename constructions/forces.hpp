@@ -8,6 +8,7 @@
 // moments (1863).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct ForceResults {
     std::vector<Unsolved> unsolved;
     std::vector<Message> remarks;
     std::vector<Resultant> resultants;  ///< of bodies that nothing holds
+    std::optional<Truss> truss;         ///< where the mechanism is one; its bars are not cut free one by one then
 };
 
 /// Draws the forces of a loaded mechanism. `motion` gives the accelerations where the file includes inertia.

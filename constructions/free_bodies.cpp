@@ -22,8 +22,9 @@ using Corner = PointOn<Plane::force>;
 
 class FreeBodies {
 public:
-    FreeBodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const NamedMeets& meets)
-        : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), meets_(meets) {}
+    FreeBodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const NamedMeets& meets,
+               bool one_by_one)
+        : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), meets_(meets), one_by_one_(one_by_one) {}
 
     ForceResults cut(const Run& run) {
         collect(run);
@@ -44,6 +45,10 @@ private:
             collect(bond, run.reactions[b], held && open.count(bond.first) == 0 && open.count(bond.second) == 0);
         }
         if (!complete || !balanced) return;
+        if (one_by_one_) draw_bodies(run);
+        remark_lift_off(run);
+    }
+    void draw_bodies(const Run& run) {
         Group order;
         for (const Resolved& resolved : run.order) order.push_back(resolved.member);
         for (const MemberIndex member : model_.moving_members()) {
@@ -52,7 +57,6 @@ private:
         for (const MemberIndex member : order)
             if (unbalanced_.count(member) == 0) free_body(member, run);
         join_polygons();
-        remark_lift_off(run);
     }
 
     // --- bodies that nothing holds ---------------------------------------------------------------------------------------------
@@ -475,6 +479,7 @@ private:
     const Mechanism& mechanism_;
     const Mobility& mobility_;
     const NamedMeets& meets_;
+    bool one_by_one_;
     std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order resolved
     std::set<MemberIndex> unbalanced_;                              ///< floating, and what is given on them does not balance
     ForceResults results_;
@@ -503,8 +508,8 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
 }
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
-                      const NamedMeets& meets) {
-    return FreeBodies(model, board, mechanism, mobility, meets).cut(run);
+                      const NamedMeets& meets, bool one_by_one) {
+    return FreeBodies(model, board, mechanism, mobility, meets, one_by_one).cut(run);
 }
 
 }  // namespace kinegraph::statics

@@ -374,6 +374,7 @@ private:
         solution_.efforts = std::move(forces.efforts);
         solution_.free_bodies = std::move(forces.bodies);
         solution_.resultants = std::move(forces.resultants);
+        solution_.truss = std::move(forces.truss);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
         if (wanted_.velocities && is_moving(mechanism_))

@@ -324,7 +324,7 @@ int Board::add_polygon(Polygon polygon) {
 }
 
 void Board::draw(DrawnVector vector) {
-    vector.statement = current_statement_;
+    if (vector.statement == none) vector.statement = current_statement_;
     if (vector.trial != 0) return protocol_.trials.vectors.push_back(std::move(vector));
     protocol_.polygons[at_index(vector.polygon)].vectors.push_back(static_cast<int>(protocol_.vectors.size()));
     protocol_.vectors.push_back(std::move(vector));

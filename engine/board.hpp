@@ -369,6 +369,7 @@ public:
 
     // What is shown.
     int add_polygon(Polygon polygon);
+    /// Of the sentence said last, where it names none.
     void draw(DrawnVector vector);
     void label(Image image);
     void add_face(int polygon, Face face);

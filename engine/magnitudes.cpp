@@ -129,6 +129,7 @@ double Magnitudes::of(const Quantity& quantity) const {
         case Kind::force:
         case Kind::weight:
         case Kind::resultant:
+        case Kind::bar:
             return force_;
         case Kind::couple:
         case Kind::resultant_couple:

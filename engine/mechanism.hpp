@@ -246,12 +246,18 @@ struct RelativeMotionQuery {
     std::string where;
     bool solves = false;  ///< the motion itself is to be found through this observer where the mechanism lets it
 };
+/// A cut through three bars of a truss: bodies, in the file's order of the wish.
+struct CutQuery {
+    std::vector<BodyIndex> bars;
+    std::string where;
+};
 struct Find {
     bool stated = false;  ///< false: all that the data allow
     bool instant_centres = false, velocity = false, acceleration = false, forces = false, curvature = false;
     bool equations = false;     ///< the closure equations: of a file that states nothing else, too
     bool virtual_work = false;  ///< virtual displacements and what they say of the efforts: the same
     std::vector<RelativeMotionQuery> relative_motion;
+    std::vector<CutQuery> cuts;
 };
 
 /// A unit of what is printed: its symbol and its size in SI.

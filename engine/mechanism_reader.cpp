@@ -25,6 +25,7 @@
 #include "engine/rounding.hpp"
 #include "engine/scale_text.hpp"
 #include "engine/spelling.hpp"
+#include "engine/truss.hpp"
 #include "engine/units.hpp"
 
 namespace kinegraph {
@@ -124,6 +125,7 @@ private:
         each(file["find"], {"an array of what to find", "un array di ciò che si cerca"}, [&](JsonValue v) { read_wish(v); });
         read_scales(file["scales"]);
         read_exercise(file, mechanism_);
+        if (!cuts_.empty() && faults_.empty()) read_cuts();
     }
 
     template <class Action>
@@ -1198,6 +1200,14 @@ private:
                     {"a wish, as \"velocity\" or {\"relative motion\": …, \"observer\": …},",
                      "una richiesta, come \"velocity\" o {\"relative motion\": …, \"observer\": …},"}))
             return;
+        if (is_cut(value)) {
+            members(value, {"cut"}, {"a cut", "una sezione"});
+            for (const JsonValue member : value)
+                if (member.key() == "cut" && expect(member, Kind::array, {"an array of three bars", "un array di tre aste"}))
+                    cuts_.push_back(member);
+            find.forces = true;
+            return;
+        }
         const Members form = members(value, {"relative motion", "observer", "solve"}, {"a wish", "una richiesta"});
         RelativeMotionQuery query;
         query.where = value.pointer();
@@ -1215,6 +1225,64 @@ private:
         }
         read_solve(form["solve"], query);
         find.relative_motion.push_back(std::move(query));
+    }
+
+    static bool is_cut(JsonValue value) {
+        bool found = false;
+        for (const JsonValue member : value) found = found || member.key() == "cut";
+        return found;
+    }
+
+    /// Cuts name bars of a truss, which the whole file makes.
+    void read_cuts() {
+        const std::optional<TrussStructure> truss = truss_of(mechanism_);
+        for (const JsonValue cut : cuts_) {
+            if (truss)
+                read_cut(cut, *truss);
+            else
+                fault(cut, {"only a truss can be cut: three bars or more, hinged at both ends and loaded at their pins, without "
+                            "efforts and drivers, on supports that hold it with as many reactions as it needs",
+                            "si può sezionare solo una travatura reticolare: almeno tre aste, incernierate ai due estremi e "
+                            "caricate nei nodi, senza azioni equilibranti né moventi, con tante reazioni quante ne occorrono"});
+        }
+    }
+    void read_cut(JsonValue value, const TrussStructure& truss) {
+        std::vector<std::string_view> known;
+        for (const TrussStructure::Bar& bar : truss.bars) known.emplace_back(bar.name);
+        std::vector<int> bars;
+        CutQuery query;
+        query.where = value.pointer();
+        for (const JsonValue member : value) {
+            if (!expect(member, Kind::string, {"the name of a bar", "il nome di un’asta"})) return;
+            const int bar = truss.bar_named(mechanism_, member.text());
+            if (bar < 0)
+                return fault(member, {"there is no bar {0}; the bars are {1}", "non c’è un’asta {0}; le aste sono {1}",
+                                      quoted(member.text()), listed(known)});
+            if (std::find(bars.begin(), bars.end(), bar) != bars.end())
+                return fault(member, {"bar {0} is cut twice; name three different bars",
+                                      "l’asta {0} è nominata due volte; indicare tre aste diverse", quoted(member.text())});
+            bars.push_back(bar);
+            query.bars.push_back(truss.bars[static_cast<std::size_t>(bar)].body);
+        }
+        constexpr std::size_t needed = 3;
+        if (bars.size() != needed)
+            return fault(value, {"a cut crosses three bars, for a body has three equations; name three",
+                                 "una sezione incontra tre aste, tante quante le equazioni di un corpo; indicarne tre"});
+        for (std::size_t pin = 0; pin < truss.pins.size(); ++pin) {
+            const auto& meeting = truss.pins[pin].bars;
+            if (std::all_of(bars.begin(), bars.end(), [&](int bar) {
+                    return std::find(meeting.begin(), meeting.end(), bar) != meeting.end();
+                }))
+                return fault(value, {"the bars meet in pin {0}, so that no moment gives one of them alone; cut bars that do not "
+                                     "all meet",
+                                     "le aste concorrono nel nodo {0}: nessun momento ne dà una sola; sezionare aste che non "
+                                     "concorrono tutte",
+                                     truss.name_of(mechanism_, static_cast<int>(pin))});
+        }
+        if (sides_of_cut(truss, bars).empty())
+            return fault(value, {"these bars do not part the truss in two; name all bars that the section crosses",
+                                 "queste aste non dividono in due la travatura; indicare tutte le aste che la sezione incontra"});
+        mechanism_.find.cuts.push_back(std::move(query));
     }
 
     void read_scales(JsonValue value) {
@@ -1262,6 +1330,7 @@ private:
     std::unordered_map<std::string, std::string_view> other_joints_;  ///< name → kind of those that do not slide
     std::unordered_set<std::string> load_names_, effort_names_;
     std::unordered_set<std::uint64_t> carried_;  ///< (body, point)
+    std::vector<JsonValue> cuts_;                ///< of "find", read when the file makes a truss
 };
 
 template <class Item>

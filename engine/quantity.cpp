@@ -75,6 +75,8 @@ private:
                 return "resultant " + body(q.body);
             case Kind::resultant_couple:
                 return "resultant " + body(q.body) + " couple";
+            case Kind::bar:
+                return "bar " + bar(q.body);
         }
         KG_ASSERT(false, "a quantity has a kind");
     }
@@ -100,6 +102,12 @@ private:
 
     static std::size_t at(auto index) { return at_index(index); }
     std::string body(BodyIndex index) const { return index == none ? "pin" : mechanism_.bodies[at(index)].name; }
+    std::string bar(BodyIndex index) const {
+        if (solution_.truss)
+            for (const TrussStructure::Bar& each : solution_.truss->structure.bars)
+                if (each.body == index) return each.name;
+        return body(index);
+    }
     std::string joint(JointIndex index) const { return mechanism_.joints[at(index)].name; }
     std::string carried(const Quantity& q) const {
         // A place that the recipe needed and the file does not name.

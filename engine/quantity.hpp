@@ -34,7 +34,8 @@ struct Quantity {
         virtual_power,        ///< of all that acts from outside
         virtual_effort,       ///< the effort `given`, by virtual displacements
         resultant,            ///< of all that is given on `body` and what hangs on it
-        resultant_couple      ///< the same, about the origin
+        resultant_couple,     ///< the same, about the origin
+        bar                   ///< the force in the bar `body` of a truss, tension positive
     } kind = Kind::unnamed;
     BodyIndex body = none, other = none;
     PointIndex point = none;

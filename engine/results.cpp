@@ -189,6 +189,8 @@ public:
         if (forces_asked()) {
             file.emplace_back("forces", forces());
             file.emplace_back("effort", effort());
+            if (solution_.truss) file.emplace_back("bars", bars());
+            if (solution_.truss && !solution_.truss->cuts.empty()) file.emplace_back("cuts", cuts());
         }
         if (!solution_.resultants.empty()) file.emplace_back("resultant", resultants());
         if (solution_.problem) file.emplace_back("hertz", contacts());
@@ -492,6 +494,38 @@ private:
             if (found.value) all.emplace_back(found.name, number(*found.value));
         }
         return object_of_lines(all);
+    }
+
+    /// N, tension positive.
+    std::string bars() const {
+        const Truss& truss = *solution_.truss;
+        Members all;
+        for (std::size_t bar = 0; bar < truss.bars.size(); ++bar)
+            if (truss.bars[bar].force)
+                all.emplace_back(truss.structure.bars[bar].name, number(truss.tension(bar, solution_.pose.points)));
+        return object_of_lines(all);
+    }
+    /// Of each bar found by a cut: the moment of what acts on one side, and its arm; across parallel bars the component.
+    std::string cuts() const {
+        std::vector<std::string> all;
+        for (const Truss::Cut& cut : solution_.truss->cuts) {
+            const Truss& truss = *solution_.truss;
+            std::string names;
+            for (const int bar : cut.bars)
+                names += (names.empty() ? "" : ", ") + quoted(truss.structure.bars[at_index(bar)].name);
+            Members members{{"cut", "[" + names + "]"}, {"bar", quoted(truss.structure.bars[at_index(cut.found)].name)}};
+            const Truss::CutNumbers numbers = truss.numbers_of(cut, solution_.pose.points);
+            if (cut.pivot) {
+                members.emplace_back("about", pair(*cut.pivot));
+                members.emplace_back("moment", number(numbers.known));
+                members.emplace_back("arm", number(numbers.arm));
+            } else {
+                members.emplace_back("across", number(numbers.known));
+                members.emplace_back("sine", number(numbers.arm));
+            }
+            all.push_back(object(members));
+        }
+        return lines('[', all, ']');
     }
 
     /// By the bodies that hang together: "2", "2,3".

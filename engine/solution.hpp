@@ -18,6 +18,7 @@
 #include "engine/quantity.hpp"
 #include "engine/recorded.hpp"
 #include "engine/statement.hpp"
+#include "engine/truss.hpp"
 
 namespace kinegraph {
 
@@ -292,6 +293,7 @@ struct Solution {
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
     std::vector<Resultant> resultants;                   ///< where the file asks whether bodies are in equilibrium
+    std::optional<Truss> truss;                          ///< where the mechanism is one
     std::vector<Curvature> curvature;                    ///< where it is asked for: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;             ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;              ///< where the file gives one body's act of motion
@@ -344,6 +346,19 @@ void for_each_found(Solution& solution, See see) {
             held(applied.elements.at, applied.at);
         }
         for (FreeBody::Meet& meet : body.meets) held(meet.element, meet.place);
+    }
+    if (solution.truss) {
+        for (Truss::Bar& bar : solution.truss->bars) bar.force.visit(see);
+        for (Truss::External& external : solution.truss->externals) external.force.visit(see);
+        for (Truss::Cut& made : solution.truss->cuts) {
+            made.pivot.visit(see);
+            made.moment.visit(see);
+        }
+        if (auto& whole = solution.truss->whole) {
+            whole->force.visit(see);
+            whole->through.visit(see);
+            for (Truss::Whole::Meet& meet : whole->meets) meet.place.visit(see);
+        }
     }
     for (Resultant& resultant : solution.resultants) {
         resultant.force.visit(see);

@@ -117,6 +117,19 @@ enum class Sentence {
     in_equilibrium,      ///< {0} bodies: what acts on them closes its polygon and has no moment
     resultant_force,     ///< {0} bodies, {1} R: what acts on them leaves a force
     resultant_couple,    ///< {0} bodies, {1} M: the polygon closes, and a couple is left
+    truss_whole,         ///< {0} count of bars, {1} count of pins: a truss, cut free whole before its pins
+    structure_whole,     ///< {0} bodies: as few unknowns on the frame as equations, so they are cut free whole
+    truss_idle_pair,     ///< {0} pin, {1} {2} bars: unloaded, two bars not in line: neither carries anything
+    truss_idle_third,    ///< {0} pin, {1} bar, {2} {3} bars in line: unloaded, so the third carries nothing
+    truss_idle_single,   ///< {0} pin, {1} bar: alone at an unloaded pin
+    truss_stuck,         ///< {0} bars: no pin has two unknown bars at most, so a cut goes on
+    truss_cut_moment,    ///< {0} bars cut, {1} F of the bar found, {2} {3} the others, {4} where they meet (Ritter)
+    truss_cut_across,    ///< {0} bars cut, {1} F of the bar found, {2} {3} the others, which are parallel
+    truss_plan,          ///< {0} letters of the spaces outside: the forces from outside in their order, clockwise, close
+    truss_pin,           ///< {0} pin, {1} bars found, {2} those in tension, {3} in compression, {4} with no force (or absent)
+    truss_support,       ///< {0} pin, {1} reaction: all its bars are known
+    truss_bar_and_support,  ///< {0} pin, {1} bar, {2} reaction
+    truss_closes,        ///< {0} pins: all known, the polygon closes
     act_given,           ///< {0} v_A or a_A: given, set off from the pole
     act_projections,     ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
     act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
@@ -182,6 +195,8 @@ enum class Sentence {
     check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
     check_stands_still,  ///< {0} body: moves by the construction, is not determined by the check
     check_moves,         ///< {0} body: moves by the check, is not determined by the construction
+    truss_without_order,  ///< no order of pins and no cut resolves the truss: bodies cut free, and trial values
+    truss_without_plan,   ///< bars cross, or a force acts inside: there is no plan in one figure
     // From here on phrases, without a capital and a full stop. What is not determined:
     motion_of_body,        ///< {0} body
     velocity_of_body,      ///< {0} body
@@ -235,6 +250,9 @@ enum class Sentence {
     indeterminate,             ///< {0} how many times, {1} joints, {2} symbols (or absent)
     effort_without_work,       ///< {0} symbols (or absent)
     beyond_trials,             ///< {0} symbols (or absent): too many unknowns hang together
+    cut_of_bars,               ///< {0} bars: what a cut was to find
+    cut_in_one_point,          ///< their lines meet in one point, or all are parallel
+    cut_without_reactions,     ///< what acts on either side is not known
     count_                     ///< not a sentence
 };
 /// Whether it is what stands before or after a colon, and no sentence by itself.

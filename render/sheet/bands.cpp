@@ -14,6 +14,7 @@
 #include "render/tables/apart_text.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
+#include "render/tables/truss_table.hpp"
 #include "render/tables/work_text.hpp"
 #include "render/text/formula.hpp"
 
@@ -56,6 +57,14 @@ public:
                 return table(part.which, results);
             case Kind::reactions:
                 return under("forces", reaction_lines(context_, measure_));
+            case Kind::bars: {
+                // Its head stands again where it goes on.
+                std::vector<Block> lines = bar_lines(context_, measure_);
+                Passage passage = under("bars", {});
+                passage.head = std::move(lines.front());
+                passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+                return passage;
+            }
             case Kind::lever:
                 return under("lever", {joukowsky_block(context_, measure_)});
             case Kind::equations:
@@ -279,7 +288,10 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
     if (motion) collect_motion();
     if (detail_ == SolutionDetail::full) collect_apart();
     if (solution_.equations) collect_equations();
-    if (has_forces(solution_)) collect_forces();
+    if (solution_.truss && solution_.free_bodies.empty())
+        collect_truss();
+    else if (has_forces(solution_))
+        collect_forces();
     if (solution_.displacements) collect_virtual_work();
     Band& given = list.front();
     if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
@@ -401,6 +413,7 @@ void Bands::collect_forces() {
     lines.draws_mechanism = !drawn_already;
     const std::size_t at_lines = list.size() - 1;
     collect_bodies();
+    if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
         // A sentence that closes a body's polygon stands beside it.
@@ -418,6 +431,16 @@ void Bands::collect_forces() {
         add(id, {id});
     }
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
+}
+
+/// The truss, its plan and what is said of both in one; then the bars.
+void Bands::collect_truss() {
+    Band& band = add("truss", {"truss", "cremona"});
+    band.draws_mechanism = true;
+    const std::size_t home = list.size() - 1;
+    for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i)
+        if (solution_.protocol.statements[i].section == Topic::forces) add_step(list[home], i);
+    list[home].parts.push_back({Kind::bars});
 }
 
 /// The loops drawn, and their sections under or beside them.

@@ -33,6 +33,7 @@ struct Band {
             steps,
             results,
             reactions,
+            bars,
             lever,
             equations,
             answers,
@@ -77,6 +78,7 @@ private:
     void collect_curvature();
     void collect_forces();
     void collect_bodies();
+    void collect_truss();
     void collect_equations();
     void collect_apart();
     void collect_virtual_work();

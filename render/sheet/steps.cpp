@@ -177,7 +177,9 @@ private:
             const Statement& statement = this->statement(i);
             std::string figure;
             const auto found = polygon_of.find(i);
-            if (statement.section == Topic::forces)
+            if (is_truss() && statement.section == Topic::forces)
+                figure = found != polygon_of.end() && found->second == solution_.truss->polygon ? "cremona" : "truss";
+            else if (statement.section == Topic::forces)
                 figure = completes_a_polygon(i) ? "forces" : "lines-of-action";
             else if (statement.section == Topic::curvature)
                 figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
@@ -223,6 +225,8 @@ private:
                    return has_force_polygon(solution_, body) && body.statement == statement;
                });
     }
+    /// Its bars are not cut free one by one.
+    bool is_truss() const { return solution_.truss && solution_.free_bodies.empty(); }
     bool is_plane_of_motion(int polygon) const {
         return solution_.protocol.polygons[static_cast<std::size_t>(polygon)].plane != Plane::force;
     }
@@ -340,10 +344,12 @@ private:
     /// What stands small beside a figure: the mechanism with what turns or with its lines of action; beside itself the circle of
     /// the centres, or nothing.
     const Figure& small(const Step& step) {
-        const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism";
+        const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism" || step.figure == "truss";
         std::string name = itself ? "" : "mechanism";
         if (step.figure == "centres")
             name = "circle-diagram";
+        else if (step.figure == "cremona")
+            name = "truss";
         else if (!itself && step.section == Topic::forces)
             name = "lines-of-action";
         else if (!itself && !solution_.act_of_motion)

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <string>
 
+#include "render/figures/truss_figures.hpp"
 #include "render/page/shapes.hpp"
+#include "render/tables/truss_table.hpp"
 
 namespace kinegraph::render {
 
-bool has_forces(const Solution& solution) { return !solution.free_bodies.empty(); }
+bool has_forces(const Solution& solution) { return !solution.free_bodies.empty() || solution.truss; }
 bool has_motion(const Solution& solution) {
     return !solution.centres.empty() ||
            std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
@@ -92,6 +94,8 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
 
 void WantedFigures::collect_forces(bool joukowsky) {
     const Solution& s = context_.solution;
+    if (s.truss) add_truss();
+    if (s.free_bodies.empty()) return;
     add_lines_of_action();
     if (has_force_polygons(s))
         add_force_polygons("forces", "forces", extent_of_forces(s),
@@ -124,6 +128,22 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.least = 40;
     lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
     add(std::move(lever));
+}
+
+void WantedFigures::add_truss() {
+    Wanted wanted = mechanism("truss", false);
+    wanted.rim_x = wanted.rim_y = 44;
+    wanted.least = 60;
+    wanted.weight = 1.5;
+    wanted.draw = [this](double x, double y) { return truss_figure(context_, x, y); };
+    add(std::move(wanted));
+    if (!has_plan(context_.solution)) return;
+    add_force_polygons("closure", "cremona", extent_of_plan(context_.solution),
+                       [this](double x, double y, std::optional<double> scale, bool fixed) {
+                           return cremona_figure(context_, x, y, scale, fixed);
+                       });
+    list.back().least = 50;
+    list.back().weight = 1.2;
 }
 
 void WantedFigures::add_lines_of_action() {

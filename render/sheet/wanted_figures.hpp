@@ -68,6 +68,7 @@ private:
     void add_mechanism();
     void add_polygon(int polygon);
     void collect_forces(bool joukowsky);
+    void add_truss();
     void add_lines_of_action();
     void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
     void add_free_bodies();

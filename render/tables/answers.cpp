@@ -145,7 +145,7 @@ private:
 
     void add_force(const ResultRow& row) {
         const Kind kind = row.quantity.kind;
-        if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort) return;
+        if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort && kind != Kind::bar) return;
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         answer.quantity = row.quantity;
         if (row.group.couples) {

@@ -11,6 +11,7 @@
 #include "render/page/shapes.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/checked_numbers.hpp"
+#include "render/tables/truss_table.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -341,6 +342,7 @@ private:
 }  // namespace
 
 std::vector<ResultRow> force_rows(const DrawingContext& context, const std::vector<Figure>& figures, bool at_pairs) {
+    if (context.solution.truss && context.solution.free_bodies.empty()) return truss_rows(context, figures);
     return ForceRows(context, figures, at_pairs).rows();
 }
 

@@ -1,0 +1,503 @@
+#include "render/figures/truss_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/assert.hpp"
+#include "render/figures/fit.hpp"
+#include "render/mechanism/sketch.hpp"
+#include "render/mechanism/symbols.hpp"
+#include "render/page/shapes.hpp"
+
+namespace kinegraph::render {
+
+using namespace drawing;
+
+namespace {
+
+enum class Sense { idle, tension, compression };
+
+double tension_of(const Solution& solution, std::size_t bar) { return solution.truss->tension(bar, solution.pose.points); }
+
+Sense sense_of(const Solution& solution, std::size_t bar) {
+    if (solution.truss->bars[bar].force->is_zero()) return Sense::idle;
+    return tension_of(solution, bar) > 0 ? Sense::tension : Sense::compression;
+}
+
+/// Colours of the third and the first body, which differ most, in grey too; weights and line kinds tell without colour.
+Pen pen_of(const Theme& theme, Sense sense) {
+    switch (sense) {
+        case Sense::tension:
+            return {theme.vector, theme.body(BodyIndex(3)).line, {}, false};
+        case Sense::compression:
+            return {2 * theme.vector, theme.body(BodyIndex(1)).line, {5, 1.4}, false};
+        case Sense::idle:
+            break;
+    }
+    return {theme.outline, theme.secondary, {0.8, 0.8}, false};
+}
+/// In the plan, where heavy lines would hide its corners.
+Pen thin_pen_of(const Theme& theme, Sense sense) {
+    Pen pen = pen_of(theme, sense);
+    pen.width *= 0.6;
+    return pen;
+}
+
+RichText letter_of(const Truss::Space& space) {
+    return one_piece(space.letter, space.outside ? Face::italic : Face::regular);
+}
+
+PointIndex point_of(const Truss& truss, int pin) { return truss.structure.pins[at_index(pin)].point; }
+
+// --- the space diagram -------------------------------------------------------------------------------------------------------
+
+class SpaceDiagram {
+public:
+    explicit SpaceDiagram(Sketch& sketch) : sketch_(sketch), solution_(sketch.subject.solution), truss_(*solution_.truss) {}
+
+    void draw() {
+        draw_supports();
+        for (std::size_t bar = 0; bar < truss_.bars.size(); ++bar) draw_bar(bar);
+        for (const TrussStructure::Pin& pin : truss_.structure.pins)
+            sketch_.pins.emplace_back(ring(sketch_.spot(pin.point), 0.8, sketch_.theme.paper, sketch_.outline()));
+        for (const Truss::External& external : truss_.externals) draw_external(external);
+        for (const Truss::Space& space : truss_.spaces) name_space(space);
+        draw_whole();
+        std::vector<std::vector<int>> drawn;
+        for (const Truss::Cut& cut : truss_.cuts) {
+            if (std::find(drawn.begin(), drawn.end(), cut.bars) == drawn.end()) draw_section(cut);
+            drawn.push_back(cut.bars);
+            draw_arm(cut);
+        }
+    }
+
+private:
+    Spot spot(int pin) const { return sketch_.spot(point_of(truss_, pin)); }
+
+    void draw_supports() {
+        for (const Joint& joint : sketch_.mechanism.joints) {
+            if (!joint.connects(frame)) continue;
+            if (is_fixed_pin(joint)) draw_fixed_pin(sketch_, joint.point);
+            if (!joint.pair().is_hinge()) draw_roller(joint);
+        }
+    }
+    /// On a roller, on the far side of the bars.
+    void draw_roller(const Joint& joint) {
+        const Spot at = sketch_.spot(joint.point);
+        Spot inward{0, 0};
+        for (const Spot leaving : sketch_.leaving(joint.point)) inward = inward + leaving;
+        const auto& normal = solution_.pose.normals[at_index(sketch_.mechanism.index_of(joint))];
+        Spot down = paper_direction(normal);
+        if (joint.pushes && dot(paper_direction(*joint.pushes), down) > 0) down = -1.0 * down;
+        if (!joint.pushes && dot(down, inward) > 0) down = -1.0 * down;
+        const Spot across = turned(down);
+        const double high = 0.62 * sketch_.measures.triangle_height, half = 0.62 * sketch_.measures.triangle_half,
+                     wheel = 0.9 * sketch_.measures.shrink;
+        sketch_.ground.emplace_back(
+            polyline({at, at + high * down + half * across, at + high * down - half * across}, sketch_.outline(), true));
+        for (const double side : {-0.6, 0.6})
+            sketch_.ground.emplace_back(
+                circle(at + (high + wheel) * down + side * half * across, wheel, sketch_.outline()));
+        const Spot foot = at + (high + 2 * wheel) * down;
+        draw_wall(sketch_, {foot - 1.7 * half * across, foot + 1.7 * half * across}, foot + 3.0 * down);
+    }
+
+    void draw_bar(std::size_t bar) {
+        const TrussStructure::Bar& own = truss_.structure.bars[bar];
+        const double value = tension_of(solution_, bar) / unit().si.to_double();
+        sketch_.bodies.emplace_back(GroupBegin{
+            "bar", sketch_.id("bar", own.name), own.name, {{"data-name", own.name}, {"data-value", shortest(value)}}, none});
+        const std::size_t first = sketch_.bodies.size();
+        sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), {sketch_.theme.outline, sketch_.theme.skeleton, {}, false}));
+        const std::size_t found = sketch_.bodies.size();
+        sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), pen_of(sketch_.theme, sense_of(solution_, bar))));
+        belong(sketch_.bodies, found, truss_.bars[bar].statement);
+        static_cast<void>(first);
+        sketch_.bodies.emplace_back(GroupEnd{});
+    }
+
+    const Unit& unit() const { return sketch_.mechanism.units.force; }
+
+    /// How near bars lie to a ray from a pin: the largest cosine.
+    double crowding(int pin, Spot along) const {
+        double most = -1;
+        for (const int bar : truss_.structure.pins[at_index(pin)].bars) {
+            const Spot off = spot(truss_.structure.other_end(bar, pin)) - spot(pin);
+            most = std::max(most, dot(along, off) / length(off));
+        }
+        for (const Spot taken : rays_[pin]) most = std::max(most, dot(along, taken) - 0.1);
+        return most;
+    }
+    /// Its head at the pin, or its tail where bars are in the way.
+    void draw_external(const Truss::External& external) {
+        constexpr double size = 14, gap = 2.2, beyond_support = 8;
+        const Spot along = paper_direction(*external.force), at = spot(external.pin);
+        const bool behind = crowding(external.pin, -1.0 * along) <= crowding(external.pin, along) + 0.3;
+        const Spot out = behind ? -1.0 * along : along;
+        rays_[external.pin].push_back(out);
+        const double from = external.joint != none && behind ? gap + beyond_support : gap;
+        const Spot near = at + from * out, far = at + (from + size) * out;
+        sketch_.arrows.emplace_back(
+            GroupBegin{"force", sketch_.id("force", name_of(external.symbol)), name_of(external.symbol),
+                       {{"data-name", name_of(external.symbol)}}, external.statement});
+        draw_arrow(sketch_.arrows, behind ? far : near, behind ? near : far, sketch_.theme.vector, sketch_.theme.text,
+                   external.joint != none ? dashes() : std::vector<double>{});
+        sketch_.arrows.emplace_back(GroupEnd{});
+        LabelRequest& label = sketch_.add_label(typeset(external.symbol, sketch_.context.language), sketch_.theme.text,
+                                                0.5 * (near + far), 1.2, external.statement);
+        label.toward = far;
+        label.names = {name_of(external.symbol)};
+    }
+
+    /// Inside at the middle of its pins, outside beside the longest of its bars, or between the forces of one pin.
+    void name_space(const Truss::Space& space) {
+        Spot at{0, 0};
+        if (!space.outside) {
+            for (const int pin : space.pins) at = at + spot(pin);
+            at = (1.0 / static_cast<double>(space.pins.size())) * at;
+        } else {
+            at = outside_spot(space);
+        }
+        LabelRequest& label = sketch_.add_label(letter_of(space), sketch_.theme.accent, at, 0.3);
+        label.size = sketch_.theme.label;
+        if (!space.outside) label.balloon = 2.3;
+    }
+    Spot outside_spot(const Truss::Space& space) const {
+        constexpr double away = 6.5;
+        Spot best = spot(space.pins.front());
+        double longest = 0;
+        for (std::size_t i = 0; i + 1 < space.pins.size(); ++i) {
+            const Spot from = spot(space.pins[i]), to = spot(space.pins[i + 1]), off = to - from;
+            if (length(off) <= longest) continue;
+            longest = length(off);
+            // Clockwise round the truss the outside lies on the left; on paper y runs down.
+            best = 0.5 * (from + to) + (away / longest) * Spot{off.y, -off.x};
+        }
+        if (longest > 0) return best;
+        Spot out{0, 0};
+        for (const int bar : truss_.structure.pins[at_index(space.pins.front())].bars) {
+            const Spot off = spot(truss_.structure.other_end(bar, space.pins.front())) - best;
+            out = out - (1 / length(off)) * off;
+        }
+        return length(out) > 1e-6 ? best + (1.8 * away / length(out)) * out : best;
+    }
+
+    /// The line of all that is given, and those of the reactions, as far as they meet near.
+    void draw_whole() {
+        if (!truss_.whole || truss_.whole->meets.empty()) return;
+        const Truss::Whole& whole = *truss_.whole;
+        const Box view = grown(sketch_.mechanism_box(), 0.6 * sketch_.size());
+        for (const Truss::Whole::Meet& meet : whole.meets) {
+            const Spot at = sketch_.spot(*meet.place);
+            if (!contains(view, at)) continue;
+            const std::size_t first = sketch_.construction.size();
+            for (const Truss::External& external : truss_.externals) {
+                if (external.joint == none) continue;
+                const Spot pin = spot(external.pin), along = paper_direction(*external.force);
+                if (std::abs(cross(along, at - pin)) > 0.05) continue;
+                sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+            }
+            const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
+            constexpr double half = 16;
+            if (std::abs(cross(along, at - through)) < 0.05) {
+                sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
+                draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
+                           sketch_.theme.secondary, dashes());
+            }
+            sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
+            belong(sketch_.construction, first, meet.statement);
+            belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
+            sketch_.add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language),
+                              sketch_.theme.text, at, 1.8, meet.statement)
+                .names = {meet.name};
+        }
+    }
+    static Spot beyond(Spot from, Spot to) {
+        const Spot off = to - from;
+        return length(off) > 0 ? (6 / length(off)) * off : off;
+    }
+
+    /// Across the bars at their middles, a little beyond them.
+    void draw_section(const Truss::Cut& cut) {
+        std::vector<Spot> middles;
+        for (const int bar : cut.bars) {
+            const auto& ends = truss_.structure.bars[at_index(bar)].pins;
+            middles.push_back(0.5 * (spot(ends[0]) + spot(ends[1])));
+        }
+        // From one end to the other, along their longest distance.
+        Spot along{1, 0};
+        for (const Spot a : middles)
+            for (const Spot b : middles)
+                if (length(b - a) > length(along)) along = b - a;
+        std::sort(middles.begin(), middles.end(), [&](Spot a, Spot b) { return dot(a, along) < dot(b, along); });
+        const auto past = [](Spot from, Spot to) { return to + (7 / std::max(length(to - from), 1e-6)) * (to - from); };
+        middles.insert(middles.begin(), past(middles[1], middles[0]));
+        middles.push_back(past(middles[middles.size() - 2], middles.back()));
+        const std::size_t first = sketch_.over_bodies.size();
+        sketch_.over_bodies.emplace_back(polyline(middles, {sketch_.theme.outline, sketch_.theme.accent, dash_dot(), false}));
+        belong(sketch_.over_bodies, first, cut.statement);
+    }
+    /// From where the others meet, at right angles to the bar.
+    void draw_arm(const Truss::Cut& cut) {
+        if (!cut.pivot) return;
+        const Spot pivot = sketch_.spot(*cut.pivot);
+        if (!contains(grown(sketch_.mechanism_box(), 0.5 * sketch_.size()), pivot)) return;
+        const auto& ends = truss_.structure.bars[at_index(cut.found)].pins;
+        const Spot from = spot(ends[0]), off = spot(ends[1]) - from;
+        const Spot foot = from + (dot(pivot - from, off) / dot(off, off)) * off;
+        const std::size_t first = sketch_.construction.size();
+        sketch_.construction.emplace_back(line(pivot, foot, sketch_.thin()));
+        belong(sketch_.construction, first, cut.statement);
+        const Unit& unit = sketch_.mechanism.units.length;
+        const double arm = truss_.numbers_of(cut, solution_.pose.points).arm / unit.si.to_double();
+        RichText text = one_piece("b", Face::italic);
+        append(text, one_piece(" = " + number(arm, 4, sketch_.context.language) + " " + unit.symbol));
+        LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
+        label.toward = foot;
+        label.size = sketch_.theme.small;
+        const bool is_pin = std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(), [&](const auto& pin) {
+            return length(sketch_.spot(pin.point) - pivot) < 0.05;
+        });
+        if (is_pin || std::find(named_.begin(), named_.end(), cut.pivot_name) != named_.end()) return;
+        named_.push_back(cut.pivot_name);
+        sketch_.centres.emplace_back(disc(pivot, 0.7, sketch_.theme.text));
+        belong(sketch_.centres, sketch_.centres.size() - 1, cut.statement);
+        sketch_.add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language), sketch_.theme.text,
+                          pivot, 1.8, cut.statement)
+            .names = {cut.pivot_name};
+    }
+
+    Sketch& sketch_;
+    const Solution& solution_;
+    const Truss& truss_;
+    std::map<int, std::vector<Spot>> rays_;  // of forces drawn, by pin
+    std::vector<std::string> named_;         // pivots
+};
+
+// --- the plan ----------------------------------------------------------------------------------------------------------------
+
+class Plan {
+public:
+    explicit Plan(const DrawingContext& context)
+        : context_(context), solution_(context.solution), truss_(*solution_.truss), scene_(polygon_scene(solution_, truss_.polygon)) {}
+
+    double width() const { return scene_.width(); }
+    double height() const { return scene_.height(); }
+
+    Figure at(double scale) const {
+        Figure figure;
+        figure.kind = "closure";
+        figure.id = "cremona";
+        figure.caption = one_piece(word("cremona", context_.language));
+        figure.scale = scale;
+        figure.unit = scene_.unit.symbol;
+        open(figure);
+        draw_bars(figure);
+        draw_outer(figure);
+        name_corners(figure);
+        figure.box = box_of(figure.marks);
+        return figure;
+    }
+
+private:
+    static void open(Figure& figure) {
+        figure.marks.emplace_back(
+            GroupBegin{"figure",
+                       figure.id,
+                       plain(figure.caption),
+                       {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}},
+                       none});
+    }
+    static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
+    const Polygon& polygon() const { return solution_.protocol.polygons[at_index(truss_.polygon)]; }
+    Place place(ElementIndex element) const {
+        const ProjectivePoint& point = solution_.protocol.point(element);
+        return {(point.x / scene_.unit.si).to_double(), (point.y / scene_.unit.si).to_double()};
+    }
+    std::size_t bar_of(BodyIndex body) const {
+        const auto& bars = truss_.structure.bars;
+        const auto found = std::find_if(bars.begin(), bars.end(), [&](const auto& bar) { return bar.body == body; });
+        KG_ASSERT(found != bars.end(), "a side of the plan is a bar's");
+        return static_cast<std::size_t>(found - bars.begin());
+    }
+    static bool is_bar(const DrawnVector& vector) { return vector.quantity.kind == Quantity::Kind::bar; }
+
+    void draw_bars(Figure& figure) const {
+        for (const int v : polygon().vectors) {
+            const DrawnVector& vector = solution_.protocol.vectors[at_index(v)];
+            if (!is_bar(vector) || vector.vanishes) continue;
+            const Spot tail = spot(figure.scale, place(vector.tail)), tip = spot(figure.scale, place(vector.tip));
+            const std::size_t bar = bar_of(vector.quantity.body);
+            const std::string name = name_of(vector.symbol);
+            const double value = tension_of(solution_, bar) / scene_.unit.si.to_double();
+            figure.marks.emplace_back(GroupBegin{"vector",
+                                                 "cremona-" + legal_id(name),
+                                                 name,
+                                                 {{"data-name", name}, {"data-value", shortest(value)}},
+                                                 vector.statement});
+            figure.marks.emplace_back(line(tail, tip, thin_pen_of(context_.theme, sense_of(solution_, bar))));
+            figure.marks.emplace_back(GroupEnd{});
+            figure.axes.push_back({name, tail, tip, {}});
+        }
+    }
+    /// Forces from outside of one direction would lie on each other: each goes into the first column beside that is free there.
+    void draw_outer(Figure& figure) const {
+        struct Column {
+            Spot along, at;
+            std::vector<std::vector<Interval>> taken;
+        };
+        std::vector<Column> columns;
+        const Spot middle = spot(figure.scale, {0.5 * (scene_.least.x + scene_.most.x), 0.5 * (scene_.least.y + scene_.most.y)});
+        for (const int v : polygon().vectors) {
+            const DrawnVector& vector = solution_.protocol.vectors[at_index(v)];
+            if (is_bar(vector) || vector.vanishes) continue;
+            const Spot tail = spot(figure.scale, place(vector.tail)), tip = spot(figure.scale, place(vector.tip)), off = tip - tail;
+            if (length(off) < 1e-6) continue;
+            const Spot unit = (1 / length(off)) * off;
+            auto column = std::find_if(columns.begin(), columns.end(), [&](const Column& each) {
+                return std::abs(cross(each.along, unit)) < 1e-6 && std::abs(cross(each.along, tail - each.at)) < 0.05;
+            });
+            if (column == columns.end()) column = columns.insert(column, {unit, tail, {}});
+            const double a = dot(tail - column->at, column->along), b = dot(tip - column->at, column->along);
+            const Interval own{std::min(a, b), std::max(a, b)};
+            std::size_t place_in = 0;
+            const auto is_free = [&](const std::vector<Interval>& taken) {
+                return std::none_of(taken.begin(), taken.end(), [&](const Interval& each) {
+                    return each.from < own.to - 0.05 && each.to > own.from + 0.05;
+                });
+            };
+            while (place_in < column->taken.size() && !is_free(column->taken[place_in])) ++place_in;
+            if (place_in == column->taken.size()) column->taken.emplace_back();
+            column->taken[place_in].push_back(own);
+            constexpr double pitch = 3.6;
+            Spot side = turned(column->along);
+            if (dot(side, middle - column->at) > 0) side = -1.0 * side;
+            draw_side(figure, vector, tail, tip, (pitch * static_cast<double>(place_in)) * side, side);
+        }
+    }
+    void draw_side(Figure& figure, const DrawnVector& vector, Spot tail, Spot tip, Spot aside, Spot side) const {
+        const std::string name = name_of(vector.symbol);
+        if (length(aside) > 0)
+            for (const Spot end : {tail, tip}) {
+                figure.marks.emplace_back(line(end, end + aside, {context_.theme.thin, context_.theme.secondary, {}, false}));
+                belong(figure.marks, figure.marks.size() - 1, vector.statement);
+            }
+        figure.marks.emplace_back(GroupBegin{
+            "vector", "cremona-" + legal_id(name), name,
+            {{"data-name", name}, {"data-value", shortest(kinegraph::length(solution_.protocol.value_of(vector)) / scene_.unit.si.to_double())}},
+            vector.statement});
+        draw_arrow(figure.marks, tail + aside, tip + aside, context_.theme.vector, context_.theme.text);
+        figure.marks.emplace_back(GroupEnd{});
+        figure.axes.push_back({name, tail, tip, {}});
+        LabelRequest label;
+        label.text = typeset(vector.symbol, context_.language);
+        label.size = context_.theme.label;
+        label.colour = context_.theme.text;
+        label.anchor = 0.5 * (tail + tip) + aside + 0.01 * side;
+        label.toward = tip + aside;
+        label.clearance = 1.2;
+        label.statement = vector.statement;
+        label.names = {name};
+        figure.labels.push_back(std::move(label));
+    }
+    /// Spaces beside a bar that carries nothing have one corner.
+    void name_corners(Figure& figure) const {
+        struct Corner {
+            Spot at;
+            RichText text;
+            StatementIndex statement = none;
+        };
+        std::vector<Corner> corners;
+        for (std::size_t s = 0; s < truss_.spaces.size(); ++s) {
+            const Image& image = solution_.protocol.images[at_index(polygon().images[s])];
+            const Spot at = spot(figure.scale, place(image.point));
+            auto known = std::find_if(corners.begin(), corners.end(), [&](const Corner& each) { return length(each.at - at) < 0.02; });
+            if (known == corners.end()) {
+                corners.push_back({at, letter_of(truss_.spaces[s]), statement_of(image.point)});
+                continue;
+            }
+            append(known->text, one_piece(", "));
+            append(known->text, letter_of(truss_.spaces[s]));
+        }
+        for (Corner& corner : corners) {
+            figure.marks.emplace_back(disc(corner.at, 0.55, context_.theme.text));
+            belong(figure.marks, figure.marks.size() - 1, corner.statement);
+            LabelRequest label;
+            label.text = std::move(corner.text);
+            label.size = context_.theme.label;
+            label.colour = context_.theme.accent;
+            label.anchor = corner.at;
+            label.clearance = 1.2;
+            label.statement = corner.statement;
+            figure.labels.push_back(std::move(label));
+        }
+    }
+    /// The first side that ends there.
+    StatementIndex statement_of(ElementIndex corner) const {
+        StatementIndex first = none;
+        for (const int v : polygon().vectors) {
+            const DrawnVector& vector = solution_.protocol.vectors[at_index(v)];
+            if (vector.tail != corner && vector.tip != corner) continue;
+            if (first == none || vector.statement < first) first = vector.statement;
+        }
+        return first;
+    }
+
+    const DrawingContext& context_;
+    const Solution& solution_;
+    const Truss& truss_;
+    PolygonScene scene_;
+};
+
+}  // namespace
+
+Box extent_of_truss(const Solution& solution) { return Subject(solution).box; }
+
+Box extent_of_plan(const Solution& solution) {
+    const PolygonScene scene = polygon_scene(solution, solution.truss->polygon);
+    return rectangle(0, 0, scene.width(), scene.height());
+}
+
+Figure truss_figure(const DrawingContext& context, double room_x, double room_y) {
+    const Subject subject(context.solution);
+    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
+                                      std::max(room_y - 40, 10.0), std::nullopt);
+    const FitPolicy policy{.room = Spot{room_x, room_y},
+                           .first = first,
+                           .asked = asked_scale(subject.mechanism, "mechanism"),
+                           .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, "truss-");
+        SpaceDiagram(sketch).draw();
+        name_points(sketch);
+        Figure figure = sketch.finish("truss", "truss", "m");
+        figure.caption = one_piece(word("truss", context.language));
+        sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, subject.mechanism.units.length, trial.strict);
+        return figure;
+    });
+}
+
+Figure cremona_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed) {
+    const Plan plan(context);
+    FitPolicy policy{.room = Spot{room_x, room_y},
+                     .first = choose_scale(plan.width(), plan.height(), room_x, room_y, std::nullopt),
+                     .most_trials = 14};
+    if (fixed) policy.asked = least;
+    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        Figure figure = plan.at(trial.scale);
+        if (!trial.last && !trial.asked && (figure.box.width() > room_x || figure.box.height() > room_y - 8)) return std::nullopt;
+        place_labels(figure, context.fonts, Spot{room_x, room_y - 8});
+        std::vector<Mark> bar;
+        draw_scale_bar(bar, context.fonts, context.theme, {0, 0}, 24, figure.scale, 1, figure.unit, context.language);
+        const Box size = box_of(bar);
+        render::move(bar, figure.box.min.x - size.min.x, figure.box.max.y + 3 - size.min.y);
+        figure.marks.insert(figure.marks.end(), bar.begin(), bar.end());
+        figure.marks.emplace_back(GroupEnd{});
+        figure.box = box_of(figure.marks);
+        return figure;
+    });
+}
+
+}  // namespace kinegraph::render

@@ -1,0 +1,136 @@
+#include "render/tables/truss_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/page/shapes.hpp"
+#include "render/tables/checked_numbers.hpp"
+
+namespace kinegraph::render {
+namespace {
+
+/// Bar, spaces, force, sense: their left edges as shares of the width; the force ends where its column does.
+struct Columns {
+    double spaces, force_end, sense;
+};
+Columns columns_of(double width) {
+    const double used = std::min(width, 96.0);
+    return {0.18 * used, 0.55 * used, 0.62 * used};
+}
+
+void put(Block& block, const DrawingContext& context, const RichText& text, double x, bool ends_there, double size, Colour colour,
+         double baseline) {
+    const ShapedLine shaped = context.fonts.shape(text, size);
+    set_text(block.marks, shaped, {ends_there ? x - shaped.width : x, baseline}, colour, "text");
+}
+
+Block head_of(const DrawingContext& context, double width) {
+    const Columns columns = columns_of(width);
+    const Theme& theme = context.theme;
+    Block head;
+    head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
+    const auto words = [&](const char* key) { return one_piece(word(key, context.language)); };
+    put(head, context, words("bar"), 0, false, theme.small, theme.secondary, 3.4);
+    if (has_plan(context.solution)) put(head, context, words("spaces"), columns.spaces, false, theme.small, theme.secondary, 3.4);
+    RichText force = words("axial force");
+    append(force, one_piece(" " + context.solution.mechanism.units.force.symbol));
+    put(head, context, force, columns.force_end, true, theme.small, theme.secondary, 3.4);
+    put(head, context, words("sense"), columns.sense, false, theme.small, theme.secondary, 3.4);
+    head.marks.emplace_back(line({0, 4.8}, {width, 4.8}, {theme.thin, theme.text, {}, false}));
+    head.width = width;
+    head.height = 5;
+    return head;
+}
+
+const char* sense_word(const Truss& truss, std::size_t bar, double value) {
+    if (truss.bars[bar].force->is_zero()) return truss.bars[bar].idle_by_rule ? "idle by rule" : "idle";
+    return value > 0 ? "tension" : "compression";
+}
+
+Measured measured_or(const std::vector<Figure>& figures, const std::string& name, bool& found) {
+    for (const Figure& figure : figures)
+        if (figure.id == "cremona")
+            if (const auto length = measured_on(figure, name)) {
+                found = true;
+                return *length;
+            }
+    return {};
+}
+
+}  // namespace
+
+bool has_plan(const Solution& solution) { return solution.truss && solution.truss->polygon >= 0; }
+
+std::vector<Block> bar_lines(const DrawingContext& context, double width) {
+    const Truss& truss = *context.solution.truss;
+    const Theme& theme = context.theme;
+    const Columns columns = columns_of(width);
+    const double si = context.solution.mechanism.units.force.si.to_double();
+    std::vector<Block> lines{head_of(context, width)};
+    for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
+        Block row;
+        const double value = truss.tension(bar, context.solution.pose.points) / si;
+        RichText name;
+        for (const int pin : truss.structure.bars[bar].pins)
+            append(name, typeset(Symbol{Symbol::Letter::point, truss.structure.name_of(context.solution.mechanism, pin), ""},
+                                 context.language));
+        put(row, context, name, 0, false, theme.body_text, theme.text, 3.6);
+        if (has_plan(context.solution)) {
+            const std::string spaces = truss.spaces[at_index(truss.bars[bar].left)].letter + "–" +
+                                       truss.spaces[at_index(truss.bars[bar].right)].letter;
+            put(row, context, one_piece(spaces), columns.spaces, false, theme.body_text, theme.text, 3.6);
+        }
+        const bool idle = truss.bars[bar].force->is_zero();
+        put(row, context, one_piece(idle ? "0" : number(value, 4, context.language)), columns.force_end, true, theme.body_text,
+            theme.text, 3.6);
+        put(row, context, one_piece(word(sense_word(truss, bar, value), context.language)), columns.sense, false, theme.body_text,
+            theme.text, 3.6);
+        belong(row.marks, 0, truss.bars[bar].statement);
+        row.width = width;
+        row.height = 4.4;
+        lines.push_back(std::move(row));
+    }
+    return lines;
+}
+
+std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vector<Figure>& figures) {
+    const Solution& solution = context.solution;
+    const Truss& truss = *solution.truss;
+    const Unit& unit = solution.mechanism.units.force;
+    const double si = unit.si.to_double();
+    const CheckedNumbers checks(solution);
+    std::vector<ResultRow> rows;
+    const auto add = [&](const Quantity& quantity, const Symbol& symbol, double value, std::optional<double> numeric) {
+        ResultRow row;
+        row.quantity = quantity;
+        row.symbol = symbol;
+        row.name = name_of(symbol);
+        row.drawing = value;
+        row.numeric = numeric;
+        row.unit = unit.symbol;
+        row.group.section = Topic::forces;
+        bool found = false;
+        const Measured measured = measured_or(figures, row.name, found);
+        if (found) row.millimetres = measured.millimetres;
+        rows.push_back(std::move(row));
+    };
+    for (const Truss::External& external : truss.externals) {
+        if (external.joint == none) continue;
+        // The check has it as the action on the frame.
+        const Joint& joint = solution.mechanism.joint(external.joint);
+        const BodyIndex from = joint.has_own_node() && joint.pair().is_hinge() ? BodyIndex(none) : joint.other_than(frame);
+        const Quantity reversed{.kind = Quantity::Kind::force, .body = frame, .other = from, .joint = external.joint};
+        const auto x = checks.of(reversed.along(Quantity::Component::x)), y = checks.of(reversed.along(Quantity::Component::y));
+        add({.kind = Quantity::Kind::force, .body = from, .other = frame, .joint = external.joint}, external.symbol,
+            kinegraph::length(*external.force) / si, x && y ? std::optional(std::hypot(*x, *y) / si) : std::nullopt);
+    }
+    for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
+        const Quantity quantity{.kind = Quantity::Kind::bar, .body = truss.structure.bars[bar].body};
+        std::optional<double> numeric = checks.of(quantity);
+        if (numeric) *numeric /= si;
+        add(quantity, {Symbol::Letter::F, truss.structure.bars[bar].name, {}}, truss.tension(bar, solution.pose.points) / si, numeric);
+    }
+    return rows;
+}
+
+}  // namespace kinegraph::render
