@@ -24,6 +24,7 @@ struct ForceResults {
     std::vector<Unsolved> unsolved;
     std::vector<Message> remarks;
     std::vector<Resultant> resultants;  ///< of bodies that nothing holds
+    std::vector<VirtualMotion> virtual_motions;
 };
 
 /// Draws the forces of a loaded mechanism. `motion` gives the accelerations where the file includes inertia.

@@ -9,6 +9,7 @@
 
 #include "constructions/force_model.hpp"
 #include "constructions/forces.hpp"
+#include "constructions/loose_bodies.hpp"
 
 namespace kinegraph::statics {
 
@@ -21,7 +22,7 @@ struct NamedMeet {
 using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
-                      const NamedMeets& meets);
+                      const NamedMeets& meets, const std::vector<Loose>& loose);
 
 /// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
 void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose);
