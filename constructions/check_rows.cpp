@@ -197,25 +197,35 @@ private:
         add({.kind = Kind::resultant, .body = found.bodies.front()}, *found.force, sum.force);
         add({.kind = Kind::resultant_couple, .body = found.bodies.front()}, found.couple->to_double(), sum.couple);
     }
-    /// Where equilibrium determines it.
+    /// Where equilibrium determines something of it.
     static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on, BodyIndex from) {
         for (const NumericForces::Action& action : numeric.actions)
-            if (action.known && action.joint == joint && action.on == on && action.from == from) return &action;
+            if ((action.force_known || action.couple_known || action.along) && action.joint == joint && action.on == on && action.from == from) return &action;
         return nullptr;
     }
     void compare_action(const JointForce& found, const NumericForces::Action& action) {
-        if (!found.force) return;
         Quantity quantity = quantity_of(found);
-        add(quantity, *found.force, action.force);
+        if (found.force && action.force_known) add(quantity, *found.force, action.force);
+        quantity.kind = Kind::force_component;
+        if (found.component && action.along) add(quantity, component_of(found), seen_along(found, action));
         quantity.kind = Kind::couple;
-        if (!found.couple->is_zero() || action.couple != 0) add(quantity, found.couple->to_double(), action.couple);
+        if (found.couple && action.couple_known && (!found.couple->is_zero() || action.couple != 0))
+            add(quantity, found.couple->to_double(), action.couple);
+    }
+    /// The numeric component, counted as the construction counts it.
+    static double seen_along(const JointForce& found, const NumericForces::Action& action) {
+        const Vector along = unit_of_component(found);
+        const double same = along.x.to_double() * (*action.along)[0] + along.y.to_double() * (*action.along)[1];
+        return action.component * same;
     }
 
     Comparison::Action action_on(const FreeBody& body, const AppliedForce& applied, const NumericForces& numeric) const {
         switch (applied.kind) {
             case AppliedForce::Kind::reaction: {
-                if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from))
+                if (const auto* action = action_of(numeric, applied.joint, body.body, applied.from)) {
+                    if (action->along) return {std::abs(action->component), action->couple};
                     return {length(action->force), action->couple};
+                }
                 // What a body gives to the pin of a multiple hinge is told as what the pin gives to the body.
                 const auto* action = body.body == none ? action_of(numeric, applied.joint, applied.from, none) : nullptr;
                 if (action == nullptr) return {};

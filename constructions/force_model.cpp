@@ -397,22 +397,43 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
     return total;
 }
 
-std::vector<Group> ForceModel::floating() const {
+std::array<ScalarHandle, 3> ForceModel::gap(MemberIndex member, const std::vector<Load>& loads, const Run& run,
+                                            PlaceOnDrawing about) {
+    const Wrench left = known_on({member}, loads, run);
+    const auto component = [&](const Vector& across) {
+        if (!left.force) return board_.number(0);
+        return board_.moment(board_.own_direction(across), *left.force);
+    };
+    return {component({0, -1}), component({1, 0}), moment(left, about)};
+}
+
+std::vector<Group> ForceModel::floating() const { return hanging_together(false); }
+
+std::vector<Group> ForceModel::single_on_frame() const {
+    std::vector<Group> found = hanging_together(true);
+    std::erase_if(found, [&](const Group& group) {
+        return std::count_if(group.begin(), group.end(), [&](MemberIndex member) { return !is_pin(member); }) != 1;
+    });
+    return found;
+}
+
+std::vector<Group> ForceModel::hanging_together(bool on_frame) const {
     std::vector<Group> found;
     std::set<MemberIndex> seen;
     for (const MemberIndex first : moving_members()) {
         if (!seen.insert(first).second) continue;
         Group group{first};
-        bool held = false;
+        bool by_effort = false, by_frame = false;
         for (std::size_t next = 0; next < group.size(); ++next)
             for (const int b : bonds_of(group[next])) {
                 const Bond& bond = bonds_[at(b)];
                 const MemberIndex other = bond.first == group[next] ? bond.second : bond.first;
-                held = held || bond.effort >= 0 || other == member_of(frame);
+                by_effort = by_effort || bond.effort >= 0;
+                by_frame = by_frame || other == member_of(frame);
                 if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
             }
         std::sort(group.begin(), group.end());
-        if (!held) found.push_back(std::move(group));
+        if (!by_effort && by_frame == on_frame) found.push_back(std::move(group));
     }
     return found;
 }

@@ -2,6 +2,7 @@
 // resultant. It says what is unknown, not how it is found.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -56,6 +57,11 @@ struct Reaction {
     bool deduced = false;                   ///< the line was found, not given
     StatementIndex line_statement = none;   ///< the first that says or needs its line
     StatementIndex force_statement = none;  ///< by which it is known
+    /// Of what is not known, what every equilibrium has alike: all of the force, its component along one direction, the couple.
+    enum class Alike { nothing, component, force } alike = Alike::nothing;
+    bool couple_alike = false;
+    std::optional<DirectionHandle> along;  ///< of the component; `force` holds it
+    std::string axis, across;              ///< superscripts of the component, and of the one that stays open
 };
 
 /// All that acts on a body, reduced: nothing, a couple, or a force along a line.
@@ -83,9 +89,28 @@ struct Resolved {
     MemberIndex member;
 };
 
+/// The motion by which a force was found that every equilibrium has alike.
+struct Released {
+    struct Turning {
+        MemberIndex member;
+        std::optional<ScalarHandle> omega;     ///< nothing: it translates
+        std::optional<PlaceOnDrawing> centre;  ///< nothing: it translates
+        std::string name;                      ///< of the centre
+    };
+    std::vector<Turning> members;  ///< that move
+    int bond = -1;
+    Symbol sought;
+    std::optional<DirectionHandle> along;  ///< of a force that is sought; nothing: of a couple
+    std::optional<Force> force;            ///< found; nothing: it vanishes
+    std::optional<ScalarHandle> couple;
+    StatementIndex statement = none;
+};
+
 struct Run {
     std::vector<Reaction> reactions;  ///< by bond
     std::vector<Resolved> order;
+    std::vector<Released> released;
+    Group redundant;  ///< members of which equilibrium leaves something open, though there is an equilibrium
     bool complete = false;
     bool in_parts = false;  ///< a sum of parts found apart, or of trials
 };
@@ -137,14 +162,20 @@ public:
     Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
+    /// What the loads and the known reactions leave on a member: components along x and y, and the moment about a place.
+    std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
     /// Members that hang together, and neither on the frame nor on an effort.
     std::vector<Group> floating() const;
     /// Structures of more than one body that hang on the frame.
     std::vector<Group> hung_on_frame() const;
+    /// Bodies that no other body and no effort holds, but the frame: each with the pins on it.
+    std::vector<Group> single_on_frame() const;
     /// Bonds between a group and the rest.
     std::vector<int> outer_bonds(const Group& group) const;
 
 private:
+    /// Members that hang together, not on an effort, and on the frame or not.
+    std::vector<Group> hanging_together(bool on_frame) const;
     static std::string relative_name_of_bodies(const std::string& of, const std::string& on);
     void add_joint(JointIndex index);
     void add_effort(int index);

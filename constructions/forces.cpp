@@ -4,10 +4,13 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
+#include "constructions/equilibria.hpp"
 #include "constructions/force_model.hpp"
 #include "constructions/free_bodies.hpp"
+#include "constructions/loose_bodies.hpp"
 #include "constructions/trial_size.hpp"
 #include "constructions/truss.hpp"
 #include "engine/assert.hpp"
@@ -19,13 +22,15 @@ namespace {
 /// The rules, and the runs in which they are applied.
 class Rules {
 public:
-    /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium.
-    Rules(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift)
+    /// `adrift`: members of which nothing is found, since what is given on them is not in equilibrium. `redundant`: equilibrium
+    /// does not determine everything.
+    Rules(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift, bool redundant)
         : model_(model),
           board_(board),
           mechanism_(mechanism),
           origin_(board.place(PointIndex(0))),
           adrift_(std::move(adrift)),
+          redundant_(redundant),
           wholes_(model.hung_on_frame()) {}
 
     Run run() {
@@ -195,8 +200,7 @@ private:
     }
     /// Pins come after the bodies.
     MemberIndex last_body_of(const Group& group) const {
-        const auto last =
-            std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
+        const auto last = std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
         return last == group.rend() ? group.back() : *last;
     }
     /// What the sentence said last finds of a bond, or says of it.
@@ -474,7 +478,9 @@ private:
     /// What is left balances the rest.
     bool single(const Group& group, int b, const Wrench& known, Run& run) {
         const Shape of = shape(b, run);
-        say_of(group, Sentence::single_reaction, {symbol_on(b, group)});
+        Symbol symbol = symbol_on(b, group);
+        if (known.vanishes() && of == Shape::couple) symbol.letter = Symbol::Letter::M;
+        say_of(group, known.vanishes() ? Sentence::no_force : Sentence::single_reaction, {symbol});
         if (of == Shape::couple) {
             settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
             return true;
@@ -572,12 +578,31 @@ private:
         return true;
     }
 
+    /// No triangle closes with a force that is nothing.
+    bool is_along(const Wrench& known, const Action& line) {
+        return known.force && board_.parallel(board_.direction(*known.force), line.direction);
+    }
+    /// `couple_too`: the pair transmits a couple, and it vanishes.
+    void say_no_force_along(const Group& group, int nothing, int all, bool couple_too) {
+        std::vector<Argument> arguments{symbol_on(nothing, group), symbol_on(all, group)};
+        if (couple_too) {
+            Symbol couple = symbol_on(nothing, group);
+            couple.letter = Symbol::Letter::M;
+            arguments.emplace_back(std::move(couple));
+        }
+        say_of(group, Sentence::no_force_along, std::move(arguments));
+    }
+
     /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
     bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, Run& run) {
         const Action given = *run.reactions[at(line)].action;
         const DirectionHandle normal = model_.bonds()[at(guide)].direction;
         if (board_.parallel(given.direction, normal)) return false;
-        say_of(group, Sentence::triangle, {symbol_on(line, group), symbol_on(guide, group)});
+        if (is_along(known, given)) {
+            say_no_force_along(group, guide, line, board_.is_zero(model_.moment(known, given.place)));
+        } else {
+            say_of(group, Sentence::triangle, {symbol_on(line, group), symbol_on(guide, group)});
+        }
         const auto [along, across] = triangle(known, given.direction, normal);
         settle(line, along, given.place, group, run);
         Wrench rest = known;
@@ -601,7 +626,12 @@ private:
     bool two_lines(const Group& group, int one, int two, int couple, const Wrench& known, Run& run) {
         const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
         if (!board_.parallel(first.direction, second.direction)) {
-            say_of(group, Sentence::triangle, {symbol_on(one, group), symbol_on(two, group)});
+            if (is_along(known, first))
+                say_no_force_along(group, two, one, false);
+            else if (is_along(known, second))
+                say_no_force_along(group, one, two, false);
+            else
+                say_of(group, Sentence::triangle, {symbol_on(one, group), symbol_on(two, group)});
             const auto [x, y] = triangle(known, first.direction, second.direction);
             settle(one, x, first.place, group, run);
             settle(two, y, second.place, group, run);
@@ -678,6 +708,7 @@ private:
         Run direct = fresh();
         advance(loads, direct);
         if (direct.complete) return direct;
+        if (redundant_) return in_every_equilibrium(loads, std::move(direct));
         // Several loaded bodies: one after the other.
         Group loaded;
         for (const Load& load : loads) {
@@ -858,12 +889,161 @@ private:
 
     /// What does not close at a member: components along x and y, and the moment about one fixed place.
     std::array<ScalarHandle, 3> gaps(MemberIndex member, const std::vector<Load>& loads, const Run& run) {
-        const Wrench gap = model_.known_on({member}, loads, run);
-        const auto component = [&](const Vector& across) {
-            if (!gap.force) return board_.number(0);
-            return board_.moment(board_.own_direction(across), *gap.force);
+        return model_.gap(member, loads, run, origin_);
+    }
+
+    // --- redundant structures ------------------------------------------------------------------------------------------------
+    /// What every equilibrium has alike, one after the other by virtual work; after each the rules go on from there. At last the
+    /// components of what stays open.
+    Run in_every_equilibrium(const std::vector<Load>& loads, Run run) {
+        while (!run.complete && settle_alike(loads, run)) advance(loads, run);
+        for (const Group& group : groups_in_question(model_, run)) {
+            if (group.size() > Equilibria::most_members) continue;
+            Equilibria all = equilibria(group, loads, run);
+            if (!all.exist()) continue;
+            run.redundant.insert(run.redundant.end(), group.begin(), group.end());
+            for (const int b : in_question(group, run)) note_alike(b, all.of(b), all, run);
+        }
+        return run;
+    }
+    Equilibria equilibria(const Group& group, const std::vector<Load>& loads, const Run& run) {
+        return {model_, board_, run, group, origin_, [&](MemberIndex member) { return gaps(member, loads, run); }};
+    }
+    /// Efforts first, then what has fewest unknowns.
+    std::vector<int> in_question(const Group& group, const Run& run) const {
+        std::set<int> bonds;
+        for (const MemberIndex member : group)
+            for (const int b : model_.bonds_of(member))
+                if (!run.reactions[at(b)].known) bonds.insert(b);
+        std::vector<int> sorted(bonds.begin(), bonds.end());
+        const auto rank = [&](int b) {
+            const Bond& bond = model_.bonds()[at(b)];
+            const bool one = bond.kind == Bond::Kind::line || bond.kind == Bond::Kind::couple;
+            return bond.effort >= 0 ? 0 : one ? 1 : bond.kind == Bond::Kind::clamp ? 3 : 2;
         };
-        return {component({0, -1}), component({1, 0}), model_.moment(gap, origin_)};
+        std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return rank(a) < rank(b); });
+        return sorted;
+    }
+    bool settle_alike(const std::vector<Load>& loads, Run& run) {
+        for (const Group& group : groups_in_question(model_, run)) {
+            if (group.size() > Equilibria::most_members) continue;
+            Equilibria all = equilibria(group, loads, run);
+            if (!all.exist()) continue;
+            for (const int b : in_question(group, run)) {
+                const Equilibria::Alike alike = all.of(b);
+                if (!alike.all) continue;
+                settle_by_work(b, alike, all, run);
+                return true;
+            }
+        }
+        return false;
+    }
+    /// The body of a bond that is cut free to speak of it.
+    Group cut_at(int b) const {
+        const Bond& bond = model_.bonds()[at(b)];
+        return {bond.first == member_of(frame) ? bond.second : bond.first};
+    }
+    /// Of a determined reaction: each component, then the couple.
+    void settle_by_work(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+        const Group on = cut_at(b);
+        const Bond& bond = model_.bonds()[at(b)];
+        const bool reversed = !in(on, bond.first);
+        std::optional<Force> force = said_components(b, alike, all, run);
+        std::optional<ScalarHandle> couple = said_couple(b, alike, all, run);
+        if (force && reversed) force = board_.negate(*force);
+        if (couple && reversed) couple = board_.opposite(*couple);
+        if (force && couple) return settle_with_couple(b, *force, *couple, on, run);
+        if (force) return settle(b, *force, place_of(b, run), on, run);
+        if (couple) return settle_couple(b, *couple, on, run);
+        found(b, on, run);
+    }
+    /// On the bond's first member; nothing: it vanishes.
+    std::optional<Force> said_components(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+        std::optional<Force> force;
+        const bool apart = alike.components.size() > 1 || !alike.whole_force;  // else the symbol says it all
+        for (const Equilibria::Component& each : alike.components) {
+            Symbol symbol = symbol_on(b, cut_at(b));
+            if (apart) symbol = component_symbol(symbol, each.direction);
+            say_work(b, std::move(symbol), each.direction, each.motion, all, run);
+            if (!each.vanishes) run.released.back().force = each.force;
+            if (!each.vanishes) force = force ? board_.add(*force, each.force) : each.force;
+        }
+        return force;
+    }
+    std::optional<ScalarHandle> said_couple(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+        if (!alike.couple) return std::nullopt;
+        Symbol symbol = symbol_on(b, cut_at(b));
+        symbol.letter = Symbol::Letter::M;
+        say_work(b, std::move(symbol), std::nullopt, alike.couple->motion, all, run);
+        run.released.back().couple = alike.couple->couple;
+        if (alike.couple->couple && !in(cut_at(b), model_.bonds()[at(b)].first))
+            run.released.back().couple = board_.opposite(*alike.couple->couple);  // as the symbol counts it
+        return alike.couple->couple;
+    }
+    /// x and y, else n and t: of a direction, and of that across it.
+    std::pair<std::string, std::string> axes(DirectionHandle along) {
+        if (board_.parallel(along, board_.own_direction({1, 0}))) return {"x", "y"};
+        if (board_.parallel(along, board_.own_direction({0, 1}))) return {"y", "x"};
+        return {"n", "t"};
+    }
+    Symbol component_symbol(Symbol symbol, DirectionHandle along) {
+        symbol.term += (symbol.term.empty() ? "" : ",") + axes(along).first;
+        return symbol;
+    }
+    /// Of a reaction that stays open.
+    void note_alike(int b, const Equilibria::Alike& alike, Equilibria& all, Run& run) {
+        if (alike.components.empty() && !alike.couple) return;
+        const std::optional<Force> force = said_components(b, alike, all, run);
+        Reaction& reaction = run.reactions[at(b)];
+        if (!alike.components.empty()) {
+            reaction.alike = alike.whole_force ? Reaction::Alike::force : Reaction::Alike::component;
+            reaction.force = force;
+            reaction.along = alike.components.front().direction;
+            std::tie(reaction.axis, reaction.across) = axes(*reaction.along);
+        }
+        reaction.couple = said_couple(b, alike, all, run);
+        reaction.couple_alike = alike.couple.has_value();
+        reaction.force_statement = statement_;
+    }
+
+    /// By moments or components of one body (or of several as one) where they move as one, else by the works.
+    void say_work(int b, Symbol symbol, std::optional<DirectionHandle> along, const Equilibria::Motion& motion, Equilibria& all,
+                  Run& run) {
+        Released released;
+        released.bond = b;
+        released.sought = symbol;
+        released.along = along;
+        const bool of_bodies = std::any_of(motion.members.begin(), motion.members.end(),
+                                           [&](const auto& each) { return !model_.is_pin(each.first); });
+        Group moved;
+        Names turning, centres, translating;
+        for (const auto& [member, twist] : motion.members) {
+            if (of_bodies && model_.is_pin(member)) continue;
+            moved.push_back(member);
+            Released::Turning each{member, twist.turn, all.centre(twist), {}};
+            if (each.centre) each.name = name_at(moved, *each.centre);
+            (each.centre ? turning : translating).push_back(model_.member_name(member));
+            if (each.centre) centres.push_back(each.name);
+            released.members.push_back(std::move(each));
+        }
+        const bool as_one = of_bodies ? all.moves_as_one(motion) : moved.size() == 1;
+        if (as_one && !centres.empty()) {
+            say_of(moved, Sentence::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");
+        } else if (as_one) {
+            say_of(moved, Sentence::components_alone, {symbol});
+        } else {
+            say(Sentence::virtual_work_alone, {symbol, turning, centres, translating}, "", moved);
+        }
+        released.statement = statement_;
+        if (!run.reactions[at(b)].known && run.reactions[at(b)].line_statement == none)
+            run.reactions[at(b)].line_statement = statement_;
+        run.released.push_back(std::move(released));
+    }
+    /// Of a point of the file, or a letter of its own.
+    std::string name_at(const Group& group, PlaceOnDrawing place) {
+        for (const PointIndex point : indices_of(mechanism_.points))
+            if (board_.coincide(board_.place(point), place)) return mechanism_.point(point).name;
+        return meet_name(group, place);
     }
 
     /// The components of a hinge that was tried by them are its force again.
@@ -886,6 +1066,7 @@ private:
     const Mechanism& mechanism_;
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
+    bool redundant_;
     std::vector<Group> wholes_;                                   ///< structures hung on the frame: cut free whole first
     long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
     int trials_ = 0;                                              ///< trials under way, one in the other
@@ -901,8 +1082,8 @@ Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& tru
     for (const TrussStructure::Pin& pin : truss.pins) {
         if (pin.hinges.empty() || pin.bars.size() != 1) continue;
         const ElementIndex here = board.place(pin.point).element;
-        const bool loaded = std::any_of(model.loads().begin(), model.loads().end(),
-                                        [&](const Load& load) { return load.place.element == here; });
+        const bool loaded =
+            std::any_of(model.loads().begin(), model.loads().end(), [&](const Load& load) { return load.place.element == here; });
         if (!loaded) hung.push_back(member_of(truss.bars[at(pin.bars.front())].body));
     }
     return hung;
@@ -931,19 +1112,25 @@ std::optional<Truss::Whole> whole_of(ForceModel& model, const NamedMeets& meets,
 }
 
 /// The whole first, then pin by pin; where that does not lead to the end, body by body.
+/// Equilibrium does not determine everything.
+bool is_redundant(const Mechanism& mechanism, const Mobility& mobility) {
+    return mobility.repeated() > 0 || static_cast<int>(mechanism.efforts.size()) > mobility.effective;
+}
+
 ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility,
                         const TrussStructure& truss) {
     const Board::Mark before = board.mark();
     Statement opening;
     opening.section = Topic::forces;
-    opening.message = {Sentence::truss_whole, {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
+    opening.message = {Sentence::truss_whole,
+                       {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
     board.state(std::move(opening));
-    Rules rules(model, board, mechanism, {});
+    Rules rules(model, board, mechanism, {}, false);
     const Run whole = rules.whole(hung_bars(model, board, truss));
     TrussDrawing drawing(model, board, mechanism, truss, whole);
     if (drawing.resolve()) {
         const Run run = drawing.run(whole);
-        ForceResults results = cut_free(model, board, mechanism, mobility, run, rules.meets(), false);
+        ForceResults results = cut_free(model, board, mechanism, mobility, run, rules.meets(), {}, false);
         results.truss = drawing.finish(run);
         results.truss->whole = whole_of(model, rules.meets(), whole);
         for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
@@ -951,9 +1138,9 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
         return results;
     }
     board.rewind(before);
-    Rules one_by_one(model, board, mechanism, {});
+    Rules one_by_one(model, board, mechanism, {}, is_redundant(mechanism, mobility));
     const Run run = one_by_one.run();
-    ForceResults results = cut_free(model, board, mechanism, mobility, run, one_by_one.meets());
+    ForceResults results = cut_free(model, board, mechanism, mobility, run, one_by_one.meets(), {});
     if (!run.complete || !results.unsolved.empty()) return results;
     TrussDrawing bars(model, board, mechanism, truss, run);
     bars.read_off(run);
@@ -966,17 +1153,22 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
 }  // namespace statics
 
 ForceResults draw_forces(Structure& structure, Board& board, const Motion& motion, const Mobility& mobility) {
-    if (structure.mechanism().points.empty()) return {};
+    const Mechanism& mechanism = structure.mechanism();
+    if (mechanism.points.empty()) return {};
     statics::ForceModel model(structure, board, motion);
-    if (!model.missing().empty()) return {{}, {}, {}, model.missing(), {}, {}, {}};
+    if (!model.missing().empty()) {
+        ForceResults results;
+        results.unsolved = model.missing();
+        return results;
+    }
+    const std::vector<statics::Loose> loose = statics::loose_bodies(model, board, mechanism, mobility);
     std::set<statics::MemberIndex> adrift;
-    if (structure.mechanism().drivers.empty())
-        for (const statics::Group& group : model.floating())
-            if (!model.known_on(group, model.loads(), {}).vanishes()) adrift.insert(group.begin(), group.end());
-    if (const auto truss = truss_of(structure.mechanism())) return statics::draw_truss(model, board, structure.mechanism(), mobility, *truss);
-    statics::Rules rules(model, board, structure.mechanism(), std::move(adrift));
+    for (const statics::Loose& each : loose)
+        if (!each.balanced) adrift.insert(each.group.begin(), each.group.end());
+    if (const auto truss = truss_of(mechanism)) return statics::draw_truss(model, board, mechanism, mobility, *truss);
+    statics::Rules rules(model, board, mechanism, std::move(adrift), statics::is_redundant(mechanism, mobility));
     const statics::Run run = rules.run();
-    return statics::cut_free(model, board, structure.mechanism(), mobility, run, rules.meets());
+    return statics::cut_free(model, board, mechanism, mobility, run, rules.meets(), loose);
 }
 
 }  // namespace kinegraph

@@ -23,8 +23,14 @@ using Corner = PointOn<Plane::force>;
 class FreeBodies {
 public:
     FreeBodies(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const NamedMeets& meets,
-               bool one_by_one)
-        : model_(model), board_(board), mechanism_(mechanism), mobility_(mobility), meets_(meets), one_by_one_(one_by_one) {}
+               const std::vector<Loose>& loose, bool one_by_one)
+        : model_(model),
+          board_(board),
+          mechanism_(mechanism),
+          mobility_(mobility),
+          meets_(meets),
+          loose_(loose),
+          one_by_one_(one_by_one) {}
 
     ForceResults cut(const Run& run) {
         collect(run);
@@ -33,8 +39,7 @@ public:
 
 private:
     void collect(const Run& run) {
-        if (mechanism_.drivers.empty())
-            for (const Group& group : model_.floating()) resultant(group);
+        for (const Loose& each : loose_) resultant(each);
         std::set<MemberIndex> open = out_of_equilibrium(run);
         for (const MemberIndex member : unbalanced_) open.erase(member);
         const bool balanced = open.empty(), complete = is_complete(run);
@@ -44,8 +49,10 @@ private:
             const bool held = unbalanced_.count(bond.first) == 0 && unbalanced_.count(bond.second) == 0;
             collect(bond, run.reactions[b], held && open.count(bond.first) == 0 && open.count(bond.second) == 0);
         }
-        if (!complete || !balanced) return;
+        if ((!complete && run.redundant.empty()) || !balanced) return;
         if (one_by_one_) draw_bodies(run);
+        for (const Released& released : run.released) virtual_motion(released);
+        if (complete && one_by_one_) join_polygons();
         remark_lift_off(run);
     }
     void draw_bodies(const Run& run) {
@@ -55,8 +62,13 @@ private:
             if (!in(order, member)) order.push_back(member);
         }
         for (const MemberIndex member : order)
-            if (unbalanced_.count(member) == 0) free_body(member, run);
-        join_polygons();
+            if (unbalanced_.count(member) == 0 && (is_whole(member, run) || in(run.redundant, member))) free_body(member, run);
+    }
+
+    /// All that acts on it is known.
+    bool is_whole(MemberIndex member, const Run& run) const {
+        const auto& bonds = model_.bonds_of(member);
+        return std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
     }
 
     // --- bodies that nothing holds ---------------------------------------------------------------------------------------------
@@ -68,7 +80,8 @@ private:
     }
 
     /// All that is given on a group as one force along a line, one couple, or nothing.
-    void resultant(const Group& group) {
+    void resultant(const Loose& loose) {
+        const Group& group = loose.group;
         std::vector<const Load*> loads;
         for (const Load& load : model_.loads())
             if (in(group, load.member)) loads.push_back(&load);
@@ -96,13 +109,118 @@ private:
             const PlaceOnDrawing foot = couple ? board_.carry(origin, board_.arm(*couple, *force)) : origin;
             result.through = Recorded<Vector>::at(foot.element);
         }
+        // The freedom of a body on the frame is not balanced, whatever the sum.
+        const bool is_free = !loose.balanced && (loose.centre || loose.along);
+        if (force && is_free) find_residual(loose, *force, loads, result);
         say_resultant(result, force, couple);
-        if (!result.vanishes) {
+        if (!loose.balanced) {
             unbalanced_.insert(group.begin(), group.end());
             cut_unbalanced(group, loads, result, force, couple);
+            if (force && loose.centre && group.size() == 1) turn_by_resultant(result, *loose.centre, *force);
         }
         results_.resultants.push_back(std::move(result));
     }
+    /// What is given does on the one freedom that the joints leave: its moment about the centre, or its part along the guide.
+    void find_residual(const Loose& loose, Force force, const std::vector<const Load*>& loads, Resultant& result) {
+        if (loose.centre) {
+            std::optional<ScalarHandle> turn;
+            const auto turn_by = [&](ScalarHandle moment) { turn = turn ? board_.sum(*turn, moment) : moment; };
+            for (const Load* load : loads) {
+                if (load->force) turn_by(board_.moment(board_.vector(*loose.centre, load->place), *load->force));
+                if (load->couple) turn_by(*load->couple);
+            }
+            result.about = Recorded<Vector>::at(loose.centre->element);
+            result.residual_couple = found(turn);
+            return;
+        }
+        const Force unit = board_.scale<Plane::force>(board_.number(1), *loose.along);
+        const auto start = board_.pole<Plane::force>();
+        const auto foot = board_.meet(board_.through(start, *loose.along),
+                                      board_.through(board_.carry(start, force), board_.perpendicular(board_.direction(unit))));
+        KG_ASSERT(foot, "a line meets one across it");
+        result.residual_force = found(std::optional<Force>(board_.vector(start, *foot)));
+    }
+    /// The arm of the resultant about the place that its body is free to turn about.
+    void turn_by_resultant(const Resultant& result, PlaceOnDrawing centre, Force force) {
+        FreeBody& body = results_.bodies.back();
+        const AppliedForce& applied = body.forces.back();
+        const PlaceOnDrawing place{applied.elements.at};
+        if (board_.on_line(centre, board_.through(place, board_.direction(force)))) return;
+        body.arms.push_back(arm_about(centre, force, place, result.statement, true));
+    }
+    FreeBody::Arm arm_about(PlaceOnDrawing about, Force force, PlaceOnDrawing place, StatementIndex statement, bool is_sought) {
+        FreeBody::Arm arm;
+        const ScalarHandle moment = board_.moment(board_.vector(about, place), force);
+        arm.name = point_at(about);
+        arm.statement = statement;
+        arm.is_sought = is_sought;
+        arm.elements.about = about.element;
+        arm.elements.foot = board_.carry(about, board_.arm(moment, force)).element;
+        return arm;
+    }
+    /// A point of the file that lies there; empty: none does.
+    std::string point_at(PlaceOnDrawing place) {
+        for (const PointIndex point : indices_of(mechanism_.points))
+            if (board_.coincide(board_.place(point), place)) return mechanism_.point(point).name;
+        return "";
+    }
+
+    // --- bodies that redundant constraints hold
+    // ---------------------------------------------------------------------------------
+    /// The motion of a sentence, and the arms of what does work in it.
+    void virtual_motion(const Released& released) {
+        VirtualMotion motion;
+        motion.statement = released.statement;
+        motion.sought = released.sought;
+        if (released.along)
+            motion.force = found(released.force);
+        else
+            motion.couple = found(released.couple);
+        for (const Released::Turning& turning : released.members) {
+            if (model_.is_pin(turning.member)) continue;
+            motion.bodies.push_back({model_.body_of(turning.member), {}});
+            if (turning.omega) motion.bodies.back().omega = Recorded<Exact>::at(turning.omega->element);
+            if (turning.centre) take_moments(released, turning);
+        }
+        results_.virtual_motions.push_back(std::move(motion));
+    }
+    void take_moments(const Released& released, const Released::Turning& turning) {
+        const auto free = std::find_if(results_.bodies.begin(), results_.bodies.end(),
+                                       [&](const FreeBody& each) { return each.body == model_.body_of(turning.member); });
+        if (free == results_.bodies.end()) return;
+        const auto add = [&](Force force, PlaceOnDrawing place, bool is_sought) {
+            if (board_.on_line(*turning.centre, board_.through(place, board_.direction(force)))) return;
+            FreeBody::Arm arm = arm_about(*turning.centre, force, place, released.statement, is_sought);
+            arm.name = turning.name;
+            free->arms.push_back(std::move(arm));
+        };
+        for (const Load& load : model_.loads())
+            if (load.member == turning.member && load.force) add(*load.force, load.place, false);
+        const Bond& bond = model_.bonds()[at(released.bond)];
+        const bool bears = bond.first == turning.member || bond.second == turning.member;
+        if (bears && released.along && released.force)
+            add(board_.scale<Plane::force>(board_.number(1), *released.along), bond.place, true);
+    }
+    /// What of a reaction equilibrium leaves open: all of it, the component across that which is known, its couple.
+    static Symbols open_symbols(const Bond& bond, const Reaction& reaction, bool reversed) {
+        Symbols open;
+        if (reaction.known) return open;
+        Symbol symbol = reversed ? bond.reverse : bond.symbol;
+        const bool takes_couple = bond.kind == Bond::Kind::guide || bond.kind == Bond::Kind::clamp;
+        if (reaction.alike == Reaction::Alike::component) {
+            Symbol across = symbol;
+            across.term += (across.term.empty() ? "" : ",") + std::string(reaction.across);
+            open.push_back(std::move(across));
+        } else if (reaction.alike == Reaction::Alike::nothing) {
+            open.push_back(symbol);
+        }
+        if (takes_couple && !reaction.couple_alike && reaction.alike != Reaction::Alike::nothing) {
+            symbol.letter = Symbol::Letter::M;
+            open.push_back(std::move(symbol));
+        }
+        return open;
+    }
+
     template <class Handle>
     std::optional<Handle> unless_zero(const std::optional<Handle>& value) {
         return value && !board_.is_zero(*value) ? value : std::nullopt;
@@ -117,7 +235,18 @@ private:
         statement.section = Topic::forces;
         statement.bodies = result.bodies;
         statement.message = {Sentence::in_equilibrium, {BodyName{names}}};
-        if (force || couple) {
+        const Symbol resultant = resultant_symbol(true);
+        if (result.residual_couple) {
+            const std::string centre = point_at({result.about.element()});
+            statement.message = {Sentence::residual_couple,
+                                 {BodyName{names}, resultant, PointName{centre}, Symbol{Symbol::Letter::M, centre, {}}}};
+            statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
+        } else if (result.residual_force) {
+            Symbol along = resultant;
+            along.term = "t";
+            statement.message = {Sentence::residual_force, {BodyName{names}, resultant, along}};
+            statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
+        } else if (force || couple) {
             statement.message.sentence = force ? Sentence::resultant_force : Sentence::resultant_couple;
             statement.message.arguments.emplace_back(resultant_symbol(force.has_value()));
             statement.finds.push_back({.kind = Quantity::Kind::resultant, .body = result.bodies.front()});
@@ -258,7 +387,7 @@ private:
     void explain(const Run& run, bool balanced) {
         Symbols open;
         for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
-            if (!run.reactions[b].known) open.push_back(model_.bonds()[b].symbol);
+            for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], false)) open.push_back(std::move(symbol));
         }
         results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
     }
@@ -295,12 +424,22 @@ private:
         if (valid && reaction.known) {
             on_first.force = found(reaction.force);
             on_first.couple = found(reaction.couple);
+        } else if (valid) {
+            if (reaction.alike == Reaction::Alike::force) on_first.force = found(reaction.force);
+            if (reaction.alike == Reaction::Alike::component) {
+                on_first.component = found(reaction.force);
+                on_first.along = Recorded<Vector>::at(reaction.along->element);
+            }
+            const bool bears_none = bond.kind != Bond::Kind::guide && bond.kind != Bond::Kind::clamp;
+            if (reaction.couple_alike || (bears_none && reaction.alike != Reaction::Alike::nothing))
+                on_first.couple = found(reaction.couple);
         }
         results_.joints.push_back(on_first);
         if (model_.is_pin(bond.second)) return;
         JointForce on_second = on_first;
         std::swap(on_second.on, on_second.from);
         if (on_second.force && reaction.force) on_second.force = found(board_.negate(*reaction.force));
+        if (on_second.component && reaction.force) on_second.component = found(board_.negate(*reaction.force));
         if (on_second.couple && reaction.couple) on_second.couple = found(board_.opposite(*reaction.couple));
         results_.joints.push_back(on_second);
     }
@@ -326,8 +465,13 @@ private:
             const Bond& bond = model_.bonds()[at(b)];
             const Reaction& reaction = run.reactions[at(b)];
             const bool reversed = bond.second == member;
+            for (Symbol& symbol : open_symbols(bond, reaction, reversed)) body.open.push_back(std::move(symbol));
+            if (!reaction.known && reaction.alike == Reaction::Alike::nothing && !reaction.couple_alike) continue;
             AppliedForce applied;
             applied.symbol = reversed ? bond.reverse : bond.symbol;
+            applied.is_component = !reaction.known;
+            if (reaction.alike == Reaction::Alike::component && !reaction.known)
+                applied.symbol.term += (applied.symbol.term.empty() ? "" : ",") + std::string(reaction.axis);
             applied.kind = bond.effort >= 0 ? AppliedForce::Kind::effort : AppliedForce::Kind::reaction;
             applied.joint = bond.joint;
             applied.given = bond.effort;
@@ -341,8 +485,8 @@ private:
             if (reaction.force) force = reversed ? board_.negate(*reaction.force) : *reaction.force;
             if (reaction.couple) {
                 const ScalarHandle couple = reversed ? board_.opposite(*reaction.couple) : *reaction.couple;
-                // A force with a couple is the same force moved aside: its real line.
-                if (force) {
+                // A force with a couple is the same force moved aside: its real line. A part of a force has none.
+                if (force && reaction.known) {
                     applied.elements.at = board_.carry(bond.place, board_.arm(couple, *force)).element;
                 } else {
                     applied.elements.couple = couple.element;
@@ -351,7 +495,9 @@ private:
             apply(std::move(applied), force, b);
         }
         list_meets(member, body);
-        if (!sides.empty()) {
+        const bool whole = is_whole(member, run);
+        if (!whole) body.statement = none;  // no one sentence closes it
+        if (!sides.empty() && whole) {
             sort_round(sides);
             body.polygon = draw_polygon(member, sides);
             sides_.emplace_back(member, std::move(sides));
@@ -479,6 +625,7 @@ private:
     const Mechanism& mechanism_;
     const Mobility& mobility_;
     const NamedMeets& meets_;
+    const std::vector<Loose>& loose_;
     bool one_by_one_;
     std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order resolved
     std::set<MemberIndex> unbalanced_;                              ///< floating, and what is given on them does not balance
@@ -508,8 +655,8 @@ void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose) {
 }
 
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
-                      const NamedMeets& meets, bool one_by_one) {
-    return FreeBodies(model, board, mechanism, mobility, meets, one_by_one).cut(run);
+                      const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one) {
+    return FreeBodies(model, board, mechanism, mobility, meets, loose, one_by_one).cut(run);
 }
 
 }  // namespace kinegraph::statics

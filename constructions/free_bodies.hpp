@@ -9,6 +9,7 @@
 
 #include "constructions/force_model.hpp"
 #include "constructions/forces.hpp"
+#include "constructions/loose_bodies.hpp"
 
 namespace kinegraph::statics {
 
@@ -22,7 +23,7 @@ using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 
 /// `one_by_one`: with each body cut free, and their polygons; else the forces at joints alone.
 ForceResults cut_free(ForceModel& model, Board& board, const Mechanism& mechanism, const Mobility& mobility, const Run& run,
-                      const NamedMeets& meets, bool one_by_one = true);
+                      const NamedMeets& meets, const std::vector<Loose>& loose, bool one_by_one = true);
 
 /// The line of a load is first needed where it leads to a point of concurrency. Asked once the values are read.
 void note_first_use_of_lines(std::vector<FreeBody>& bodies, const Pose& pose);

@@ -375,9 +375,13 @@ private:
         solution_.free_bodies = std::move(forces.bodies);
         solution_.resultants = std::move(forces.resultants);
         solution_.truss = std::move(forces.truss);
+        solution_.virtual_motions = std::move(forces.virtual_motions);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
-        if (wanted_.velocities && is_moving(mechanism_))
+        // What an effort that is not known gives would be missing.
+        const bool all_efforts = std::all_of(solution_.efforts.begin(), solution_.efforts.end(),
+                                             [](const EffortValue& each) { return each.value.has_value(); });
+        if (wanted_.velocities && is_moving(mechanism_) && all_efforts)
             solution_.virtual_work = virtual_work(structure_, board_, motion_.velocity, solution_.free_bodies);
     }
 

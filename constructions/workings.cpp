@@ -24,6 +24,7 @@ public:
         for (const Curvature& curvature : solution_.curvature) of_curvature(curvature);
         for (const Resultant& resultant : solution_.resultants) left_over(resultant);
         for (const StatementIndex each : indices_of(protocol_.statements)) stretched(each);
+        for (const VirtualMotion& motion : solution_.virtual_motions) by_virtual_work(motion);
     }
 
 private:
@@ -242,16 +243,75 @@ private:
 
     void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
         if (body.in_parts) return;
+        if (is_by_virtual_work(statement)) return;
         const Quantity quantity = quantity_of(body, applied);
         const double force = length(applied.force), couple = applied.couple.to_double();
         if (!applied.force.is_zero()) {
             const bool nothing = magnitudes_.is_noise(quantity, force);
             tell(statement, applied.symbol, {}, std::nullopt, nothing ? 0 : in(force, units_.force), units_.force);
+            if (!nothing) moved_aside(statement, body, applied);
         } else if (couple != 0) {
             Symbol symbol = applied.symbol;
             symbol.letter = Symbol::Letter::M;
             tell(statement, symbol, {}, std::nullopt, in(couple, units_.moment), units_.moment);
         }
+    }
+
+    /// Of a support that holds a couple, too: the couple at the pair, and how far aside the one force acts, d = M/F.
+    void moved_aside(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
+        if (applied.kind != AppliedForce::Kind::reaction || applied.is_component) return;
+        const auto pair = std::find_if(solution_.forces.begin(), solution_.forces.end(), [&](const JointForce& each) {
+            return each.joint == applied.joint && each.on == body.body && each.from == applied.from;
+        });
+        if (pair == solution_.forces.end() || !pair->couple || pair->couple->is_zero()) return;
+        const double couple = pair->couple->to_double(), force = length(applied.force);
+        Quantity quantity = quantity_of(*pair);
+        quantity.kind = Quantity::Kind::couple;
+        if (magnitudes_.is_noise(quantity, couple)) return;
+        Symbol of = applied.symbol;
+        of.letter = Symbol::Letter::M;
+        tell(statement, std::move(of), {}, std::nullopt, in(couple, units_.moment), units_.moment);
+        const double arm = std::abs(couple) / force;
+        tell(statement, {Symbol::Letter::length, "d", {}}, {{in(arm, units_.length) * in(force, units_.force)}},
+             in(force, units_.force), in(arm, units_.length), units_.length);
+    }
+
+    bool is_by_virtual_work(StatementIndex statement) {
+        const Sentence said = message(statement).sentence;
+        return said == Sentence::moments_alone || said == Sentence::components_alone || said == Sentence::virtual_work_alone;
+    }
+    /// F = ΣM/b, where it alone has a moment about the centre.
+    void by_moments(const VirtualMotion& motion) {
+        const double force = length(*motion.force);
+        std::optional<double> arm;
+        if (message(motion.statement).sentence == Sentence::moments_alone)
+            for (const FreeBody& body : solution_.free_bodies)
+                for (const FreeBody::Arm& each : body.arms)
+                    if (each.statement == motion.statement && each.is_sought) arm = distance(each.about, each.foot);
+        Factors factors;
+        if (arm) factors = {{in(force * *arm, units_.force)}};
+        tell(motion.statement, motion.sought, std::move(factors), arm, in(force, units_.force), units_.force);
+    }
+    /// What a virtual motion gives, and the ratios of its angular velocities.
+    void by_virtual_work(const VirtualMotion& motion) {
+        Message& said = message(motion.statement);
+        if (motion.couple)
+            tell(motion.statement, motion.sought, {}, std::nullopt, in(motion.couple->to_double(), units_.moment), units_.moment);
+        if (motion.force) by_moments(motion);
+        if (said.sentence != Sentence::virtual_work_alone) return;
+        const VirtualMotion::Turning* first = nullptr;
+        Ratios ratios;
+        const auto omega = [&](BodyIndex body) {
+            return Symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(body)].name, {}};
+        };
+        for (const VirtualMotion::Turning& turning : motion.bodies) {
+            if (!turning.omega) continue;
+            if (first == nullptr)
+                first = &turning;
+            else
+                ratios.push_back({omega(turning.body), omega(first->body), turning.omega->to_double() / first->omega->to_double()});
+        }
+        if (!ratios.empty()) said.arguments.emplace_back(std::move(ratios));
     }
 
     /// F_i = −m a_G, M_i = −J α.
@@ -279,7 +339,21 @@ private:
         const Symbol of = std::get<Symbol>(message(resultant.statement).arguments[1]);
         if (of.letter == Symbol::Letter::F)
             tell(resultant.statement, of, {}, std::nullopt, in(length(*resultant.force), units_.force), units_.force);
-        else
+        const std::vector<Argument>& said = message(resultant.statement).arguments;
+        if (resultant.residual_force)
+            tell(resultant.statement, std::get<Symbol>(said[2]), {}, std::nullopt,
+                 in(length(*resultant.residual_force), units_.force), units_.force);
+        if (resultant.residual_couple) {
+            Factors factors;
+            const double moment = in(resultant.residual_couple->to_double(), units_.moment);
+            for (const FreeBody& body : solution_.free_bodies)
+                for (const FreeBody::Arm& arm : body.arms)
+                    if (arm.statement == resultant.statement)
+                        factors = {{std::copysign(in(length(*resultant.force), units_.moment), moment)},
+                                   {distance(arm.about, arm.foot)}};
+            tell(resultant.statement, std::get<Symbol>(said[3]), std::move(factors), std::nullopt, moment, units_.moment);
+        }
+        if (of.letter != Symbol::Letter::F)
             tell(resultant.statement, of, {}, std::nullopt, in(resultant.couple->to_double(), units_.moment), units_.moment);
     }
     /// F = k · (l − l_0), M = −k · φ.

@@ -65,12 +65,12 @@ public:
     Eigen::VectorXd residual(const Eigen::VectorXd& right, const Eigen::VectorXd& x) const {
         return scaled_residual(right, x.cwiseQuotient(scale_));
     }
-    /// By unknown: no vector of the null space moves it.
-    std::vector<bool> determined() const {
+    /// A basis of the null space, a column each, of unknowns brought to one size: how an equilibrium may differ from another.
+    Eigen::MatrixXd null_space() const {
         const Index columns = matrix_.cols();
         const Index free = columns - rank();
-        std::vector<bool> known(static_cast<std::size_t>(columns), free == 0);
-        if (free == 0 || free == columns) return known;
+        if (free == 0) return Eigen::MatrixXd::Zero(columns, 0);
+        if (free == columns) return Eigen::MatrixXd::Identity(columns, columns);
         const auto& qr = orthogonal_.matrixQR();
         Eigen::MatrixXd null(columns, free);
         null.topRows(rank()) =
@@ -78,8 +78,31 @@ public:
         null.bottomRows(free).setIdentity();
         null = orthogonal_.colsPermutation() * null;
         for (Index j = 0; j < free; ++j) null.col(j).normalize();
-        for (Index i = 0; i < columns; ++i) known[static_cast<std::size_t>(i)] = null.row(i).cwiseAbs().maxCoeff() < nothing_;
+        return null;
+    }
+    /// By unknown: no vector of the null space moves it.
+    std::vector<bool> determined() const {
+        const Eigen::MatrixXd null = null_space();
+        std::vector<bool> known(static_cast<std::size_t>(matrix_.cols()), true);
+        for (Index i = 0; i < matrix_.cols() && null.cols() > 0; ++i)
+            known[static_cast<std::size_t>(i)] = null.row(i).cwiseAbs().maxCoeff() < nothing_;
         return known;
+    }
+    /// Of two unknowns the one combination that no vector of the null space moves, of unit length; none: there is none, or both
+    /// stand.
+    std::optional<Pair> common_direction(Index first) const {
+        const Eigen::MatrixXd null = null_space();
+        if (null.cols() == 0) return std::nullopt;
+        Eigen::MatrixXd of_two = null.middleRows(first, 2);
+        for (Index i = 0; i < 2; ++i) of_two.row(i) *= scale_[first + i];
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(of_two, Eigen::ComputeFullU);
+        const auto& sizes = svd.singularValues();
+        const double least = sizes.size() > 1 ? sizes[1] : 0;
+        const double all = null.cwiseAbs().maxCoeff() * std::max(scale_[first], scale_[first + 1]);
+        if (sizes[0] < nothing_ * all || least > nothing_ * all) return std::nullopt;
+        Pair along{svd.matrixU()(0, 1), svd.matrixU()(1, 1)};
+        if (along[0] < -nothing_ || (std::abs(along[0]) <= nothing_ && along[1] < 0)) along = -1 * along;
+        return along;
     }
 
 private:
@@ -141,6 +164,7 @@ private:
     struct Solved {
         Eigen::VectorXd values;
         std::vector<bool> known;
+        std::vector<std::optional<Pair>> common;  ///< by unknown: of it and the next, in the plane, what is the same in every equilibrium
         int indeterminacy = 0;
         bool balanced = true;
         double residual = 0;
@@ -389,6 +413,7 @@ private:
         const Eigen::VectorXd miss = all.residual(right_, solved.values);
         if (note_balance(miss, solved)) {
             solved.known = all.determined();
+            solved.common = common_directions(all);
             return solved;
         }
         leave_out_unbalanced(miss, solved.values, used);
@@ -416,10 +441,27 @@ private:
             for (std::size_t i = 0; i < row_in_all.size(); ++i) miss[row_in_all[i]] = part_miss[static_cast<Index>(i)];
             if (note_balance(miss, solved)) {
                 solved.known = some.determined();
+                solved.common = common_directions(some);
                 return solved;
             }
             leave_out_unbalanced(miss, solved.values, used);
         }
+    }
+    /// By unknown; of the first component of a force that has two.
+    std::vector<std::optional<Pair>> common_directions(const Solver& solver) const {
+        std::vector<std::optional<Pair>> common(static_cast<std::size_t>(columns_));
+        for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) {
+            const Joint& joint = mechanism_.joints[i];
+            const auto width = static_cast<Index>(directions(joint, false).size());
+            if (width != 2) continue;
+            const Index ends = joint.has_own_node() ? static_cast<Index>(joint.bodies.size()) : 1;
+            const Index step = width + (carries_couple(joint) ? 1 : 0);
+            for (Index end = 0; end < ends; ++end) {
+                const Index column = first_column_[i] + end * step;
+                common[static_cast<std::size_t>(column)] = solver.common_direction(column);
+            }
+        }
+        return common;
     }
     double nothing() const { return std::max(least_nothing, doubt_); }
     double tolerance(const Eigen::VectorXd& values) const { return nothing() * std::max(largest(right_), largest(values)); }
@@ -500,16 +542,21 @@ private:
             const auto next_action = [&] {
                 NumericForces::Action action;
                 action.joint = JointIndex(i);
-                action.known = true;
+                const Index first = column;
+                action.force_known = true;
                 for (const Pair& direction : along) {
-                    action.known = action.known && known(column);
+                    action.force_known = action.force_known && known(column);
                     action.force = action.force + unit_ * solved.values[column++] * direction;
                 }
-                if (carries_couple(joint)) {
-                    action.known = action.known && known(column);
-                    action.couple = unit_ * size_ * solved.values[column++];
+                action.couple_known = !carries_couple(joint) || known(column);
+                if (carries_couple(joint)) action.couple = unit_ * size_ * solved.values[column++];
+                action.known = action.force_known && action.couple_known;
+                if (const auto& common = solved.common[static_cast<std::size_t>(first)]; common && !action.force_known) {
+                    action.along = common;
+                    action.component = inner(action.force, *common);
                 }
-                if (!action.known) action.force = {}, action.couple = 0;
+                if (!action.force_known) action.force = {};
+                if (!action.couple_known) action.couple = 0;
                 return action;
             };
             if (joint.has_own_node()) {
@@ -526,6 +573,7 @@ private:
             std::swap(action.on, action.from);
             action.force = {0 - action.force[0], 0 - action.force[1]};  // no −0
             action.couple = 0 - action.couple;
+            action.component = 0 - action.component;
             forces.actions.push_back(action);
         }
         for (std::size_t i = 0; i < mechanism_.efforts.size(); ++i) {

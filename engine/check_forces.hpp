@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/check.hpp"
@@ -21,6 +22,11 @@ struct NumericForces {
         std::array<double, 2> force{};
         double couple = 0;
         bool known = false;  ///< determined by equilibrium
+        /// Of what is not: the force, or the couple, is the same in every equilibrium; or of the force its component along one
+        /// direction, a unit vector (`component` N). Where one is not, its value above is zero.
+        bool force_known = false, couple_known = false;
+        std::optional<std::array<double, 2>> along;
+        double component = 0;
     };
     std::vector<Action> actions;  ///< by joint, then by body of the joint; for two bodies both senses (3 on 2, 2 on 3)
     std::vector<double> efforts;  ///< by effort index: couple (N m), force (N)

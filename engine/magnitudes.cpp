@@ -61,6 +61,7 @@ void Magnitudes::take(const Quantity& quantity, double value) {
         case Kind::inflection_diameter:
             return raise(place_, value);
         case Kind::force:
+        case Kind::force_component:
             return raise(force_, value);
         case Kind::couple:
             return raise(couple_, value);
@@ -127,6 +128,7 @@ double Magnitudes::of(const Quantity& quantity) const {
         case Kind::inflection_diameter:
             return place_;
         case Kind::force:
+        case Kind::force_component:
         case Kind::weight:
         case Kind::resultant:
         case Kind::bar:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/assert.hpp"
+#include "engine/pose.hpp"
 #include "engine/solution.hpp"
 
 namespace kinegraph {
@@ -53,6 +54,8 @@ private:
                 return action(q);
             case Kind::couple:
                 return action(q) + " couple";
+            case Kind::force_component:
+                return action(q) + " component";
             case Kind::load:
                 return "load " + std::visit([](const auto& load) { return load.name; }, mechanism_.loads[at(q.given)]);
             case Kind::weight:
@@ -163,6 +166,23 @@ Quantity acceleration_of(const PointMotion& motion) {
 Quantity quantity_of(const InstantCentre& centre) { return {.kind = Kind::centre, .body = centre.first, .other = centre.second}; }
 Quantity quantity_of(const JointForce& action) {
     return {.kind = Kind::force, .body = action.on, .other = action.from, .joint = action.joint};
+}
+Vector unit_of_component(const JointForce& action) {
+    Vector along = *action.along;
+    const Exact x = abs(along.x), y = abs(along.y);
+    const Exact& largest = x > y ? x : y;
+    KG_ASSERT(!largest.is_zero(), "a component has a direction");
+    along = {along.x / largest, along.y / largest};
+    // On a pose with a leftover an upright direction is upright within 2^-100 or so; its sense must not hang on that.
+    const Exact noise = Exact::power_of_two(-80);
+    if (x / largest < noise) along.x = 0;
+    if (y / largest < noise) along.y = 0;
+    if (along.x.sign() < 0 || (along.x.is_zero() && along.y.sign() < 0)) along = -along;
+    constexpr int bits = 100;
+    return unit_along(along, bits);
+}
+double component_of(const JointForce& action) {
+    return dot(*action.component, unit_of_component(action)).to_double();
 }
 Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
     switch (applied.kind) {

@@ -24,6 +24,7 @@ struct Quantity {
         sliding_coriolis,
         force,   ///< at `joint`, of `other` on `body` (none: the pin of a multiple hinge)
         couple,  ///< the same, about the joint's point
+        force_component,  ///< of such a force, along the one direction in which every equilibrium has it alike
         load,    ///< `given` counts Mechanism::loads
         weight,  ///< `given` counts Mechanism::masses
         inertia,

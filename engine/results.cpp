@@ -457,7 +457,7 @@ private:
     std::string forces() const {
         std::vector<std::pair<std::string, Members>> by_joint;
         for (const JointForce& action : solution_.forces) {
-            if (!action.force) continue;
+            if (!action.force && !action.component && !action.couple) continue;
             const Joint& joint = mechanism_.joint(action.joint);
             if (by_joint.empty() || by_joint.back().first != joint.name) {
                 const auto same =
@@ -468,24 +468,28 @@ private:
                     by_joint.emplace_back(joint.name, Members{});
                 }
             }
-            const Vector& at = solution_.pose.at(joint.point);
-            const Vector& force = *action.force;
             Entry here = entry();
             here.add("force", action.force);
+            if (action.component)
+                here.add("component", object({{"along", pair(unit_of_component(action))}, {"value", number(component_of(action))}}));
             here.add_place(joint.point);
             here.add("couple", action.couple);
-            if (force.is_zero()) {
-                here.add("through", std::string("null"));
-            } else {
-                // The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
-                here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
-            }
+            if (action.force && action.couple) add_through(action, solution_.pose.at(joint.point), here);
             const std::string from = action.from == none ? "pin" : name_of_body(action.from);
             by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), here.json());
         }
         Members all;
         for (const auto& [name, actions] : by_joint) all.emplace_back(name, object(actions));
         return object_of_lines(all);
+    }
+
+    /// The foot of the perpendicular from the joint's point on the line of the resultant: arm M/F.
+    static void add_through(const JointForce& action, const Vector& at, Entry& here) {
+        const Vector& force = *action.force;
+        if (force.is_zero())
+            here.add("through", std::string("null"));
+        else
+            here.add("through", Recorded<Vector>(at - (*action.couple / squared_length(force)) * quarter_turn(force)));
     }
 
     std::string effort() const {

@@ -90,7 +90,14 @@ struct JointForce {
     BodyIndex on = none, from = none;
     Recorded<Vector> force;  ///< N
     Recorded<Exact> couple;  ///< N m about the joint's point, counter-clockwise positive
+    /// Where equilibrium does not determine the force: the one component that every equilibrium has alike (N, as a vector) and
+    /// the direction along which it is taken.
+    Recorded<Vector> component, along;
 };
+/// The unit vector along which a component is counted: dx > 0, or (0, 1). Rounded where it is no fraction.
+Vector unit_of_component(const JointForce& action);
+/// The component along that, N.
+double component_of(const JointForce& action);
 /// The unknown that balances: a couple (N m) or a force (N) along its line.
 struct EffortValue {
     std::string name;
@@ -117,6 +124,7 @@ struct AppliedForce {
         ElementIndex force, couple, at;
     } elements;                         ///< of the record, none where it vanishes
     bool line_by_construction = false;  ///< its line of action was deduced, not given
+    bool is_component = false;          ///< of a reaction that equilibrium does not determine: what every equilibrium has alike
     /// Index in Mechanism::loads (load, spring), masses (weight, inertia) or efforts (effort); −1: a reaction.
     int given = -1;
     /// The statement after which its line is known, or that first needs the line of what is given; none: no one does.
@@ -138,6 +146,18 @@ struct FreeBody {
         ElementIndex element = none;      ///< of the record
     };
     std::vector<Meet> meets;
+    /// An arm by which a moment was taken: from the place about which to the foot of the perpendicular on a line of action.
+    struct Arm {
+        std::string name;  ///< of the place about which; a point of the file, or a letter of its own
+        Vector about, foot;
+        StatementIndex statement = none;  ///< that takes the moment
+        bool is_sought = false;           ///< of the force that the statement finds
+        struct Elements {
+            ElementIndex about, foot;
+        } elements;  ///< of the record
+    };
+    std::vector<Arm> arms;
+    std::vector<Symbol> open;         ///< forces and couples on it that equilibrium does not determine
     int polygon = -1;                 ///< index in Protocol::polygons; −1 where all forces vanish
     StatementIndex statement = none;  ///< after which all its forces are known
     bool in_parts = false;            ///< its forces are sums of parts or trials: its polygon was closed by no one statement
@@ -251,9 +271,26 @@ struct Resultant {
     Recorded<Vector> force;         ///< N
     Recorded<Exact> couple;         ///< N m about the frame's origin
     Recorded<Vector> through;       ///< the foot of the perpendicular from the origin on its line, m; none: there is no force
+    /// Of a body whose joints leave it one freedom: the place about which it turns, and the moment of what is given about that;
+    /// or the part of the force along which it goes.
+    Recorded<Vector> about, residual_force;
+    Recorded<Exact> residual_couple;
     bool vanishes = false;          ///< the bodies are in equilibrium under what is given
     int polygon = -1;               ///< index in Protocol::polygons: the given forces, with the gap; −1: all vanish
     StatementIndex statement = none;
+};
+/// A motion that every constraint allows but the one whose force is sought: of what is unknown only that does work in it, so
+/// virtual work gives it, whatever redundant constraints bear.
+struct VirtualMotion {
+    StatementIndex statement = none;
+    Symbol sought;
+    Recorded<Vector> force;  ///< that it gives, N; none: a couple is sought
+    Recorded<Exact> couple;  ///< N m
+    struct Turning {
+        BodyIndex body = none;
+        Recorded<Exact> omega;  ///< in some unit; none: it translates
+    };
+    std::vector<Turning> bodies;  ///< that move, in the file's order
 };
 /// One scalar held against the check.
 struct CheckRow {
@@ -294,6 +331,7 @@ struct Solution {
     std::vector<FreeBody> free_bodies;
     std::vector<Resultant> resultants;                   ///< where the file asks whether bodies are in equilibrium
     std::optional<Truss> truss;                          ///< where the mechanism is one
+    std::vector<VirtualMotion> virtual_motions;          ///< by which forces were found that redundant constraints leave alone
     std::vector<Curvature> curvature;                    ///< where it is asked for: of the moving bodies in the file's order
     std::optional<VirtualWork> virtual_work;             ///< where forces and velocities are known
     std::optional<ActFigure> act_of_motion;              ///< where the file gives one body's act of motion
@@ -337,6 +375,8 @@ void for_each_found(Solution& solution, See see) {
     for (JointForce& force : solution.forces) {
         force.force.visit(see);
         force.couple.visit(see);
+        force.component.visit(see);
+        force.along.visit(see);
     }
     for (EffortValue& effort : solution.efforts) effort.value.visit(see);
     for (FreeBody& body : solution.free_bodies) {
@@ -346,6 +386,10 @@ void for_each_found(Solution& solution, See see) {
             held(applied.elements.at, applied.at);
         }
         for (FreeBody::Meet& meet : body.meets) held(meet.element, meet.place);
+        for (FreeBody::Arm& arm : body.arms) {
+            held(arm.elements.about, arm.about);
+            held(arm.elements.foot, arm.foot);
+        }
     }
     if (solution.truss) {
         for (Truss::Bar& bar : solution.truss->bars) bar.force.visit(see);
@@ -364,6 +408,14 @@ void for_each_found(Solution& solution, See see) {
         resultant.force.visit(see);
         resultant.couple.visit(see);
         resultant.through.visit(see);
+        resultant.about.visit(see);
+        resultant.residual_force.visit(see);
+        resultant.residual_couple.visit(see);
+    }
+    for (VirtualMotion& motion : solution.virtual_motions) {
+        motion.force.visit(see);
+        motion.couple.visit(see);
+        for (VirtualMotion::Turning& turning : motion.bodies) turning.omega.visit(see);
     }
     if (solution.virtual_work) {
         for (VirtualWork::Entry& entry : solution.virtual_work->entries) {

@@ -56,8 +56,8 @@ public:
             if (force == nullptr || !force->force) continue;
             const std::string what = "at " + mechanism_.joints[at(action.joint)].name + " on " + name(action.on);
             // Beside what is not balanced the check leaves out more than it must.
-            EXPECT_TRUE(action.known || !numeric_.balanced) << "a force " << what;
-            if (!action.known) continue;
+            EXPECT_TRUE(action.force_known || !numeric_.balanced) << "a force " << what;
+            if (!action.force_known) continue;
             EXPECT_NEAR(force->force->x.to_double(), action.force[0], tolerance * scale) << what;
             EXPECT_NEAR(force->force->y.to_double(), action.force[1], tolerance * scale) << what;
         }
@@ -226,7 +226,7 @@ private:
         };
         for (const JointForce& action : solution_.forces) {
             if (action.on != body) continue;
-            if (!action.force) return;
+            if (!action.force || !action.couple) return;
             force(*action.force, mechanism_.joints[at(action.joint)].point);
             moment += *action.couple;
         }

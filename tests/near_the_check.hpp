@@ -20,6 +20,7 @@ inline Kind kind_of(const Quantity& quantity) {
         case Kind::sliding_coriolis:
             return Kind::sliding_velocity;
         case Kind::couple:
+        case Kind::force_component:
             return Kind::force;
         default:
             return quantity.kind;

@@ -85,6 +85,9 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
     const Box near = grown(box, 0.9 * std::max(size, 0.05 * subject.size()));
     for (const FreeBody::Meet& meet : shown_meets(subject.solution, body))
         if (const Spot at = paper_spot(meet.place); contains(near, at)) box.include(at);
+    for (const FreeBody::Arm& arm : body.arms)
+        for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)})
+            if (contains(near, end)) box.include(end);
     return {own, box};
 }
 
@@ -291,6 +294,7 @@ public:
                             applied.couple.sign() > 0, colour_, applied.force_statement);
             if (!applied.force.is_zero()) draw_force(applied);
         }
+        for (const FreeBody::Arm& arm : body_.arms) draw_arm(arm);
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
     }
@@ -305,6 +309,7 @@ private:
         standing_.push_back(arrow);
         clutter_.add(arrow.from, arrow.to);
         draw_arrow_of(applied, arrow, value, to_scale);
+        if (applied.is_component) return;
         add_line_of(applied);
         if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied); pair != nullptr && scale_.at_pairs)
             draw_at_pair(applied, *pair, arrow);
@@ -394,6 +399,26 @@ private:
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
     }
 
+    /// From the place about which a moment is taken to the line of a force: thin, with its length.
+    void draw_arm(const FreeBody::Arm& arm) {
+        const Spot about = sketch_.spot(arm.about), foot = sketch_.spot(arm.foot);
+        const Box view = grown(sketch_.mechanism_box(), line_overshoot + 3);
+        if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
+        const auto same = [&](const Bar& other) { return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05; };
+        if (std::any_of(arms_.begin(), arms_.end(), same)) return;
+        arms_.push_back({about, foot});
+        sketch_.over_bodies.emplace_back(line(about, foot, sketch_.thin()));
+        belong(sketch_.over_bodies, sketch_.over_bodies.size() - 1, arm.statement);
+        if (!name_of_point_at(sketch_, about) && !arm.name.empty()) draw_meet(sketch_, arm.name, about, arm.statement);
+        const Unit& unit = sketch_.mechanism.units.length;
+        RichText text = one_piece("b", Face::italic);
+        append(text, with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4,
+                                                sketch_.context.language) +
+                                 " " + unit.symbol));
+        sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size =
+            sketch_.theme.small;
+    }
+
     /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
     void draw_at_pair(const AppliedForce& applied, const JointForce& pair, const Bar& arrow) {
         const Spot at = sketch_.spot(sketch_.mechanism.joint(pair.joint).point), foot = sketch_.spot(applied.at);
@@ -435,6 +460,7 @@ private:
     Clutter clutter_;
     ActionLines lines_;
     std::vector<Bar> standing_;  // the arrows
+    std::vector<Bar> arms_;
     std::set<std::string> names_;
     std::set<JointIndex> joints_remarked_;
 };

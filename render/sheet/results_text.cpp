@@ -155,6 +155,14 @@ private:
         return table(word("relative motion", language_), rows);
     }
 
+    /// "750 ∥ (0, 1)".
+    std::string component(const JointForce& each, const Unit& unit) const {
+        const Vector along = unit_of_component(each);
+        constexpr int digits = 4;
+        return number(component_of(each) / unit.si.to_double(), digits, language_) + " ∥ (" +
+               number(along.x.to_double(), digits, language_) + "; " + number(along.y.to_double(), digits, language_) + ")";
+    }
+
     std::string reactions() const {
         const Unit &force = solution_.mechanism.units.force, &moment = solution_.mechanism.units.moment;
         const std::string in_force = " [" + force.symbol + "]";
@@ -167,7 +175,9 @@ private:
             const std::string on = each.on == none ? word("pin", language_) : body(each.on);
             rows.push_back({solution_.mechanism.joint(each.joint).name + ": " + from + " " + word("on", language_) + " " + on,
                             each.force ? value(each.force->x, force) : "–", each.force ? value(each.force->y, force) : "–",
-                            each.force ? length_of(*each.force, force) : "–"});
+                            each.force       ? length_of(*each.force, force)
+                            : each.component ? component(each, force)
+                                             : "–"});
             if (couples) rows.back().push_back(each.couple ? value(*each.couple, moment) : "–");
         }
         return table(word("reactions heading", language_), rows);

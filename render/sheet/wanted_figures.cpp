@@ -44,6 +44,16 @@ bool has_velocities(const Solution& solution) {
     });
 }
 
+/// Whether an effort was found by virtual work: then the lever is its construction.
+bool found_by_works(const Solution& solution) {
+    return std::any_of(solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
+        const Statement& said = solution.protocol.statements[at_index(motion.statement)];
+        return said.message.sentence == Sentence::virtual_work_alone &&
+               std::any_of(said.finds.begin(), said.finds.end(),
+                           [](const Quantity& found) { return found.kind == Quantity::Kind::effort; });
+    });
+}
+
 }  // namespace
 
 WantedFigures::WantedFigures(const DrawingContext& context, bool joukowsky, SolutionDetail detail)
@@ -119,7 +129,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
                            });
     }
     add_free_bodies();
-    if (!joukowsky || no_lever(s) != NoLever::drawn) return;
+    if (!(joukowsky || found_by_works(s)) || no_lever(s) != NoLever::drawn) return;
     Wanted lever;
     lever.name = "joukowsky";
     lever.extent_x = extent_of_lever(s).width();
