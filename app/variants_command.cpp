@@ -115,9 +115,9 @@ public:
             csv_ += "," + csv_cell(each.value);
         }
         // A further variant may lack what is only chosen because the first has it.
-        for (std::size_t i = 0; i < names_.size(); ++i) {
+        for (const std::string& result : names_) {
             const auto found = std::find_if(variant.results.begin(), variant.results.end(),
-                                            [&](const NamedResult& each) { return each.column.name == names_[i]; });
+                                            [&](const NamedResult& each) { return each.column.name == result; });
             const bool has = found != variant.results.end();
             const double value = has ? told(*found, units_).value : 0;
             row.push_back(has ? render::number(value, 4, language_) : "");

@@ -130,8 +130,12 @@ TEST(Base64, IsThatOfTheStandard) {
 
 TEST(Html, IsWellFormedWhateverANameHolds) {
     const std::string nasty = "<b>&\"'{1:SA:=x}#~/\\]]> \x01 \xFF é";
-    const std::string html = render::to_html(
-        {{.text = nasty, .face = render::Face::bold_italic, .sub = "<&>", .sup = "{}", .dots = 1}, {.text = "a\nb"}});
+    render::RichText text = render::one_piece(nasty, render::Face::bold_italic);
+    text.back().sub = "<&>";
+    text.back().sup = "{}";
+    text.back().dots = 1;
+    append(text, std::string("a\nb"));
+    const std::string html = render::to_html(text);
     const auto document = read_xml("<p>" + html + "</p>", "html");
     EXPECT_EQ(document.child("p").child("b").child("i").text().get(),
               std::string("<b>&\"'{1:SA:=x}#~/\\]]> \uFFFD \uFFFD é\u0307"));

@@ -1,5 +1,7 @@
 // Moodle XML: see quiz_files.hpp. A question of type cloze: {1:NUMERICAL:=value:tolerance} stands where a number is wanted;
 // braces of the text are character references, so that nothing else is read as a field.
+#include <algorithm>
+
 #include "render/backends/quiz_files.hpp"
 #include "render/backends/quiz_html.hpp"
 #include "render/text/html.hpp"

@@ -1,6 +1,9 @@
 // Rich text as XHTML: see html.hpp.
 #include "render/text/html.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "render/text/utf8.hpp"
 
 namespace kinegraph::render {
