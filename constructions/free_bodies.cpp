@@ -156,7 +156,8 @@ private:
         return "";
     }
 
-    // --- bodies that redundant constraints hold ---------------------------------------------------------------------------------
+    // --- bodies that redundant constraints hold
+    // ---------------------------------------------------------------------------------
     /// The motion of a sentence, and the arms of what does work in it.
     void virtual_motion(const Released& released) {
         VirtualMotion motion;
@@ -175,9 +176,8 @@ private:
         results_.virtual_motions.push_back(std::move(motion));
     }
     void take_moments(const Released& released, const Released::Turning& turning) {
-        const auto free = std::find_if(results_.bodies.begin(), results_.bodies.end(), [&](const FreeBody& each) {
-            return each.body == model_.body_of(turning.member);
-        });
+        const auto free = std::find_if(results_.bodies.begin(), results_.bodies.end(),
+                                       [&](const FreeBody& each) { return each.body == model_.body_of(turning.member); });
         if (free == results_.bodies.end()) return;
         const auto add = [&](Force force, PlaceOnDrawing place, bool is_sought) {
             if (board_.on_line(*turning.centre, board_.through(place, board_.direction(force)))) return;
@@ -378,7 +378,8 @@ private:
     void explain(const Run& run, bool balanced) {
         Symbols open;
         for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
-            for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], false)) open.push_back(std::move(symbol));
+            for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
+                open.push_back(std::move(symbol));
         }
         results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
     }

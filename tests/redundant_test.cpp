@@ -1,5 +1,6 @@
-// Redundant structures: what every equilibrium has alike is given, exactly, and only that. Closed forms of the examples, and random
-// plates on too many hinges against a solve of this file's own: equations of equilibrium over fractions, and their null space.
+// Redundant structures: what every equilibrium has alike is given, exactly, and only that. Closed forms of the examples, and
+// random plates on too many hinges against a solve of this file's own: equations of equilibrium over fractions, and their null
+// space.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,10 +67,8 @@ TEST(Redundant, OfABeamOnTwoHingesTheVerticalReactionsStand) {
 
 TEST(Redundant, TheResultsHaveTheComponentInPlaceOfTheForce) {
     const Solution solution = redundant("beam_on_two_hinges");
-    const auto json =
-        nlohmann::ordered_json::parse(results_json(solution, false, [](const Message& m) { return english(m); }));
-    EXPECT_EQ(json["forces"]["B"]["1 on 2"].dump(),
-              R"({"component":{"along":[0,1],"value":7000},"at":[4,0],"couple":0})");
+    const auto json = nlohmann::ordered_json::parse(results_json(solution, false, [](const Message& m) { return english(m); }));
+    EXPECT_EQ(json["forces"]["B"]["1 on 2"].dump(), R"({"component":{"along":[0,1],"value":7000},"at":[4,0],"couple":0})");
     EXPECT_EQ(json["forces"]["B"]["2 on 1"]["component"]["value"], -7000);
     bool checked = false;
     for (const auto& row : json["checks"]) checked = checked || row["quantity"] == "force B 1 on 2 component";
@@ -105,8 +104,8 @@ TEST(Redundant, AMovablePulleyHalvesTheWeightThoughItsHookIsGuided) {
 }
 
 TEST(Redundant, AGuideMayHaveItsForceAndNotItsCouple) {
-    // Two clamps in a row along one guide: both couples share the load's moment, the forces across do too; what a lone guide across
-    // bears is determined.
+    // Two clamps in a row along one guide: both couples share the load's moment, the forces across do too; what a lone guide
+    // across bears is determined.
     const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [4, 0], "P": [1, 2]},
         "bodies": {"2": ["A", "B", "P"]},
         "joints": [{"prismatic": "A", "bodies": [2, 1], "along": 0, "name": "flat"},
@@ -167,8 +166,8 @@ TEST(Unheld, ABodyInAGuideSlidesByWhatIsLeftAlongIt) {
 }
 
 TEST(Unheld, ABodyOnAHingeMayBeInEquilibriumAllTheSame) {
-    const Solution solution = solved(lever(R"({"revolute": "A", "bodies": [1, 2]})",
-                                           R"({"force": "F", "body": 2, "at": "Q", "value": [0, -50]})"));
+    const Solution solution =
+        solved(lever(R"({"revolute": "A", "bodies": [1, 2]})", R"({"force": "F", "body": 2, "at": "Q", "value": [0, -50]})"));
     EXPECT_TRUE(solution.unsolved.empty()) << why(solution);
     EXPECT_EQ(*action(solution, "A", "2").force, (Vector{0, 50}));
 }

@@ -412,9 +412,10 @@ private:
         if (!name_of_point_at(sketch_, about) && !arm.name.empty()) draw_meet(sketch_, arm.name, about, arm.statement);
         const Unit& unit = sketch_.mechanism.units.length;
         RichText text = one_piece("b", Face::italic);
-        append(text, with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4,
-                                                sketch_.context.language) +
-                                 " " + unit.symbol));
+        append(text,
+               with_powers(" = " +
+                           number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch_.context.language) +
+                           " " + unit.symbol));
         sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size =
             sketch_.theme.small;
     }
