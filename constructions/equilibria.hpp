@@ -68,7 +68,7 @@ public:
     bool moves_as_one(const Motion& motion);
 
     /// More equations are not eliminated: nobody redoes that by hand.
-    static constexpr std::size_t most_members = 40;
+    static constexpr std::size_t most_members = 24;
 
 private:
     struct Column {

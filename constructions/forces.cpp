@@ -61,7 +61,7 @@ private:
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
             if (model_.bonds()[b].kind == Bond::Kind::line)
                 run.reactions[b].action = model_.action(model_.bonds()[b].place, model_.bonds()[b].direction);
-            run.reactions[b].known = adrift_.count(model_.bonds()[b].first) > 0;
+            run.reactions[b].known = adrift_.count(model_.bonds()[b].first) > 0 || adrift_.count(model_.bonds()[b].second) > 0;
         }
         fit(run);
         return run;

@@ -103,6 +103,36 @@ TEST(Redundant, AMovablePulleyHalvesTheWeightThoughItsHookIsGuided) {
     EXPECT_LT(tests::worst_difference(solution), 1e-9);
 }
 
+TEST(Redundant, EverySentenceOfMomentsHasItsArmOnTheSheet) {
+    int held = 0;
+    for (const char* name : {"beam_on_two_hinges", "coupled_wheels", "movable_pulley"}) {
+        const Solution solution = redundant(name);
+        for (const StatementIndex index : indices_of(solution.protocol.statements)) {
+            const Message& said = solution.protocol.statements[at_index(index)].message;
+            if (said.sentence != Sentence::moments_alone) continue;
+            const std::string& centre = std::get<PointName>(said.arguments[1]).name;
+            const Vector about = solution.pose.at(*solution.mechanism.point_named(centre));
+            int arms = 0;
+            for (const FreeBody& body : solution.free_bodies)
+                for (const FreeBody::Arm& arm : body.arms) {
+                    if (arm.statement != index || !arm.is_sought) continue;
+                    ++arms;
+                    EXPECT_EQ(arm.name, centre) << name;
+                    EXPECT_EQ(arm.about, about) << name;
+                    EXPECT_TRUE(std::any_of(body.forces.begin(), body.forces.end(),
+                                            [&](const AppliedForce& each) {
+                                                return each.is_component && cross(each.force, each.at - arm.foot).is_zero() &&
+                                                       dot(each.force, arm.foot - arm.about).is_zero();
+                                            }))
+                        << name << ": the arm ends square on the line of what is sought";
+                }
+            EXPECT_EQ(arms, 1) << name << ": " << english(said);
+            ++held;
+        }
+    }
+    EXPECT_GE(held, 8);
+}
+
 TEST(Redundant, AGuideMayHaveItsForceAndNotItsCouple) {
     // Two clamps in a row along one guide: both couples share the load's moment, the forces across do too; what a lone guide
     // across bears is determined.
@@ -152,7 +182,7 @@ TEST(Unheld, ABodyOnAHingeTurnsByWhatIsLeftAboutIt) {
     ASSERT_EQ(solution.free_bodies[0].arms.size(), 1U);
     const FreeBody::Arm& arm = solution.free_bodies[0].arms[0];
     EXPECT_EQ(cross(arm.foot - arm.about, *found.force), *found.residual_couple) << "the force at its arm";
-    EXPECT_TRUE(says(solution, Sentence::residual_couple));
+    EXPECT_EQ(sentences_of(solution), std::vector<Sentence>{Sentence::residual_couple});
     EXPECT_FALSE(action(solution, "A", "2").force) << "no equilibrium, no reaction";
 }
 
