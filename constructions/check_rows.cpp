@@ -200,7 +200,9 @@ private:
     /// Where equilibrium determines something of it.
     static const NumericForces::Action* action_of(const NumericForces& numeric, JointIndex joint, BodyIndex on, BodyIndex from) {
         for (const NumericForces::Action& action : numeric.actions)
-            if ((action.force_known || action.couple_known || action.along) && action.joint == joint && action.on == on && action.from == from) return &action;
+            if ((action.force_known || action.couple_known || action.along) && action.joint == joint && action.on == on &&
+                action.from == from)
+                return &action;
         return nullptr;
     }
     void compare_action(const JointForce& found, const NumericForces::Action& action) {

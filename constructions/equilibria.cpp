@@ -144,6 +144,23 @@ Equilibria::Motion Equilibria::motion_of(const Row& row) const {
     return motion;
 }
 
+std::size_t Equilibria::moving(const Row& row) const { return motion_of(row).members.size(); }
+
+Equilibria::Motion Equilibria::simplest(Row row) {
+    for (const Row& free : rows_) {
+        if (free.pivot >= 0) continue;
+        Row best = row;
+        for (std::size_t i = 0; i < row.motion.size(); ++i) {
+            if (!row.motion[i] || !free.motion[i]) continue;
+            Row tried = row;
+            subtract(tried, free, board_.quotient(*row.motion[i], *free.motion[i]));
+            if (moving(tried) < moving(best)) best = std::move(tried);
+        }
+        row = std::move(best);
+    }
+    return motion_of(row);
+}
+
 const Equilibria::Row* Equilibria::row_of(std::size_t column) const {
     const auto found =
         std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.pivot == static_cast<int>(column); });
@@ -181,7 +198,7 @@ Equilibria::Component Equilibria::along_unit(std::size_t column) {
     const Row* row = row_of(column);
     KG_ASSERT(row != nullptr, "what no equilibrium changes has an equation of its own");
     const Force unit = *columns_[column].unit;
-    Component found{unit, !row->power, board_.direction(unit), motion_of(*row)};
+    Component found{unit, !row->power, board_.direction(unit), simplest(*row)};
     if (row->power) found.force = board_.scale<Plane::force>(board_.opposite(*row->power), board_.direction(unit));
     return found;
 }
@@ -204,7 +221,7 @@ std::optional<Equilibria::Component> Equilibria::component(std::size_t first, st
     };
     const Force direction = board_.add(along(c_0, first), along(c_1, second));
     const Row sum = combined(c_0, first, c_1, second);
-    Component found{direction, !sum.power, board_.direction(direction), motion_of(sum)};
+    Component found{direction, !sum.power, board_.direction(direction), simplest(sum)};
     if (!sum.power) return found;
     const Cell square_0 = times(c_0, c_0), square_1 = times(c_1, c_1);
     const ScalarHandle square = square_0 && square_1 ? board_.sum(*square_0, *square_1) : square_0 ? *square_0 : *square_1;
@@ -232,7 +249,7 @@ Equilibria::Alike Equilibria::of(int bond) {
     if (couple && vanishes(change_of(*couple))) {
         const Row* row = row_of(*couple);
         KG_ASSERT(row != nullptr, "what no equilibrium changes has an equation of its own");
-        alike.couple = Couple{row->power ? Cell(board_.opposite(*row->power)) : Cell(), motion_of(*row)};
+        alike.couple = Couple{row->power ? Cell(board_.opposite(*row->power)) : Cell(), simplest(*row)};
     }
     alike.all = alike.whole_force && (!couple || alike.couple);
     return alike;

@@ -2,10 +2,11 @@
 // equations are eliminated on the board, so every verdict is recorded and what is found is exact. It knows bonds and wrenches, no
 // sentence.
 //
-// An equation, or any combination of them, is a virtual motion of the bodies (principle of virtual work): what stands in it under an
-// unknown is the power of that unknown, and beside the unknowns stands the power of all that is known. After elimination (Gauss,
-// Jordan) an unknown, or a component of a force, that stands alone in a combination is the same in every equilibrium, and that
-// combination is the motion by which virtual work gives it. Where none stands and a power is left over, there is no equilibrium.
+// An equation, or any combination of them, is a virtual motion of the bodies (principle of virtual work): what stands in it under
+// an unknown is the power of that unknown, and beside the unknowns stands the power of all that is known. After elimination
+// (Gauss, Jordan) an unknown, or a component of a force, that stands alone in a combination is the same in every equilibrium, and
+// that combination is the motion by which virtual work gives it. Where none stands and a power is left over, there is no
+// equilibrium.
 #pragma once
 
 #include <array>
@@ -35,7 +36,7 @@ public:
     };
     /// Of a bond's force on its first member that every equilibrium has alike.
     struct Component {
-        Force force;                ///< nothing of it where `vanishes`
+        Force force;  ///< nothing of it where `vanishes`
         bool vanishes = false;
         DirectionHandle direction;  ///< along which it is counted
         Motion motion;              ///< in which it alone of the unknowns does work
@@ -67,7 +68,7 @@ public:
     bool moves_as_one(const Motion& motion);
 
     /// More equations are not eliminated: nobody redoes that by hand.
-    static constexpr std::size_t most_members = 40;
+    static constexpr std::size_t most_members = 24;
 
 private:
     struct Column {
@@ -91,6 +92,9 @@ private:
     void divide(Row& row, ScalarHandle by);
     void subtract(Row& row, const Row& other, ScalarHandle factor);
     Motion motion_of(const Row& row) const;
+    /// The same force found by as few moving members as may be: free motions do no work, so any of them may be taken away.
+    Motion simplest(Row row);
+    std::size_t moving(const Row& row) const;
     /// The row in which a column is the pivot; none: the column is free.
     const Row* row_of(std::size_t column) const;
     /// By free column: how the unknown of a column changes with it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -75,7 +76,7 @@ private:
         for (std::size_t b = 0; b < model_.joint_bonds(); ++b) {
             if (model_.bonds()[b].kind == Bond::Kind::line)
                 run.reactions[b].action = model_.action(model_.bonds()[b].place, model_.bonds()[b].direction);
-            run.reactions[b].known = adrift_.count(model_.bonds()[b].first) > 0;
+            run.reactions[b].known = adrift_.count(model_.bonds()[b].first) > 0 || adrift_.count(model_.bonds()[b].second) > 0;
         }
         fit(run);
         return run;
@@ -962,6 +963,8 @@ private:
         std::optional<Force> force;
         const bool apart = alike.components.size() > 1 || !alike.whole_force;  // else the symbol says it all
         for (const Equilibria::Component& each : alike.components) {
+            // That a force has nothing across the line of its body is said with the line.
+            if (each.vanishes && apart && run.reactions[at(b)].deduced) continue;
             Symbol symbol = symbol_on(b, cut_at(b));
             if (apart) symbol = component_symbol(symbol, each.direction);
             say_work(b, std::move(symbol), each.direction, each.motion, all, run);
@@ -1003,7 +1006,8 @@ private:
         }
         reaction.couple = said_couple(b, alike, all, run);
         reaction.couple_alike = alike.couple.has_value();
-        reaction.force_statement = statement_;
+        const bool said = !run.released.empty() && run.released.back().bond == b;
+        reaction.force_statement = said ? statement_ : reaction.line_statement;
     }
 
     /// By moments or components of one body (or of several as one) where they move as one, else by the works.
@@ -1026,6 +1030,9 @@ private:
             if (each.centre) centres.push_back(each.name);
             released.members.push_back(std::move(each));
         }
+        // One centre is named once.
+        if (std::adjacent_find(centres.begin(), centres.end(), std::not_equal_to<>()) == centres.end())
+            centres.resize(std::min<std::size_t>(centres.size(), 1));
         const bool as_one = of_bodies ? all.moves_as_one(motion) : moved.size() == 1;
         if (as_one && !centres.empty()) {
             say_of(moved, Sentence::moments_alone, {PointName{centres.front()}, symbol}, "Ritter");

@@ -387,7 +387,8 @@ private:
     void explain(const Run& run, bool balanced) {
         Symbols open;
         for (std::size_t b = 0; b < model_.bonds().size() && balanced; ++b) {
-            for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], false)) open.push_back(std::move(symbol));
+            for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
+                open.push_back(std::move(symbol));
         }
         results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
     }

@@ -300,6 +300,7 @@ private:
         if (motion.force) by_moments(motion);
         if (said.sentence != Sentence::virtual_work_alone) return;
         const VirtualMotion::Turning* first = nullptr;
+        const bool one_centre = std::get<Names>(said.arguments[2]).size() == 1;
         Ratios ratios;
         const auto omega = [&](BodyIndex body) {
             return Symbol{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(body)].name, {}};
@@ -308,8 +309,9 @@ private:
             if (!turning.omega) continue;
             if (first == nullptr)
                 first = &turning;
-            else
-                ratios.push_back({omega(turning.body), omega(first->body), turning.omega->to_double() / first->omega->to_double()});
+            else if (*turning.omega != *first->omega || !one_centre)
+                ratios.push_back(
+                    {omega(turning.body), omega(first->body), turning.omega->to_double() / first->omega->to_double()});
         }
         if (!ratios.empty()) said.arguments.emplace_back(std::move(ratios));
     }

@@ -164,7 +164,8 @@ private:
     struct Solved {
         Eigen::VectorXd values;
         std::vector<bool> known;
-        std::vector<std::optional<Pair>> common;  ///< by unknown: of it and the next, in the plane, what is the same in every equilibrium
+        std::vector<std::optional<Pair>>
+            common;  ///< by unknown: of it and the next, in the plane, what is the same in every equilibrium
         int indeterminacy = 0;
         bool balanced = true;
         double residual = 0;

@@ -181,9 +181,7 @@ Vector unit_of_component(const JointForce& action) {
     constexpr int bits = 100;
     return unit_along(along, bits);
 }
-double component_of(const JointForce& action) {
-    return dot(*action.component, unit_of_component(action)).to_double();
-}
+double component_of(const JointForce& action) { return dot(*action.component, unit_of_component(action)).to_double(); }
 Quantity quantity_of(const FreeBody& body, const AppliedForce& applied) {
     switch (applied.kind) {
         case AppliedForce::Kind::reaction:

@@ -22,11 +22,11 @@ struct Quantity {
         sliding_velocity,  ///< at `joint`, of its first body on its second
         sliding_acceleration,
         sliding_coriolis,
-        force,   ///< at `joint`, of `other` on `body` (none: the pin of a multiple hinge)
-        couple,  ///< the same, about the joint's point
+        force,            ///< at `joint`, of `other` on `body` (none: the pin of a multiple hinge)
+        couple,           ///< the same, about the joint's point
         force_component,  ///< of such a force, along the one direction in which every equilibrium has it alike
-        load,    ///< `given` counts Mechanism::loads
-        weight,  ///< `given` counts Mechanism::masses
+        load,             ///< `given` counts Mechanism::loads
+        weight,           ///< `given` counts Mechanism::masses
         inertia,
         effort,               ///< `given` counts Mechanism::efforts
         radius,               ///< of curvature, of the path of `point` as `body` carries it

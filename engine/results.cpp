@@ -471,7 +471,8 @@ private:
             Entry here = entry();
             here.add("force", action.force);
             if (action.component)
-                here.add("component", object({{"along", pair(unit_of_component(action))}, {"value", number(component_of(action))}}));
+                here.add("component",
+                         object({{"along", pair(unit_of_component(action))}, {"value", number(component_of(action))}}));
             here.add_place(joint.point);
             here.add("couple", action.couple);
             if (action.force && action.couple) add_through(action, solution_.pose.at(joint.point), here);

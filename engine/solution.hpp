@@ -275,8 +275,8 @@ struct Resultant {
     /// or the part of the force along which it goes.
     Recorded<Vector> about, residual_force;
     Recorded<Exact> residual_couple;
-    bool vanishes = false;          ///< the bodies are in equilibrium under what is given
-    int polygon = -1;               ///< index in Protocol::polygons: the given forces, with the gap; −1: all vanish
+    bool vanishes = false;  ///< the bodies are in equilibrium under what is given
+    int polygon = -1;       ///< index in Protocol::polygons: the given forces, with the gap; −1: all vanish
     StatementIndex statement = none;
 };
 /// A motion that every constraint allows but the one whose force is sought: of what is unknown only that does work in it, so

@@ -131,16 +131,15 @@ enum class Sentence {
     truss_bar_and_support,  ///< {0} pin, {1} bar, {2} reaction
     truss_closes,        ///< {0} pins: all known, the polygon closes
     residual_couple,     ///< {0} body, {1} F_R, {2} about where its joints let it turn, {3} M: what is given turns it
-    residual_force,      ///< {0} body, {1} F_R, {2} F: its joints let it go along the line of {2}, and what is given drives it there
-    moments_alone,       ///< {0} bodies, {1} centre, {2} symbol: the only unknown with a moment about {1}
+    residual_force,  ///< {0} body, {1} F_R, {2} F: its joints let it go along the line of {2}, and what is given drives it there
+    moments_alone,   ///< {0} bodies, {1} centre, {2} symbol: the only unknown with a moment about {1}
     components_alone,    ///< {0} bodies, {1} symbol: the only unknown with a component along its line
     virtual_work_alone,  ///< {0} symbol, {1} bodies that turn, {2} their centres, {3} bodies that translate, {4} ratios
-    inertia_shifted,     ///< {0} body, {1} F_i, {2} M_i: both as one force, aside by M/F
-    known_resultant,     ///< {0} body, {1} F_R, {2} symbols: the known forces as one, through the meet of their lines
     no_force,            ///< {0} body, {1} symbol: nothing else acts on it, so this vanishes
-    no_force_along,      ///< {0} body, {1} symbol: the rest asks nothing of it, so it vanishes; {2} symbol takes all
-    act_given,           ///< {0} v_A or a_A: given, set off from the pole
-    act_projections,     ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
+    no_force_along,   ///< {0} body, {1} symbol: the rest asks nothing of it, so it vanishes; {2} takes all; {3} its couple, which
+                      ///< vanishes too (or absent)
+    act_given,        ///< {0} v_A or a_A: given, set off from the pole
+    act_projections,  ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
     act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
     act_direction,                 ///< {0} image of B, {1} v_B, {2} segment AB, {3} v_A: projections are equal, so the lines meet
     act_direction_acceleration,    ///< {0} image of B, {1} a_B, {2} segment AB, {3} a_A

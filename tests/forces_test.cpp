@@ -101,6 +101,8 @@ struct Statics {
                 return "Culmann";
             case Sentence::force_and_couple:
                 return "force and couple";
+            case Sentence::no_force_along:
+                return "nothing beside";
             case Sentence::single_reaction:
                 return "opposite";
             case Sentence::zero_forces:
@@ -176,11 +178,15 @@ TEST(ForcesOfTheSeeds, TipperIsResolvedInTheOrderOfTheNotes) {
     EXPECT_TRUE(s.solution.unsolved.empty());
     EXPECT_TRUE(s.solution.remarks.empty()) << "the roller pushes";
     EXPECT_EQ(s.order(), (Lines{"concurrent 1 H F_41 F_01", "together two forces 2 + 3 C E", "concurrent 4 K F_34 F_04",
-                                "triangle 3 F_p F_23", "opposite 2 F_02"}));
+                                "nothing beside 3 F_23 F_p M_23", "opposite 2 F_02"}));
 }
 
 TEST(ForcesOfTheSeeds, TippersSleeveCarriesNothing) {
     const Statics s(example("tipper"));
+    bool said = false;
+    for (const Statement& statement : s.solution.protocol.statements)
+        said = said || english(statement.message).find("F_23 = 0; the couple M_23 = 0 too") != std::string::npos;
+    EXPECT_TRUE(said);
     for (const char* action : {"D: 2 on 3", "D: 3 on 2"}) {
         EXPECT_EQ(s.force(action), Vector{}) << action;
         EXPECT_EQ(s.couple(action), Exact(0)) << action;

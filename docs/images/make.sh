@@ -11,7 +11,8 @@ trap 'rm -rf "$work"' EXIT
 draw() {
     name=$1 example=$2 page=$3
     shift 3
-    "$program" solve "examples/$example.json" -o "$work/$name.png" "$@" 2>/dev/null
+    # What is not wholly determined is drawn as far as it goes, with status 3.
+    "$program" solve "examples/$example.json" -o "$work/$name.png" "$@" 2>/dev/null || [ $? -eq 3 ]
     if [ "$page" -gt 1 ]; then mv "$work/$name-$page.png" "$work/$name.png"; fi
     mv "$work/$name.png" "docs/images/$name.png"
 }
@@ -40,6 +41,7 @@ draw body four_bar_weights 1 --dpi 110 --figure body-3
 draw contact joint_contact/cam_and_roller 4 --dpi 100
 draw equations slider_crank_offset 3 --dpi 110 --with equations
 draw equilibrium plate_under_forces 1 --dpi 110
+draw redundant redundant/beam_on_two_hinges 1 --dpi 100
 draw print slider_crank 1 --dpi 100 --theme print
 draw dark slider_crank 1 --dpi 100 --theme dark
 draw step_1 four_bar 4 --dpi 80 --steps

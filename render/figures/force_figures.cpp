@@ -309,8 +309,8 @@ private:
         standing_.push_back(arrow);
         clutter_.add(arrow.from, arrow.to);
         draw_arrow_of(applied, arrow, value, to_scale);
-        if (applied.is_component) return;
         add_line_of(applied);
+        if (applied.is_component) return;
         if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied); pair != nullptr && scale_.at_pairs)
             draw_at_pair(applied, *pair, arrow);
         if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
@@ -395,6 +395,12 @@ private:
     }
     void add_line_of(const AppliedForce& applied) {
         ActionLine action = lines_.line_of(applied, meets_);
+        for (const FreeBody::Arm& arm : body_.arms) {
+            const Spot foot = sketch_.spot(arm.foot);
+            if (std::abs(cross(action.along, foot - action.at)) > 0.05) continue;
+            action.marks.push_back(foot);
+            action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
+        }
         const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
     }
@@ -412,9 +418,10 @@ private:
         if (!name_of_point_at(sketch_, about) && !arm.name.empty()) draw_meet(sketch_, arm.name, about, arm.statement);
         const Unit& unit = sketch_.mechanism.units.length;
         RichText text = one_piece("b", Face::italic);
-        append(text, with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4,
-                                                sketch_.context.language) +
-                                 " " + unit.symbol));
+        append(text,
+               with_powers(" = " +
+                           number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch_.context.language) +
+                           " " + unit.symbol));
         sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size =
             sketch_.theme.small;
     }
