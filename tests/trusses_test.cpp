@@ -331,8 +331,13 @@ TEST(TheWholeFirst, AFrameOnPinAndRollerIsCutFreeAsOneBeforeItsBodies) {
     // B = 800 · 0.5/4 = 100 N; the tie holds 100 · 2/2.
     for (const JointForce& action : solution.forces) {
         ASSERT_TRUE(action.force);
-        if (solution.mechanism.joint(action.joint).name == "B" && action.from == frame) EXPECT_EQ(*action.force, (Vector{0, 100}));
-        if (solution.mechanism.joint(action.joint).name == "D" && action.on == BodyIndex(3)) EXPECT_EQ(action.force->x, Exact(-100));
+        const std::string& joint = solution.mechanism.joint(action.joint).name;
+        if (joint == "B" && action.from == frame) {
+            EXPECT_EQ(*action.force, (Vector{0, 100}));
+        }
+        if (joint == "D" && action.on == BodyIndex(3)) {
+            EXPECT_EQ(action.force->x, Exact(-100));
+        }
     }
     EXPECT_TRUE(solution.unsolved.empty());
 }

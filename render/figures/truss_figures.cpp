@@ -108,19 +108,17 @@ private:
         const double value = tension_of(solution_, bar) / unit().si.to_double();
         sketch_.bodies.emplace_back(GroupBegin{
             "bar", sketch_.id("bar", own.name), own.name, {{"data-name", own.name}, {"data-value", shortest(value)}}, none});
-        const std::size_t first = sketch_.bodies.size();
         sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), {sketch_.theme.outline, sketch_.theme.skeleton, {}, false}));
         const std::size_t found = sketch_.bodies.size();
         sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), pen_of(sketch_.theme, sense_of(solution_, bar))));
         belong(sketch_.bodies, found, truss_.bars[bar].statement);
-        static_cast<void>(first);
         sketch_.bodies.emplace_back(GroupEnd{});
     }
 
     const Unit& unit() const { return sketch_.mechanism.units.force; }
 
     /// How near bars lie to a ray from a pin: the largest cosine.
-    double crowding(int pin, Spot along) const {
+    double crowding(int pin, Spot along) {
         double most = -1;
         for (const int bar : truss_.structure.pins[at_index(pin)].bars) {
             const Spot off = spot(truss_.structure.other_end(bar, pin)) - spot(pin);
