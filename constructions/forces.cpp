@@ -26,7 +26,7 @@ public:
           mechanism_(mechanism),
           origin_(board.place(PointIndex(0))),
           adrift_(std::move(adrift)),
-          wholes_(model.hung_on_frame()) {}
+          wholes_(mechanism.efforts.empty() ? model.hung_on_frame() : std::vector<Group>{}) {}
 
     Run run() {
         Run result = solve(model_.loads());
@@ -886,7 +886,7 @@ private:
     const Mechanism& mechanism_;
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
-    std::vector<Group> wholes_;                                   ///< structures hung on the frame: cut free whole first
+    std::vector<Group> wholes_;                                   ///< structures hung on the frame, which no effort moves: cut free whole first
     long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
     int trials_ = 0;                                              ///< trials under way, one in the other
     StatementIndex statement_ = none;                             ///< said last

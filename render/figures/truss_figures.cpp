@@ -100,7 +100,7 @@ private:
             sketch_.ground.emplace_back(
                 circle(at + (high + wheel) * down + side * half * across, wheel, sketch_.outline()));
         const Spot foot = at + (high + 2 * wheel) * down;
-        draw_wall(sketch_, {foot - 1.7 * half * across, foot + 1.7 * half * across}, foot + 3.0 * down);
+        draw_wall(sketch_, {foot - 1.7 * half * across, foot + 1.7 * half * across}, down);
     }
 
     void draw_bar(std::size_t bar) {

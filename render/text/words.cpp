@@ -964,6 +964,8 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
         "potenze è nulla."},
     FixedWords{"subtitle forces", "Forces by free bodies and force polygons",
                "Forze con i corpi liberi e i poligoni delle forze"},
+    FixedWords{"subtitle truss", "Forces in the bars by Cremona’s diagram and by cuts",
+               "Sforzi nelle aste con il diagramma di Cremona e con sezioni"},
     FixedWords{"subtitle mixed", "Motion and forces by polygons", "Moto e forze con i poligoni"},
     FixedWords{"subtitle pose", "Position and instant centres", "Configurazione e centri di istantanea rotazione"},
     FixedWords{"subtitle velocity", "Instant centres and velocities", "Centri di istantanea rotazione e velocità"},
