@@ -195,8 +195,7 @@ private:
     }
     /// Pins come after the bodies.
     MemberIndex last_body_of(const Group& group) const {
-        const auto last =
-            std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
+        const auto last = std::find_if(group.rbegin(), group.rend(), [&](MemberIndex member) { return !model_.is_pin(member); });
         return last == group.rend() ? group.back() : *last;
     }
     /// What the sentence said last finds of a bond, or says of it.
@@ -886,12 +885,12 @@ private:
     const Mechanism& mechanism_;
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
-    std::vector<Group> wholes_;                                   ///< structures hung on the frame, which no effort moves: cut free whole first
-    long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
-    int trials_ = 0;                                              ///< trials under way, one in the other
-    StatementIndex statement_ = none;                             ///< said last
-    NamedMeets meets_;                                            ///< by member
-    std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
+    std::vector<Group> wholes_;           ///< structures hung on the frame, which no effort moves: cut free whole first
+    long attempts_left_ = 500'000;        ///< of rules in trials: nobody draws on a system that large
+    int trials_ = 0;                      ///< trials under way, one in the other
+    StatementIndex statement_ = none;     ///< said last
+    NamedMeets meets_;                    ///< by member
+    std::vector<NamedMeet> named_meets_;  ///< all, each with its letter
     std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
@@ -901,8 +900,8 @@ Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& tru
     for (const TrussStructure::Pin& pin : truss.pins) {
         if (pin.hinges.empty() || pin.bars.size() != 1) continue;
         const ElementIndex here = board.place(pin.point).element;
-        const bool loaded = std::any_of(model.loads().begin(), model.loads().end(),
-                                        [&](const Load& load) { return load.place.element == here; });
+        const bool loaded =
+            std::any_of(model.loads().begin(), model.loads().end(), [&](const Load& load) { return load.place.element == here; });
         if (!loaded) hung.push_back(member_of(truss.bars[at(pin.bars.front())].body));
     }
     return hung;
@@ -936,7 +935,8 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     const Board::Mark before = board.mark();
     Statement opening;
     opening.section = Topic::forces;
-    opening.message = {Sentence::truss_whole, {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
+    opening.message = {Sentence::truss_whole,
+                       {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
     board.state(std::move(opening));
     Rules rules(model, board, mechanism, {});
     const Run whole = rules.whole(hung_bars(model, board, truss));
@@ -973,7 +973,8 @@ ForceResults draw_forces(Structure& structure, Board& board, const Motion& motio
     if (structure.mechanism().drivers.empty())
         for (const statics::Group& group : model.floating())
             if (!model.known_on(group, model.loads(), {}).vanishes()) adrift.insert(group.begin(), group.end());
-    if (const auto truss = truss_of(structure.mechanism())) return statics::draw_truss(model, board, structure.mechanism(), mobility, *truss);
+    if (const auto truss = truss_of(structure.mechanism()))
+        return statics::draw_truss(model, board, structure.mechanism(), mobility, *truss);
     statics::Rules rules(model, board, structure.mechanism(), std::move(adrift));
     const statics::Run run = rules.run();
     return statics::cut_free(model, board, structure.mechanism(), mobility, run, rules.meets());

@@ -125,10 +125,10 @@ enum class Sentence {
     truss_plan,          ///< {0} letters of the spaces outside: the forces from outside in their order, clockwise, close
     truss_pin,           ///< {0} pin, {1} bars found, {2} those in tension, {3} in compression, {4} with no force (or absent)
     truss_support,       ///< {0} pin, {1} reaction: all its bars are known
-    truss_bar_and_support,  ///< {0} pin, {1} bar, {2} reaction
-    truss_closes,        ///< {0} pins: all known, the polygon closes
-    act_given,           ///< {0} v_A or a_A: given, set off from the pole
-    act_projections,     ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
+    truss_bar_and_support,         ///< {0} pin, {1} bar, {2} reaction
+    truss_closes,                  ///< {0} pins: all known, the polygon closes
+    act_given,                     ///< {0} v_A or a_A: given, set off from the pole
+    act_projections,               ///< {0} segment AB, {1} v_A, {2} v_B: equal on the join, as a rigid body asks
     act_projections_acceleration,  ///< {0} segment AB, {1} a_A, {2} a_B, {3} omega: on the join they differ by ω²·AB
     act_direction,                 ///< {0} image of B, {1} v_B, {2} segment AB, {3} v_A: projections are equal, so the lines meet
     act_direction_acceleration,    ///< {0} image of B, {1} a_B, {2} segment AB, {3} a_A
@@ -190,8 +190,8 @@ enum class Sentence {
     off_the_frame,   ///< {0} bodies that no joint connects with {1}, the frame, {2} the joint that may be missing (or absent)
     rounded_givens,  ///< {0} most digits of a number in the file, {1} digits to which points are taken
     check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
-    check_stands_still,  ///< {0} body: moves by the construction, is not determined by the check
-    check_moves,         ///< {0} body: moves by the check, is not determined by the construction
+    check_stands_still,   ///< {0} body: moves by the construction, is not determined by the check
+    check_moves,          ///< {0} body: moves by the check, is not determined by the construction
     truss_without_order,  ///< no order of pins and no cut resolves the truss: bodies cut free, and trial values
     truss_without_plan,   ///< bars cross, or a force acts inside: there is no plan in one figure
     // From here on phrases, without a capital and a full stop. What is not determined:

@@ -930,6 +930,8 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"sought relative", "the motion of {0} as seen from body {1}", "il moto di {0} rispetto al corpo {1}"},
     FixedWords{"sought translating", "the motion of {0} as seen from axes that translate with {1}",
                "il moto di {0} rispetto ad assi traslanti con {1}"},
+    FixedWords{"sought bars", "the forces in the bars, tension or compression", "gli sforzi nelle aste, trazione o compressione"},
+    FixedWords{"sought cut", "again by a cut through {0}", "gli stessi con una sezione di {0}"},
     FixedWords{"sought forces", "the reactions at the joints", "le reazioni nelle coppie"},
     FixedWords{"sought couple", "the couple {0} on body {1} that balances", "il momento equilibrante {0} sul corpo {1}"},
     FixedWords{"sought force", "the force {0} on body {1} at {2}, along {3}, that balances",
