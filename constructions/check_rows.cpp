@@ -147,7 +147,8 @@ private:
         const std::vector<Vector>& places = solution_.pose.points;
         for (std::size_t b = 0; b < truss.bars.size(); ++b) {
             const TrussStructure::Bar& bar = truss.structure.bars[b];
-            const PointIndex first = truss.structure.pins[at(bar.pins[0])].point, second = truss.structure.pins[at(bar.pins[1])].point;
+            const PointIndex first = truss.structure.pins[at(bar.pins[0])].point,
+                             second = truss.structure.pins[at(bar.pins[1])].point;
             Pair end{};
             bool known = true;
             for (const NumericForces::Action& action : numeric.actions) {

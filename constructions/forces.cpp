@@ -32,7 +32,7 @@ public:
           origin_(board.place(PointIndex(0))),
           adrift_(std::move(adrift)),
           redundant_(redundant),
-          wholes_(model.hung_on_frame()) {}
+          wholes_(mechanism.efforts.empty() ? model.hung_on_frame() : std::vector<Group>{}) {}
 
     Run run() {
         Run result = solve(model_.loads());
@@ -1074,12 +1074,12 @@ private:
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
     bool redundant_;
-    std::vector<Group> wholes_;                                   ///< structures hung on the frame: cut free whole first
-    long attempts_left_ = 500'000;                                ///< of rules in trials: nobody draws on a system that large
-    int trials_ = 0;                                              ///< trials under way, one in the other
-    StatementIndex statement_ = none;                             ///< said last
-    NamedMeets meets_;                                            ///< by member
-    std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
+    std::vector<Group> wholes_;           ///< structures hung on the frame, which no effort moves: cut free whole first
+    long attempts_left_ = 500'000;        ///< of rules in trials: nobody draws on a system that large
+    int trials_ = 0;                      ///< trials under way, one in the other
+    StatementIndex statement_ = none;     ///< said last
+    NamedMeets meets_;                    ///< by member
+    std::vector<NamedMeet> named_meets_;  ///< all, each with its letter
     std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 

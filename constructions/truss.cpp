@@ -136,8 +136,10 @@ bool TrussDrawing::idle_at(int pin) {
     if (!is_unloaded(pin)) return false;
     std::vector<int> left;
     for (const int bar : truss_.pins[at(pin)].bars)
-        if (!bars_[at(bar)].known) left.push_back(bar);
-        else if (bars_[at(bar)].pull) return false;
+        if (!bars_[at(bar)].known)
+            left.push_back(bar);
+        else if (bars_[at(bar)].pull)
+            return false;
     const auto in_line = [&](int bar, int other) { return board_.parallel(toward(bar, pin), toward(other, pin)); };
     const auto is_idle = [&](int bar) {
         settle(bar, pin, std::nullopt);
@@ -505,11 +507,12 @@ Run TrussDrawing::run(Run from) {
         reaction.force_statement = support.statement;
         reaction.force.reset();
         if (support.force)
-            reaction.force = model_.bonds()[at(support.bonds[0])].first == member_of(frame) ? board_.negate(*support.force)
-                                                                                            : *support.force;
+            reaction.force =
+                model_.bonds()[at(support.bonds[0])].first == member_of(frame) ? board_.negate(*support.force) : *support.force;
     }
     from.complete = true;
-    for (int pin = 0; pin < static_cast<int>(truss_.pins.size()); ++pin) from.complete = settle_joints(pin, from) && from.complete;
+    for (int pin = 0; pin < static_cast<int>(truss_.pins.size()); ++pin)
+        from.complete = settle_joints(pin, from) && from.complete;
     return from;
 }
 

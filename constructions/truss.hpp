@@ -1,6 +1,6 @@
-// Trusses pin by pin: bars that carry nothing by rule, cuts by Ritter's method of moments (1863), and pin after pin, each with two
-// unknowns at most (Cremona 1872). Owns the order and the forces in the bars; which forces the frame exerts it is told, or finds at
-// the pins.
+// Trusses pin by pin: bars that carry nothing by rule, cuts by Ritter's method of moments (1863), and pin after pin, each with
+// two unknowns at most (Cremona 1872). Owns the order and the forces in the bars; which forces the frame exerts it is told, or
+// finds at the pins.
 #pragma once
 
 #include <map>
@@ -59,7 +59,9 @@ private:
     DirectionHandle toward(int bar, int pin) {
         return board_.direction(board_.vector(place(pin), place(truss_.other_end(bar, pin))));
     }
-    Action action_of(int bar) { return model_.action(place(truss_.bars[at(bar)].pins[0]), toward(bar, truss_.bars[at(bar)].pins[0])); }
+    Action action_of(int bar) {
+        return model_.action(place(truss_.bars[at(bar)].pins[0]), toward(bar, truss_.bars[at(bar)].pins[0]));
+    }
     std::optional<Force> pull_on(int bar, int pin);
     Symbol symbol_of(int bar) const { return {Symbol::Letter::F, truss_.bars[at(bar)].name, {}}; }
     Symbol symbol_of(const Support& support) const;

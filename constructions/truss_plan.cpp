@@ -194,7 +194,8 @@ void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer, c
     using Corner = PointOn<Plane::force>;
     std::vector<std::optional<Corner>> corner(truss.spaces.size());
     corner[0] = board_.pole<Plane::force>();
-    const auto side = [&](Symbol symbol, const Quantity& quantity, StatementIndex statement, Corner tail, Corner tip, bool from_outside) {
+    const auto side = [&](Symbol symbol, const Quantity& quantity, StatementIndex statement, Corner tail, Corner tip,
+                          bool from_outside) {
         DrawnVector drawn;
         drawn.symbol = std::move(symbol);
         drawn.polygon = truss.polygon;
@@ -212,7 +213,8 @@ void TrussPlan::draw_sides(Truss& truss, const std::vector<OuterForce>& outer, c
             KG_ASSERT(board_.coincide(after, *corner[0]), "forces from outside in equilibrium close");
         else
             corner[at(told.after)] = after;
-        side(told.symbol, outer[i].quantity, told.statement == none ? opening : told.statement, before, *corner[at(told.after)], true);
+        side(told.symbol, outer[i].quantity, told.statement == none ? opening : told.statement, before, *corner[at(told.after)],
+             true);
     }
     for (std::size_t round = 0; round < truss.spaces.size(); ++round)
         for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {

@@ -27,7 +27,8 @@ public:
     bool exists() const { return exists_; }
     /// The spaces, and the polygon of the forces with each bar once; `pulls`: of each bar on the first of its pins.
     /// `opening`: the statement of the forces from outside that are given.
-    void draw(Truss& truss, std::vector<OuterForce> outer, const std::vector<std::optional<Force>>& pulls, StatementIndex opening);
+    void draw(Truss& truss, std::vector<OuterForce> outer, const std::vector<std::optional<Force>>& pulls,
+              StatementIndex opening);
 
 private:
     using Ray = VectorOn<Plane::drawing>;

@@ -1270,9 +1270,8 @@ private:
                                  "una sezione incontra tre aste, tante quante le equazioni di un corpo; indicarne tre"});
         for (std::size_t pin = 0; pin < truss.pins.size(); ++pin) {
             const auto& meeting = truss.pins[pin].bars;
-            if (std::all_of(bars.begin(), bars.end(), [&](int bar) {
-                    return std::find(meeting.begin(), meeting.end(), bar) != meeting.end();
-                }))
+            if (std::all_of(bars.begin(), bars.end(),
+                            [&](int bar) { return std::find(meeting.begin(), meeting.end(), bar) != meeting.end(); }))
                 return fault(value, {"the bars meet in pin {0}, so that no moment gives one of them alone; cut bars that do not "
                                      "all meet",
                                      "le aste concorrono nel nodo {0}: nessun momento ne dà una sola; sezionare aste che non "

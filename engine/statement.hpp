@@ -129,8 +129,8 @@ enum class Sentence {
     truss_pin,           ///< {0} pin, {1} bars found, {2} those in tension, {3} in compression, {4} with no force (or absent)
     truss_support,       ///< {0} pin, {1} reaction: all its bars are known
     truss_bar_and_support,  ///< {0} pin, {1} bar, {2} reaction
-    truss_closes,        ///< {0} pins: all known, the polygon closes
-    residual_couple,     ///< {0} body, {1} F_R, {2} about where its joints let it turn, {3} M: what is given turns it
+    truss_closes,           ///< {0} pins: all known, the polygon closes
+    residual_couple,        ///< {0} body, {1} F_R, {2} about where its joints let it turn, {3} M: what is given turns it
     residual_force,  ///< {0} body, {1} F_R, {2} F: its joints let it go along the line of {2}, and what is given drives it there
     moments_alone,   ///< {0} bodies, {1} centre, {2} symbol: the only unknown with a moment about {1}
     components_alone,    ///< {0} bodies, {1} symbol: the only unknown with a component along its line
@@ -201,8 +201,8 @@ enum class Sentence {
     off_the_frame,   ///< {0} bodies that no joint connects with {1}, the frame, {2} the joint that may be missing (or absent)
     rounded_givens,  ///< {0} most digits of a number in the file, {1} digits to which points are taken
     check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
-    check_stands_still,  ///< {0} body: moves by the construction, is not determined by the check
-    check_moves,         ///< {0} body: moves by the check, is not determined by the construction
+    check_stands_still,   ///< {0} body: moves by the construction, is not determined by the check
+    check_moves,          ///< {0} body: moves by the check, is not determined by the construction
     truss_without_order,  ///< no order of pins and no cut resolves the truss: bodies cut free, and trial values
     truss_without_plan,   ///< bars cross, or a force acts inside: there is no plan in one figure
     // From here on phrases, without a capital and a full stop. What is not determined:

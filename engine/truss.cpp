@@ -35,8 +35,8 @@ private:
     bool read_joints() {
         for (const Joint& joint : mechanism_.joints) {
             const bool is_hinge = joint.pair().is_hinge();
-            const bool is_support = joint.connects(frame) && joint.bodies.size() == 2 &&
-                                    (joint.pair().is_slot() || joint.kind == JointKind::contact);
+            const bool is_support = joint.connects(frame) && joint.bodies.size() == 2 && joint.pair().holds_normal &&
+                                    !joint.pair().holds_tangent && !joint.pair().holds_rotation;
             if (!is_hinge && !is_support) return false;
             if (is_hinge)
                 for (const BodyIndex body : joint.bodies)
@@ -132,7 +132,9 @@ int TrussStructure::bar_named(const Mechanism& mechanism, std::string_view name)
 
 std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const std::vector<int>& bars,
                                            const std::vector<int>& passed) {
-    const auto among = [](const std::vector<int>& some, int bar) { return std::find(some.begin(), some.end(), bar) != some.end(); };
+    const auto among = [](const std::vector<int>& some, int bar) {
+        return std::find(some.begin(), some.end(), bar) != some.end();
+    };
     std::vector<int> part(truss.pins.size(), -1);
     std::vector<std::vector<int>> parts;
     for (std::size_t first = 0; first < truss.pins.size(); ++first) {
@@ -181,8 +183,7 @@ std::array<Vector, 2> ends_of(const TrussStructure& truss, int bar, const std::v
 Truss::CutNumbers Truss::numbers_of(const Cut& cut, const std::vector<Vector>& places) const {
     const auto [first, second] = ends_of(structure, cut.found, places);
     const Vector along = second - first;
-    if (cut.pivot)
-        return {cut.moment->to_double(), std::abs(cross(first - *cut.pivot, along).to_double()) / length(along)};
+    if (cut.pivot) return {cut.moment->to_double(), std::abs(cross(first - *cut.pivot, along).to_double()) / length(along)};
     const int other = *std::find_if(cut.bars.begin(), cut.bars.end(), [&](int bar) { return bar != cut.found; });
     const auto [from, to] = ends_of(structure, other, places);
     const Vector parallel = to - from;

@@ -10,6 +10,7 @@
 
 #include "engine/mechanism.hpp"
 #include "engine/recorded.hpp"
+#include "engine/statement.hpp"
 
 namespace kinegraph {
 
@@ -54,7 +55,8 @@ std::vector<std::vector<int>> sides_of_cut(const TrussStructure& truss, const st
 struct Truss {
     TrussStructure structure;
     struct Bar {
-        /// N: the pull of the bar on the first of its pins. Along the bar from there it is tension. None where it carries nothing.
+        /// N: the pull of the bar on the first of its pins. Along the bar from there it is tension. None where it carries
+        /// nothing.
         Recorded<Vector> force;
         StatementIndex statement = none;  ///< that finds it
         bool idle_by_rule = false;        ///< it carries nothing, as is seen without drawing
@@ -65,7 +67,7 @@ struct Truss {
     /// What acts on the truss from outside, in the order of the plan where there is one: clockwise round it.
     struct External {
         int pin = -1;
-        Recorded<Vector> force;  ///< N
+        Recorded<Vector> force;   ///< N
         JointIndex joint = none;  ///< a reaction of the frame
         int given = -1;           ///< or a load: index in Mechanism::loads
         Symbol symbol;
@@ -75,7 +77,7 @@ struct Truss {
     std::vector<External> externals;
     /// Bow's notation: a region between bars and lines of forces; a corner of the plan.
     struct Space {
-        std::string letter;       ///< outside a, b, c …; inside 1, 2, 3 …
+        std::string letter;  ///< outside a, b, c …; inside 1, 2, 3 …
         bool outside = false;
         std::vector<int> pins{};  ///< along its border; outside clockwise round the truss
     };
@@ -83,14 +85,14 @@ struct Truss {
     int polygon = -1;  ///< index in Protocol::polygons of the plan (Cremona); −1: bars cross, or nothing acts
     /// One equation of a cut (Ritter).
     struct Cut {
-        std::vector<int> bars;         ///< all that are cut
-        std::vector<int> side;         ///< pins of the part that is looked at
-        int found = -1;                ///< the bar whose force it gives
-        Recorded<Vector> pivot;        ///< where the other two meet, m; none: they are parallel
-        std::string pivot_name;        ///< of a pin, or a letter of its own
-        Recorded<Exact> moment;        ///< of all that is known on the part about the pivot, N m; across the parallel bars: N m, too
+        std::vector<int> bars;   ///< all that are cut
+        std::vector<int> side;   ///< pins of the part that is looked at
+        int found = -1;          ///< the bar whose force it gives
+        Recorded<Vector> pivot;  ///< where the other two meet, m; none: they are parallel
+        std::string pivot_name;  ///< of a pin, or a letter of its own
+        Recorded<Exact> moment;  ///< of all that is known on the part about the pivot, N m; across the parallel bars: N m, too
         StatementIndex statement = none;
-        bool asked = false;            ///< by the file
+        bool asked = false;  ///< by the file
     };
     std::vector<Cut> cuts;
     /// The truss cut free whole: all that is given as one force, and the points where lines of action meet. None where the pins
@@ -107,8 +109,8 @@ struct Truss {
     };
     std::optional<Whole> whole;
 
-    /// known + N arm = 0, signs apart: the moment of what is known about the pivot (N m) and the arm of the bar (m); where the other
-    /// bars are parallel the component of what is known across them (N) and the sine of the angle with them.
+    /// known + N arm = 0, signs apart: the moment of what is known about the pivot (N m) and the arm of the bar (m); where the
+    /// other bars are parallel the component of what is known across them (N) and the sine of the angle with them.
     struct CutNumbers {
         double known = 0, arm = 0;
     };

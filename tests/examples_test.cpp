@@ -102,7 +102,10 @@ TEST(Examples, AreAllSolved) {
                                                   {"cantilever", 0},
                                                   {"gerber_beam", 0},
                                                   {"three_hinged_arch", 0},
-                                                  {"plate_under_forces", 3}};
+                                                  {"plate_under_forces", 3},
+                                                  {"truss_simple", 0},
+                                                  {"truss_roof_wind", 0},
+                                                  {"excavator_arm", 3}};
         const int free_body = solution.mechanism.motion ? 3 : 1;
         EXPECT_EQ(solution.mobility.gruebler, freedoms.count(name) > 0 ? freedoms.at(name) : free_body) << name;
         EXPECT_EQ(solution.mobility.effective, solution.mobility.gruebler) << name;

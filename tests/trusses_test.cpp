@@ -58,7 +58,8 @@ std::vector<Exact> densities(const Solution& solution, const TrussStructure& tru
         a[2 * pin + 1][column] = unit.y;
     };
     for (const TrussStructure::Bar& bar : truss.bars) {
-        const Vector along = solution.pose.at(truss.pins[at(bar.pins[1])].point) - solution.pose.at(truss.pins[at(bar.pins[0])].point);
+        const Vector along =
+            solution.pose.at(truss.pins[at(bar.pins[1])].point) - solution.pose.at(truss.pins[at(bar.pins[0])].point);
         enter(at(bar.pins[0]), along);
         enter(at(bar.pins[1]), Vector{} - along);
         ++column;
@@ -92,7 +93,8 @@ void expect_as_linear_solve(const Solution& solution, const std::string& text) {
     ASSERT_FALSE(expected.empty()) << text;
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
         const auto& ends = truss.structure.bars[bar].pins;
-        const Vector along = solution.pose.at(truss.structure.pins[at(ends[1])].point) - solution.pose.at(truss.structure.pins[at(ends[0])].point);
+        const Vector along =
+            solution.pose.at(truss.structure.pins[at(ends[1])].point) - solution.pose.at(truss.structure.pins[at(ends[0])].point);
         ASSERT_TRUE(truss.bars[bar].force) << text;
         EXPECT_EQ(*truss.bars[bar].force, expected[bar] * along) << truss.structure.bars[bar].name << "\n" << text;
     }
@@ -113,7 +115,8 @@ public:
         std::string points, bodies, joints, loads;
         const auto add = [](std::string& list, const std::string& member) { list += (list.empty() ? "" : ", ") + member; };
         for (std::size_t p = 0; p < places_.size(); ++p)
-            add(points, quoted(name(p)) + ": [" + std::to_string(places_[p].first) + ", " + std::to_string(places_[p].second) + "]");
+            add(points,
+                quoted(name(p)) + ": [" + std::to_string(places_[p].first) + ", " + std::to_string(places_[p].second) + "]");
         std::vector<std::string> at_pin(places_.size());
         for (std::size_t b = 0; b < bars_.size(); ++b) {
             const std::string body = std::to_string(b + 2);
@@ -125,8 +128,8 @@ public:
             add(joints, "{\"revolute\": " + quoted(name(p)) + ", \"bodies\": [" + at_pin[p] + "]}");
         add(joints, roller_);
         for (const std::string& each : loads_) add(loads, each);
-        return "{\"kinegraph\": 1, \"frame\": 1, \"points\": {" + points + "}, \"bodies\": {" + bodies + "}, \"joints\": [" + joints +
-               "], \"loads\": [" + loads + "]}";
+        return "{\"kinegraph\": 1, \"frame\": 1, \"points\": {" + points + "}, \"bodies\": {" + bodies + "}, \"joints\": [" +
+               joints + "], \"loads\": [" + loads + "]}";
     }
 
 private:
@@ -152,7 +155,8 @@ private:
             const auto pin = static_cast<std::size_t>(random_.whole(1, static_cast<int>(places_.size()) - 1));
             const int x = random_.whole(-3, 3), y = random_.whole(-3, 3);
             if ((x == 0 && y == 0) || places_[pin].first * x + places_[pin].second * y == 0) continue;
-            const auto held = std::find_if(bars_.begin(), bars_.end(), [&](const auto& each) { return each.first == pin || each.second == pin; });
+            const auto held = std::find_if(bars_.begin(), bars_.end(),
+                                           [&](const auto& each) { return each.first == pin || each.second == pin; });
             roller_ = "{\"pin-slot\": " + quoted(name(pin)) + ", \"bodies\": [" + std::to_string(held - bars_.begin() + 2) +
                       ", 1], \"along\": [" + std::to_string(x) + ", " + std::to_string(y) + "]}";
             return;
@@ -161,10 +165,13 @@ private:
     void load() {
         for (std::size_t pin = 1; pin < places_.size(); ++pin) {
             if (!loads_.empty() && random_.chance(50)) continue;
-            const std::string value = "[" + std::to_string(random_.whole(-9, 9)) + ", " + std::to_string(random_.whole(-9, 9) * 2 + 1) + "]";
-            const auto held = std::find_if(bars_.begin(), bars_.end(), [&](const auto& each) { return each.first == pin || each.second == pin; });
-            const std::string on = random_.chance(30) ? "\"body\": " + std::to_string(held - bars_.begin() + 2) + ", \"at\": " + quoted(name(pin))
-                                                      : "\"pin\": " + quoted(name(pin));
+            const std::string value =
+                "[" + std::to_string(random_.whole(-9, 9)) + ", " + std::to_string(random_.whole(-9, 9) * 2 + 1) + "]";
+            const auto held = std::find_if(bars_.begin(), bars_.end(),
+                                           [&](const auto& each) { return each.first == pin || each.second == pin; });
+            const std::string on =
+                random_.chance(30) ? "\"body\": " + std::to_string(held - bars_.begin() + 2) + ", \"at\": " + quoted(name(pin))
+                                   : "\"pin\": " + quoted(name(pin));
             loads_.push_back("{\"force\": \"F" + std::to_string(pin) + "\", " + on + ", \"value\": " + value + "}");
         }
     }
@@ -180,9 +187,9 @@ TEST(Trusses, TheSimpleOneHasItsForces) {
     // 12 kN and 6 kN at the thirds of 12 m: A = 10 kN, D = 8 kN; panels 4 m wide and 3 m high. Moments about C: EF = −32/3 kN.
     const Solution solution = example("truss_simple");
     ASSERT_TRUE(solution.truss);
-    const std::map<std::string, double> expected{{"AB", 40000.0 / 3}, {"AE", -50000.0 / 3}, {"BE", 12000},      {"BC", 40000.0 / 3},
-                                                 {"CE", -10000.0 / 3}, {"EF", -32000.0 / 3}, {"CF", 8000}, {"CD", 32000.0 / 3},
-                                                 {"DF", -40000.0 / 3}};
+    const std::map<std::string, double> expected{{"AB", 40000.0 / 3}, {"AE", -50000.0 / 3}, {"BE", 12000},
+                                                 {"BC", 40000.0 / 3}, {"CE", -10000.0 / 3}, {"EF", -32000.0 / 3},
+                                                 {"CF", 8000},        {"CD", 32000.0 / 3},  {"DF", -40000.0 / 3}};
     for (const auto& [bar, force] : expected) EXPECT_NEAR(force_in(solution, bar), force, 1e-6) << bar;
 }
 
@@ -190,9 +197,9 @@ TEST(Trusses, ARoofUnderWindOnAnInclinedRollerHasItsForces) {
     // W = 10 kN normal to the slope through B; the roller's line (3, 4)/5: 12.8 R = 50.
     const Solution solution = example("truss_roof_wind");
     ASSERT_TRUE(solution.truss);
-    const std::map<std::string, double> expected{
-        {"AB", -115.0 / 24}, {"BC", -10.0 / 3}, {"CD", -125.0 / 24}, {"DE", -125.0 / 24}, {"AG", 1025.0 / 96},
-        {"EG", 625.0 / 96},  {"BG", -125.0 / 24}, {"CG", 3.125},     {"DG", 0}};
+    const std::map<std::string, double> expected{{"AB", -115.0 / 24}, {"BC", -10.0 / 3},   {"CD", -125.0 / 24},
+                                                 {"DE", -125.0 / 24}, {"AG", 1025.0 / 96}, {"EG", 625.0 / 96},
+                                                 {"BG", -125.0 / 24}, {"CG", 3.125},       {"DG", 0}};
     for (const auto& [bar, force] : expected) EXPECT_NEAR(force_in(solution, bar), 1000 * force, 1e-6) << bar;
     for (const Truss::External& external : solution.truss->externals)
         if (external.joint != none && solution.mechanism.joint(external.joint).name == "E") {
@@ -232,19 +239,22 @@ TEST(Trusses, ACutGivesItsBarsByMoments) {
     ASSERT_EQ(solution.truss->cuts.size(), 3u);
     for (const Truss::Cut& cut : solution.truss->cuts) {
         const Truss::CutNumbers numbers = solution.truss->numbers_of(cut, solution.pose.points);
-        EXPECT_NEAR(std::abs(numbers.known), numbers.arm * std::abs(solution.truss->tension(at(cut.found), solution.pose.points)), 1e-6);
+        EXPECT_NEAR(std::abs(numbers.known), numbers.arm * std::abs(solution.truss->tension(at(cut.found), solution.pose.points)),
+                    1e-6);
         EXPECT_EQ(cut.pivot.has_value(), solution.truss->structure.bars[at(cut.found)].name != "CE") << "BC and EF are parallel";
     }
 }
 
 /// A Polonceau truss: two fans that share the apex, and a tie.
 std::string fan_text() {
-    const std::string left = R"("A": [0, 0], "R1": [2, 1.5], "R2": [4, 3], "R3": [6, 4.5], "C": [8, 6], "J": [2.5, 0], "D": [5, 0], "K": [6.5, 3])";
-    const std::string right = R"("B": [16, 0], "S1": [14, 1.5], "S2": [12, 3], "S3": [10, 4.5], "L": [13.5, 0], "E": [11, 0], "M": [9.5, 3])";
-    const char* const bars[][2] = {{"A", "R1"}, {"R1", "R2"}, {"R2", "R3"}, {"R3", "C"}, {"A", "J"},  {"J", "D"},  {"D", "K"},
-                                   {"K", "C"},  {"R1", "J"},  {"J", "R2"},  {"R2", "D"}, {"R2", "K"}, {"R3", "K"}, {"B", "S1"},
-                                   {"S1", "S2"}, {"S2", "S3"}, {"S3", "C"}, {"B", "L"},  {"L", "E"},  {"E", "M"},  {"M", "C"},
-                                   {"S1", "L"}, {"L", "S2"},  {"S2", "E"},  {"S2", "M"}, {"S3", "M"}, {"D", "E"}};
+    const std::string left =
+        R"("A": [0, 0], "R1": [2, 1.5], "R2": [4, 3], "R3": [6, 4.5], "C": [8, 6], "J": [2.5, 0], "D": [5, 0], "K": [6.5, 3])";
+    const std::string right =
+        R"("B": [16, 0], "S1": [14, 1.5], "S2": [12, 3], "S3": [10, 4.5], "L": [13.5, 0], "E": [11, 0], "M": [9.5, 3])";
+    const char* const bars[][2] = {{"A", "R1"},  {"R1", "R2"}, {"R2", "R3"}, {"R3", "C"}, {"A", "J"},  {"J", "D"},  {"D", "K"},
+                                   {"K", "C"},   {"R1", "J"},  {"J", "R2"},  {"R2", "D"}, {"R2", "K"}, {"R3", "K"}, {"B", "S1"},
+                                   {"S1", "S2"}, {"S2", "S3"}, {"S3", "C"},  {"B", "L"},  {"L", "E"},  {"E", "M"},  {"M", "C"},
+                                   {"S1", "L"},  {"L", "S2"},  {"S2", "E"},  {"S2", "M"}, {"S3", "M"}, {"D", "E"}};
     std::string bodies, joints;
     std::map<std::string, std::string> at_pin{{"A", "1"}};
     int body = 2;
@@ -255,7 +265,8 @@ std::string fan_text() {
     }
     for (const auto& [pin, all] : at_pin) joints += "{\"revolute\": \"" + pin + "\", \"bodies\": [" + all + "]}, ";
     joints += R"({"contact": "B", "bodies": [15, 1], "tangent": 0, "pushes": [0, 1]})";
-    return R"({"kinegraph": 1, "frame": 1, "points": {)" + left + ", " + right + R"(}, "bodies": {)" + bodies + R"(}, "joints": [)" + joints +
+    return R"({"kinegraph": 1, "frame": 1, "points": {)" + left + ", " + right + R"(}, "bodies": {)" + bodies +
+           R"(}, "joints": [)" + joints +
            R"(], "loads": [{"force": "F1", "pin": "R1", "value": [0, -1000]}, {"force": "F2", "pin": "R2", "value": [0, -3000]},
                {"force": "F3", "pin": "R3", "value": [0, -1000]}, {"force": "F4", "pin": "S1", "value": [0, -2000]},
                {"force": "F5", "pin": "S2", "value": [0, -1000]}, {"force": "F6", "pin": "S3", "value": [500, -2000]}]})";
@@ -288,7 +299,8 @@ TEST(Trusses, WhereNoCutLeadsOnTheReasonIsSaidAndTheForcesAreFound) {
 }
 
 TEST(Trusses, ACantileverOnTwoHingesIsResolvedFromItsTip) {
-    const std::string text = R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [0, 3], "C": [4, 0], "D": [4, 3], "E": [8, 0]},
+    const std::string text =
+        R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [0, 3], "C": [4, 0], "D": [4, 3], "E": [8, 0]},
       "bodies": {"2": ["A", "C"], "3": ["B", "C"], "4": ["B", "D"], "5": ["C", "D"], "6": ["C", "E"], "7": ["D", "E"]},
       "joints": [{"revolute": "A", "bodies": [1, 2]}, {"revolute": "B", "bodies": [1, 3, 4]}, {"revolute": "C", "bodies": [2, 3, 5, 6]},
                  {"revolute": "D", "bodies": [4, 5, 7]}, {"revolute": "E", "bodies": [6, 7]}],
@@ -310,7 +322,8 @@ std::string fault_of(const std::string& cut) {
 
 TEST(Cuts, ThatCannotBeMadeAreRefusedWithAPlaceAndARemedy) {
     EXPECT_EQ(fault_of(R"(["CB", "EC", "FE"])"), "") << "a bar has one name both ways";
-    EXPECT_TRUE(fault_of(R"(["BC", "CX", "EF"])").starts_with("/find/1/cut/1 there is no bar \"CX\"; the bars are \"AB\", \"BC\""));
+    EXPECT_TRUE(
+        fault_of(R"(["BC", "CX", "EF"])").starts_with("/find/1/cut/1 there is no bar \"CX\"; the bars are \"AB\", \"BC\""));
     EXPECT_TRUE(fault_of(R"(["AB", "BC", "BE"])").starts_with("/find/1/cut the bars meet in pin B"));
     EXPECT_TRUE(fault_of(R"(["AB", "CE", "EF"])").starts_with("/find/1/cut these bars do not part the truss"));
     EXPECT_TRUE(fault_of(R"(["AB", "EF"])").starts_with("/find/1/cut a cut crosses three bars"));
@@ -331,8 +344,13 @@ TEST(TheWholeFirst, AFrameOnPinAndRollerIsCutFreeAsOneBeforeItsBodies) {
     // B = 800 · 0.5/4 = 100 N; the tie holds 100 · 2/2.
     for (const JointForce& action : solution.forces) {
         ASSERT_TRUE(action.force);
-        if (solution.mechanism.joint(action.joint).name == "B" && action.from == frame) EXPECT_EQ(*action.force, (Vector{0, 100}));
-        if (solution.mechanism.joint(action.joint).name == "D" && action.on == BodyIndex(3)) EXPECT_EQ(action.force->x, Exact(-100));
+        const std::string& joint = solution.mechanism.joint(action.joint).name;
+        if (joint == "B" && action.from == frame) {
+            EXPECT_EQ(*action.force, (Vector{0, 100}));
+        }
+        if (joint == "D" && action.on == BodyIndex(3)) {
+            EXPECT_EQ(action.force->x, Exact(-100));
+        }
     }
     EXPECT_TRUE(solution.unsolved.empty());
 }
@@ -345,10 +363,12 @@ TEST(TheWholeFirst, AnExcavatorsCylindersHoldItsBodiesByMoments) {
     // Everything beyond a hinge turns about it under the load and its cylinder alone.
     const auto cylinder = [&](const char* hinge, const char* from, const char* to) {
         const Vector along = place(to) - place(from);
-        return -cross(place("T") - place(hinge), load).to_double() * length(along) / cross(place(to) - place(hinge), along).to_double();
+        return -cross(place("T") - place(hinge), load).to_double() * length(along) /
+               cross(place(to) - place(hinge), along).to_double();
     };
     const double expected[] = {cylinder("A", "C", "E"), cylinder("B", "F", "G"), cylinder("D", "H", "K")};
-    for (std::size_t e = 0; e < 3; ++e) EXPECT_NEAR(solution.efforts[e].value->to_double(), expected[e], 1e-9 * std::abs(expected[e]));
+    for (std::size_t e = 0; e < 3; ++e)
+        EXPECT_NEAR(solution.efforts[e].value->to_double(), expected[e], 1e-9 * std::abs(expected[e]));
 }
 
 TEST(RandomTrusses, AreTheLinearSolveExactly) {

@@ -44,9 +44,7 @@ Pen thin_pen_of(const Theme& theme, Sense sense) {
     return pen;
 }
 
-RichText letter_of(const Truss::Space& space) {
-    return one_piece(space.letter, space.outside ? Face::italic : Face::regular);
-}
+RichText letter_of(const Truss::Space& space) { return one_piece(space.letter, space.outside ? Face::italic : Face::regular); }
 
 PointIndex point_of(const Truss& truss, int pin) { return truss.structure.pins[at_index(pin)].point; }
 
@@ -97,10 +95,9 @@ private:
         sketch_.ground.emplace_back(
             polyline({at, at + high * down + half * across, at + high * down - half * across}, sketch_.outline(), true));
         for (const double side : {-0.6, 0.6})
-            sketch_.ground.emplace_back(
-                circle(at + (high + wheel) * down + side * half * across, wheel, sketch_.outline()));
+            sketch_.ground.emplace_back(circle(at + (high + wheel) * down + side * half * across, wheel, sketch_.outline()));
         const Spot foot = at + (high + 2 * wheel) * down;
-        draw_wall(sketch_, {foot - 1.7 * half * across, foot + 1.7 * half * across}, foot + 3.0 * down);
+        draw_wall(sketch_, {foot - 1.7 * half * across, foot + 1.7 * half * across}, down);
     }
 
     void draw_bar(std::size_t bar) {
@@ -108,19 +105,18 @@ private:
         const double value = tension_of(solution_, bar) / unit().si.to_double();
         sketch_.bodies.emplace_back(GroupBegin{
             "bar", sketch_.id("bar", own.name), own.name, {{"data-name", own.name}, {"data-value", shortest(value)}}, none});
-        const std::size_t first = sketch_.bodies.size();
-        sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), {sketch_.theme.outline, sketch_.theme.skeleton, {}, false}));
+        sketch_.bodies.emplace_back(
+            line(spot(own.pins[0]), spot(own.pins[1]), {sketch_.theme.outline, sketch_.theme.skeleton, {}, false}));
         const std::size_t found = sketch_.bodies.size();
         sketch_.bodies.emplace_back(line(spot(own.pins[0]), spot(own.pins[1]), pen_of(sketch_.theme, sense_of(solution_, bar))));
         belong(sketch_.bodies, found, truss_.bars[bar].statement);
-        static_cast<void>(first);
         sketch_.bodies.emplace_back(GroupEnd{});
     }
 
     const Unit& unit() const { return sketch_.mechanism.units.force; }
 
     /// How near bars lie to a ray from a pin: the largest cosine.
-    double crowding(int pin, Spot along) const {
+    double crowding(int pin, Spot along) {
         double most = -1;
         for (const int bar : truss_.structure.pins[at_index(pin)].bars) {
             const Spot off = spot(truss_.structure.other_end(bar, pin)) - spot(pin);
@@ -138,9 +134,11 @@ private:
         rays_[external.pin].push_back(out);
         const double from = external.joint != none && behind ? gap + beyond_support : gap;
         const Spot near = at + from * out, far = at + (from + size) * out;
-        sketch_.arrows.emplace_back(
-            GroupBegin{"force", sketch_.id("force", name_of(external.symbol)), name_of(external.symbol),
-                       {{"data-name", name_of(external.symbol)}}, external.statement});
+        sketch_.arrows.emplace_back(GroupBegin{"force",
+                                               sketch_.id("force", name_of(external.symbol)),
+                                               name_of(external.symbol),
+                                               {{"data-name", name_of(external.symbol)}},
+                                               external.statement});
         draw_arrow(sketch_.arrows, behind ? far : near, behind ? near : far, sketch_.theme.vector, sketch_.theme.text,
                    external.joint != none ? dashes() : std::vector<double>{});
         sketch_.arrows.emplace_back(GroupEnd{});
@@ -208,8 +206,9 @@ private:
             sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
             belong(sketch_.construction, first, meet.statement);
             belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
-            sketch_.add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language),
-                              sketch_.theme.text, at, 1.8, meet.statement)
+            sketch_
+                .add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language), sketch_.theme.text,
+                           at, 1.8, meet.statement)
                 .names = {meet.name};
         }
     }
@@ -256,15 +255,15 @@ private:
         LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (pivot + foot), 1, cut.statement);
         label.toward = foot;
         label.size = sketch_.theme.small;
-        const bool is_pin = std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(), [&](const auto& pin) {
-            return length(sketch_.spot(pin.point) - pivot) < 0.05;
-        });
+        const bool is_pin = std::any_of(truss_.structure.pins.begin(), truss_.structure.pins.end(),
+                                        [&](const auto& pin) { return length(sketch_.spot(pin.point) - pivot) < 0.05; });
         if (is_pin || std::find(named_.begin(), named_.end(), cut.pivot_name) != named_.end()) return;
         named_.push_back(cut.pivot_name);
         sketch_.centres.emplace_back(disc(pivot, 0.7, sketch_.theme.text));
         belong(sketch_.centres, sketch_.centres.size() - 1, cut.statement);
-        sketch_.add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language), sketch_.theme.text,
-                          pivot, 1.8, cut.statement)
+        sketch_
+            .add_label(typeset(Symbol{Symbol::Letter::point, cut.pivot_name, ""}, sketch_.context.language), sketch_.theme.text,
+                       pivot, 1.8, cut.statement)
             .names = {cut.pivot_name};
     }
 
@@ -280,7 +279,10 @@ private:
 class Plan {
 public:
     explicit Plan(const DrawingContext& context)
-        : context_(context), solution_(context.solution), truss_(*solution_.truss), scene_(polygon_scene(solution_, truss_.polygon)) {}
+        : context_(context),
+          solution_(context.solution),
+          truss_(*solution_.truss),
+          scene_(polygon_scene(solution_, truss_.polygon)) {}
 
     double width() const { return scene_.width(); }
     double height() const { return scene_.height(); }
@@ -352,7 +354,8 @@ private:
         for (const int v : polygon().vectors) {
             const DrawnVector& vector = solution_.protocol.vectors[at_index(v)];
             if (is_bar(vector) || vector.vanishes) continue;
-            const Spot tail = spot(figure.scale, place(vector.tail)), tip = spot(figure.scale, place(vector.tip)), off = tip - tail;
+            const Spot tail = spot(figure.scale, place(vector.tail)), tip = spot(figure.scale, place(vector.tip)),
+                       off = tip - tail;
             if (length(off) < 1e-6) continue;
             const Spot unit = (1 / length(off)) * off;
             auto column = std::find_if(columns.begin(), columns.end(), [&](const Column& each) {
@@ -363,9 +366,8 @@ private:
             const Interval own{std::min(a, b), std::max(a, b)};
             std::size_t place_in = 0;
             const auto is_free = [&](const std::vector<Interval>& taken) {
-                return std::none_of(taken.begin(), taken.end(), [&](const Interval& each) {
-                    return each.from < own.to - 0.05 && each.to > own.from + 0.05;
-                });
+                return std::none_of(taken.begin(), taken.end(),
+                                    [&](const Interval& each) { return each.from < own.to - 0.05 && each.to > own.from + 0.05; });
             };
             while (place_in < column->taken.size() && !is_free(column->taken[place_in])) ++place_in;
             if (place_in == column->taken.size()) column->taken.emplace_back();
@@ -384,8 +386,11 @@ private:
                 belong(figure.marks, figure.marks.size() - 1, vector.statement);
             }
         figure.marks.emplace_back(GroupBegin{
-            "vector", "cremona-" + legal_id(name), name,
-            {{"data-name", name}, {"data-value", shortest(kinegraph::length(solution_.protocol.value_of(vector)) / scene_.unit.si.to_double())}},
+            "vector",
+            "cremona-" + legal_id(name),
+            name,
+            {{"data-name", name},
+             {"data-value", shortest(kinegraph::length(solution_.protocol.value_of(vector)) / scene_.unit.si.to_double())}},
             vector.statement});
         draw_arrow(figure.marks, tail + aside, tip + aside, context_.theme.vector, context_.theme.text);
         figure.marks.emplace_back(GroupEnd{});
@@ -412,7 +417,8 @@ private:
         for (std::size_t s = 0; s < truss_.spaces.size(); ++s) {
             const Image& image = solution_.protocol.images[at_index(polygon().images[s])];
             const Spot at = spot(figure.scale, place(image.point));
-            auto known = std::find_if(corners.begin(), corners.end(), [&](const Corner& each) { return length(each.at - at) < 0.02; });
+            auto known =
+                std::find_if(corners.begin(), corners.end(), [&](const Corner& each) { return length(each.at - at) < 0.02; });
             if (known == corners.end()) {
                 corners.push_back({at, letter_of(truss_.spaces[s]), statement_of(image.point)});
                 continue;

@@ -294,7 +294,9 @@ Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, Solutio
         collect_forces();
     if (solution_.displacements) collect_virtual_work();
     Band& given = list.front();
-    if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {{Kind::bodies}, {Kind::mobility}});
+    const bool tells_bodies = !solution_.truss || !solution_.free_bodies.empty();  // bars have a table of their own
+    if (detail_ == SolutionDetail::full) given.parts.insert(given.parts.begin(), {Kind::mobility});
+    if (detail_ == SolutionDetail::full && tells_bodies) given.parts.insert(given.parts.begin(), {Kind::bodies});
     number_steps();
     if (detail_ == SolutionDetail::full)
         deal_out_results();

@@ -68,6 +68,8 @@ public:
         }
         if (find.forces || (all && has_forces(solution_))) {
             say("sought forces", {});
+            if (solution_.truss) say("sought bars", {});
+            for (const CutQuery& cut : find.cuts) say("sought cut", {plain_words(names_of(cut))});
             for (const Effort& effort : mechanism_.efforts) std::visit([&](const auto& each) { add_effort(each); }, effort);
         }
         return std::move(rows_);
@@ -98,6 +100,14 @@ private:
     // --- pieces ---------------------------------------------------------------------------------------------------------------
 
     static RichText plain_words(const std::string& words) { return one_piece(words); }
+    std::string names_of(const CutQuery& cut) const {
+        std::string names;
+        for (const BodyIndex body : cut.bars)
+            for (const TrussStructure::Bar& bar :
+                 solution_.truss ? solution_.truss->structure.bars : std::vector<TrussStructure::Bar>{})
+                if (bar.body == body) names += (names.empty() ? "" : ", ") + bar.name;
+        return names;
+    }
     RichText name(PointIndex point) const {
         return typeset(Symbol{Symbol::Letter::point, mechanism_.point(point).name, ""}, language());
     }

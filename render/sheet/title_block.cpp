@@ -61,6 +61,7 @@ std::string subtitle_of(const Solution& solution, Language language) {
     const bool acceleration = std::any_of(solution.protocol.polygons.begin(), solution.protocol.polygons.end(),
                                           [](const Polygon& p) { return p.plane == Plane::acceleration; });
     return word(is_mixed(solution)                   ? "subtitle mixed"
+                : solution.truss                     ? "subtitle truss"
                 : has_forces(solution)               ? "subtitle forces"
                 : solution.protocol.polygons.empty() ? "subtitle pose"
                 : acceleration                       ? "subtitle acceleration"

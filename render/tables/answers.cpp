@@ -90,7 +90,7 @@ private:
     }
     static std::optional<double> tolerance_of_vector(const ResultRow& row) {
         if (!row.millimetres || !(*row.millimetres > 0)) return std::nullopt;
-        return reading_by_hand * row.drawing / *row.millimetres;
+        return reading_by_hand * std::abs(row.drawing) / *row.millimetres;
     }
     std::optional<double> direction_of_motion(const ResultRow& row) const {
         for (const DrawnVector& vector : solution_.protocol.vectors)
@@ -156,6 +156,9 @@ private:
                 for (const AppliedForce& applied : body.forces)
                     if (!answer.direction && !applied.force.is_zero() && name_of(applied.symbol) == row.name)
                         answer.direction = degrees_of(applied.force);
+            if (solution_.truss && kind == Kind::force)
+                for (const Truss::External& external : solution_.truss->externals)
+                    if (external.joint == row.quantity.joint && !answer.direction) answer.direction = degrees_of(*external.force);
         }
         answers_.push_back(std::move(answer));
     }

@@ -76,8 +76,8 @@ std::vector<Block> bar_lines(const DrawingContext& context, double width) {
                                  context.language));
         put(row, context, name, 0, false, theme.body_text, theme.text, 3.6);
         if (has_plan(context.solution)) {
-            const std::string spaces = truss.spaces[at_index(truss.bars[bar].left)].letter + "–" +
-                                       truss.spaces[at_index(truss.bars[bar].right)].letter;
+            const std::string spaces =
+                truss.spaces[at_index(truss.bars[bar].left)].letter + "–" + truss.spaces[at_index(truss.bars[bar].right)].letter;
             put(row, context, one_piece(spaces), columns.spaces, false, theme.body_text, theme.text, 3.6);
         }
         const bool idle = truss.bars[bar].force->is_zero();
@@ -128,7 +128,8 @@ std::vector<ResultRow> truss_rows(const DrawingContext& context, const std::vect
         const Quantity quantity{.kind = Quantity::Kind::bar, .body = truss.structure.bars[bar].body};
         std::optional<double> numeric = checks.of(quantity);
         if (numeric) *numeric /= si;
-        add(quantity, {Symbol::Letter::F, truss.structure.bars[bar].name, {}}, truss.tension(bar, solution.pose.points) / si, numeric);
+        add(quantity, {Symbol::Letter::F, truss.structure.bars[bar].name, {}}, truss.tension(bar, solution.pose.points) / si,
+            numeric);
     }
     return rows;
 }
