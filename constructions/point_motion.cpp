@@ -453,7 +453,9 @@ std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMoti
     const auto both = [](const Vector& v) { return VectorOf<double>{v.x.to_double(), v.y.to_double()}; };
     const VectorOf<double> place = both(found.place), v = both(found.velocity), a = both(found.acceleration);
     add(std::string("x"), "x", length, place.x, check.place.x);
+    values.back().spoken = {"abscissa", "ascissa"};
     add(std::string("y"), "y", length, place.y, check.place.y);
+    values.back().spoken = {"ordinate", "ordinata"};
     add({"way", "ascissa curvilinea"}, "s", length, found.way, check.way);
     add({"velocity x", "velocità x"}, "v_x", velocity, v.x, check.velocity.x);
     add({"velocity y", "velocità y"}, "v_y", velocity, v.y, check.velocity.y);

@@ -346,9 +346,7 @@ private:
         static const Exact degree = pi() / 180;
         for (int i = 0; i < std::abs(value.dimension.angle); ++i)
             in_radians = value.dimension.angle > 0 ? in_radians * degree : in_radians / degree;
-        Dimension dimension = value.dimension;
-        dimension.angle = 0;
-        constants_.push_back({std::move(name), std::move(as_written), std::move(in_radians), dimension});
+        constants_.push_back({std::move(name), std::move(as_written), std::move(in_radians), value.dimension});
     }
 
     Outcome number() {
@@ -411,6 +409,12 @@ private:
 
 Words described_as(const Dimension& dimension) { return described({.value = Exact(), .dimension = dimension}); }
 
+/// A radian is a number.
+Dimension without_angle(Dimension of) {
+    of.angle = 0;
+    return of;
+}
+
 class Dimensions {
 public:
     Dimensions(const NamedConstants& constants, std::string_view variable, Dimension of_variable)
@@ -423,7 +427,7 @@ public:
             case Kind::pi:
                 return Dimension{};
             case Kind::constant:
-                return constants_[expression.constant].dimension;
+                return without_angle(constants_[expression.constant].dimension);
             case Kind::variable:
                 return of_variable_;
             case Kind::sum:
@@ -494,7 +498,7 @@ private:
 };
 
 bool has_units(const Expression& of, const NamedConstants& constants) {
-    if (of.kind == Kind::constant) return !constants[of.constant].dimension.is_a_number();
+    if (of.kind == Kind::constant) return !without_angle(constants[of.constant].dimension).is_a_number();
     return std::any_of(of.parts.begin(), of.parts.end(), [&](const Expression& part) { return has_units(part, constants); });
 }
 
