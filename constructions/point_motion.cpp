@@ -270,14 +270,14 @@ private:
                      {"these numbers are too large to be computed with; check the units",
                       "questi numeri sono troppo grandi per calcolare; controllare le unità"}};
     }
-    static std::string number_text(double value) {
+    /// With the comma in Italian.
+    static Words number_text(double value) {
         std::string text = std::to_string(value);
-        while (text.find('.') != std::string::npos && (text.ends_with('0') || text.ends_with('.'))) {
-            const bool point = text.ends_with('.');
-            text.pop_back();
-            if (point) break;
-        }
-        return text;
+        while (text.ends_with('0')) text.pop_back();
+        if (text.ends_with('.')) text.pop_back();
+        std::string with_comma = text;
+        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+        return {text, with_comma};
     }
     Error not_finite(const StatedLaw& law, const Words& order, double value, double time) const {
         const Words how = std::isinf(value) ? Words("is infinite", "è infinita")

@@ -386,7 +386,10 @@ private:
         constexpr std::size_t longest_unit = 16;
         for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
             const std::string_view spelt = text_.substr(from, length);
-            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || unit_spelt(spelt) == nullptr) continue;
+            // In "2t" the t is the time, no tonne.
+            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt == variable_ ||
+                unit_spelt(spelt) == nullptr)
+                continue;
             const std::size_t behind = from + length;
             const bool goes_on = behind < text_.size() && is_letter(spelt.back()) &&
                                  (is_letter(text_[behind]) || is_digit(text_[behind])) &&
