@@ -438,7 +438,7 @@ public:
             case Kind::product: {
                 Dimension whole;
                 for (const Expression& part : expression.parts) {
-                    const Found each = of(part);
+                    Found each = of(part);
                     if (!each) return each;
                     whole = {whole.length + each->length, whole.mass + each->mass, whole.time + each->time, 0};
                 }
@@ -447,7 +447,7 @@ public:
             case Kind::power:
                 return of_power(expression);
             case Kind::function: {
-                const Found argument = of(expression.parts[0]);
+                Found argument = of(expression.parts[0]);
                 if (!argument || argument->is_a_number()) return argument;
                 return refused({"{0} is taken of a number or an angle, and {1} is {2}",
                                 "{0} si calcola di un numero o di un angolo, e {1} è {2}", name_of(expression.function),
@@ -460,10 +460,10 @@ public:
 private:
     std::string spelt(const Expression& expression) const { return quoted(written(expression, constants_, variable_)); }
     Found of_sum(const Expression& sum) const {
-        const Found first = of(sum.parts[0]);
+        Found first = of(sum.parts[0]);
         if (!first) return first;
         for (std::size_t i = 1; i < sum.parts.size(); ++i) {
-            const Found other = of(sum.parts[i]);
+            Found other = of(sum.parts[i]);
             if (!other) return other;
             if (*other == *first || sum.parts[i].is_number(0)) continue;
             return refused(
@@ -474,7 +474,7 @@ private:
         return first;
     }
     Found of_power(const Expression& power) const {
-        const Found base = of(power.parts[0]), exponent = of(power.parts[1]);
+        Found base = of(power.parts[0]), exponent = of(power.parts[1]);
         if (!base) return base;
         if (!exponent) return exponent;
         if (!exponent->is_a_number())
