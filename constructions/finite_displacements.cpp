@@ -1,6 +1,8 @@
 #include "constructions/finite_displacements.hpp"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -188,10 +190,18 @@ std::vector<ProblemValue> values_of(const PositionsProblem& problem, const Posit
     return values;
 }
 
+/// "0.012 mm", with the comma in Italian.
 Words said(double si, const Mechanism& mechanism) {
     const Unit& unit = mechanism.units.length;
-    std::string text = std::to_string(si / unit.si.to_double());
-    return text + " " + unit.symbol;
+    std::array<char, 40> digits{};
+    constexpr int most = 3;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), si / unit.si.to_double(), std::chars_format::general, most)
+            .ptr;
+    const std::string text = std::string(digits.data(), end) + " " + unit.symbol;
+    std::string with_comma = text;
+    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+    return {text, with_comma};
 }
 
 std::vector<Words> remarks_on(const PositionsProblem& problem, const PositionsSolution& found, const Mechanism& mechanism) {

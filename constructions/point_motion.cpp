@@ -270,14 +270,14 @@ private:
                      {"these numbers are too large to be computed with; check the units",
                       "questi numeri sono troppo grandi per calcolare; controllare le unità"}};
     }
-    static std::string number_text(double value) {
+    /// With the comma in Italian.
+    static Words number_text(double value) {
         std::string text = std::to_string(value);
-        while (text.find('.') != std::string::npos && (text.ends_with('0') || text.ends_with('.'))) {
-            const bool point = text.ends_with('.');
-            text.pop_back();
-            if (point) break;
-        }
-        return text;
+        while (text.ends_with('0')) text.pop_back();
+        if (text.ends_with('.')) text.pop_back();
+        std::string with_comma = text;
+        std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+        return {text, with_comma};
     }
     Error not_finite(const StatedLaw& law, const Words& order, double value, double time) const {
         const Words how = std::isinf(value) ? Words("is infinite", "è infinita")
@@ -453,7 +453,9 @@ std::vector<ProblemValue> values_of(const PointProblem& problem, const PointMoti
     const auto both = [](const Vector& v) { return VectorOf<double>{v.x.to_double(), v.y.to_double()}; };
     const VectorOf<double> place = both(found.place), v = both(found.velocity), a = both(found.acceleration);
     add(std::string("x"), "x", length, place.x, check.place.x);
+    values.back().spoken = {"abscissa", "ascissa"};
     add(std::string("y"), "y", length, place.y, check.place.y);
+    values.back().spoken = {"ordinate", "ordinata"};
     add({"way", "ascissa curvilinea"}, "s", length, found.way, check.way);
     add({"velocity x", "velocità x"}, "v_x", velocity, v.x, check.velocity.x);
     add({"velocity y", "velocità y"}, "v_y", velocity, v.y, check.velocity.y);

@@ -346,9 +346,7 @@ private:
         static const Exact degree = pi() / 180;
         for (int i = 0; i < std::abs(value.dimension.angle); ++i)
             in_radians = value.dimension.angle > 0 ? in_radians * degree : in_radians / degree;
-        Dimension dimension = value.dimension;
-        dimension.angle = 0;
-        constants_.push_back({std::move(name), std::move(as_written), std::move(in_radians), dimension});
+        constants_.push_back({std::move(name), std::move(as_written), std::move(in_radians), value.dimension});
     }
 
     Outcome number() {
@@ -388,7 +386,10 @@ private:
         constexpr std::size_t longest_unit = 16;
         for (std::size_t length = std::min(longest_unit, text_.size() - from); length > 0; --length) {
             const std::string_view spelt = text_.substr(from, length);
-            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || unit_spelt(spelt) == nullptr) continue;
+            // In "2t" the t is the time, no tonne.
+            if (spelt.find('*') != std::string_view::npos || spelt.ends_with(' ') || spelt == variable_ ||
+                unit_spelt(spelt) == nullptr)
+                continue;
             const std::size_t behind = from + length;
             const bool goes_on = behind < text_.size() && is_letter(spelt.back()) &&
                                  (is_letter(text_[behind]) || is_digit(text_[behind])) &&
@@ -411,6 +412,12 @@ private:
 
 Words described_as(const Dimension& dimension) { return described({.value = Exact(), .dimension = dimension}); }
 
+/// A radian is a number.
+Dimension without_angle(Dimension of) {
+    of.angle = 0;
+    return of;
+}
+
 class Dimensions {
 public:
     Dimensions(const NamedConstants& constants, std::string_view variable, Dimension of_variable)
@@ -423,7 +430,7 @@ public:
             case Kind::pi:
                 return Dimension{};
             case Kind::constant:
-                return constants_[expression.constant].dimension;
+                return without_angle(constants_[expression.constant].dimension);
             case Kind::variable:
                 return of_variable_;
             case Kind::sum:
@@ -431,7 +438,7 @@ public:
             case Kind::product: {
                 Dimension whole;
                 for (const Expression& part : expression.parts) {
-                    const Found each = of(part);
+                    Found each = of(part);
                     if (!each) return each;
                     whole = {whole.length + each->length, whole.mass + each->mass, whole.time + each->time, 0};
                 }
@@ -440,7 +447,7 @@ public:
             case Kind::power:
                 return of_power(expression);
             case Kind::function: {
-                const Found argument = of(expression.parts[0]);
+                Found argument = of(expression.parts[0]);
                 if (!argument || argument->is_a_number()) return argument;
                 return refused({"{0} is taken of a number or an angle, and {1} is {2}",
                                 "{0} si calcola di un numero o di un angolo, e {1} è {2}", name_of(expression.function),
@@ -453,10 +460,10 @@ public:
 private:
     std::string spelt(const Expression& expression) const { return quoted(written(expression, constants_, variable_)); }
     Found of_sum(const Expression& sum) const {
-        const Found first = of(sum.parts[0]);
+        Found first = of(sum.parts[0]);
         if (!first) return first;
         for (std::size_t i = 1; i < sum.parts.size(); ++i) {
-            const Found other = of(sum.parts[i]);
+            Found other = of(sum.parts[i]);
             if (!other) return other;
             if (*other == *first || sum.parts[i].is_number(0)) continue;
             return refused(
@@ -467,7 +474,7 @@ private:
         return first;
     }
     Found of_power(const Expression& power) const {
-        const Found base = of(power.parts[0]), exponent = of(power.parts[1]);
+        Found base = of(power.parts[0]), exponent = of(power.parts[1]);
         if (!base) return base;
         if (!exponent) return exponent;
         if (!exponent->is_a_number())
@@ -494,7 +501,7 @@ private:
 };
 
 bool has_units(const Expression& of, const NamedConstants& constants) {
-    if (of.kind == Kind::constant) return !constants[of.constant].dimension.is_a_number();
+    if (of.kind == Kind::constant) return !without_angle(constants[of.constant].dimension).is_a_number();
     return std::any_of(of.parts.begin(), of.parts.end(), [&](const Expression& part) { return has_units(part, constants); });
 }
 

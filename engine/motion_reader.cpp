@@ -1,5 +1,6 @@
 // The motion of a point and positions of a body, read.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "engine/pose.hpp"
@@ -9,6 +10,19 @@ namespace kinegraph {
 namespace {
 
 constexpr std::array<std::string_view, 6> law_keys{"x", "y", "r", "theta", "path", "s"};
+
+/// "5.657 mm", with the comma in Italian.
+Words length_words(double si, const KnownUnit& unit) {
+    std::array<char, 40> text{};
+    constexpr int digits = 6;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), si / unit.si.to_double(), std::chars_format::general, digits).ptr;
+    std::string value(text.data(), end);
+    value += " " + std::string(unit.symbol);
+    std::string with_comma = value;
+    std::replace(with_comma.begin(), with_comma.end(), '.', ',');
+    return {value, with_comma};
+}
 
 const Words& an_expression() {
     static const Words wanted("an expression in t, as \"v0*t\"", "un’espressione in t, come \"v0*t\"");
@@ -280,9 +294,7 @@ void ProblemReader::keep_distance(JsonValue at, const PositionsProblem& problem,
     const double here = length(arm), there = length(start[1] - start[0]);
     if (arm.is_zero() || std::abs(here - there) > rounded_away * there) {
         const KnownUnit& unit = bare_unit(QuantityKind::length);
-        const auto said = [&](double si) {
-            return Words(std::to_string(si / unit.si.to_double()) + " " + std::string(unit.symbol));
-        };
+        const auto said = [&](double si) { return length_words(si, unit); };
         fault(
             at,
             {"a rigid body keeps distances: here {0} and {1} are {2} apart, in the first position {3}; correct one, or give \"turned\"",

@@ -21,8 +21,8 @@ using tests::example;
 
 const PointMotionSolution& motion_of(const Solution& solution) { return tests::found_in<PointMotionSolution>(solution); }
 const PositionsSolution& positions_of(const Solution& solution) { return tests::found_in<PositionsSolution>(solution); }
-Solution moving(const std::string& members) { return tests::solved(R"({"kinegraph": 1, "motion": {)" + members + "}}"); }
-Solution placed(const std::string& positions) { return tests::solved(R"({"kinegraph": 1, "positions": [)" + positions + "]}"); }
+Solution moving(const std::string& members) { return tests::solved(R"~({"kinegraph": 1, "motion": {)~" + members + "}}"); }
+Solution placed(const std::string& positions) { return tests::solved(R"~({"kinegraph": 1, "positions": [)~" + positions + "]}"); }
 
 /// The derivative in symbols, as text.
 std::string derivative(const std::string& text, NamedConstants& constants) {
@@ -109,20 +109,20 @@ TEST(PointMotion, AtRestNoTangentIsDefined) {
     EXPECT_TRUE(results.at("motion").at("radius of curvature").is_null());
     EXPECT_TRUE(results.at("motion").at("polar").is_null());
     // At a turn of the harmonic motion too, where v is no more than rounding.
-    EXPECT_TRUE(motion_of(moving(R"("x": "2*cos(pi*t)", "at": 1, "to": 2)")).rests);
+    EXPECT_TRUE(motion_of(moving(R"~("x": "2*cos(pi*t)", "at": 1, "to": 2)~")).rests);
 }
 
 TEST(PointMotion, UnitsAreTheFilesWhereAnExpressionHasNone) {
     const PointMotionSolution bare_law = motion_of(
-        tests::solved(R"({"kinegraph": 1, "units": {"length": "cm"}, "motion": {"x": "3*t^2", "y": "t", "at": 1, "to": 2}})"));
+        tests::solved(R"~({"kinegraph": 1, "units": {"length": "cm"}, "motion": {"x": "3*t^2", "y": "t", "at": 1, "to": 2}})~"));
     EXPECT_NEAR(bare_law.velocity.x.to_double(), 0.06, 1e-16);
     // An angle alone is a number: radians.
-    const PointMotionSolution polar = motion_of(moving(R"("r": "2 m", "theta": "30° + 2*t", "at": 0, "to": 1)"));
+    const PointMotionSolution polar = motion_of(moving(R"~("r": "2 m", "theta": "30° + 2*t", "at": 0, "to": 1)~"));
     EXPECT_NEAR(polar.theta, pi / 6, 1e-15);
     EXPECT_NEAR(polar.speed, 4, 1e-14);
     // Parameters are known too.
     const PointMotionSolution set = motion_of(tests::solved(
-        R"({"kinegraph": 1, "parameters": {"v": "2 m/s"}, "motion": {"x": "v*t + b", "constants": {"b": "= v*1 s"}, "at": 1, "to": 2}})"));
+        R"~({"kinegraph": 1, "parameters": {"v": "2 m/s"}, "motion": {"x": "v*t + b", "constants": {"b": "= v*1 s"}, "at": 1, "to": 2}})~"));
     EXPECT_NEAR(set.place.x.to_double(), 4, 1e-15);
 }
 
@@ -224,7 +224,7 @@ class RefusedMotions : public testing::TestWithParam<Refused> {};
 TEST_P(RefusedMotions, SayWhereAndWhy) {
     const auto& [members, where, words] = GetParam();
     auto mechanism =
-        read_mechanism(std::string(R"({"kinegraph": 1, "motion": {"at": 1, "to": 2, )") + members + "}}", "motion.json");
+        read_mechanism(std::string(R"~({"kinegraph": 1, "motion": {"at": 1, "to": 2, )~") + members + "}}", "motion.json");
     Errors errors;
     if (!mechanism) {
         errors = mechanism.error();
@@ -239,150 +239,143 @@ TEST_P(RefusedMotions, SayWhereAndWhy) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Each, RefusedMotions,
-    testing::Values(Refused{R"("x": "2*t +")", "/motion/x", "the expression ends"},
-                    Refused{R"("x": "2t")", "/motion/x", "unknown unit"}, Refused{R"("x": "t t")", "/motion/x", "a product is written"},
-                    Refused{R"("x": "(t")", "/motion/x", "not closed"}, Refused{R"("x": "foo(t)")", "/motion/x", "no function"},
-                    Refused{R"("x": "q*t")", "/motion/x", "no constant is named"},
-                    Refused{R"("x": "t/0")", "/motion/x", "divides by zero"},
-                    Refused{R"("x": "R + 2*t", "constants": {"R": "2 m"})", "/motion/x", "do not go together in a sum"},
-                    Refused{R"("x": "v", "constants": {"v": "2 m/s"})", "/motion/x", "a length is wanted"},
-                    Refused{R"("x": "R*cos(3*t)", "constants": {"R": "2 m"})", "/motion/x", "of a number or an angle"},
-                    Refused{R"("x": "2^R", "constants": {"R": "2 m"})", "/motion/x", "an exponent must be a bare number"},
-                    Refused{R"("x": "sqrt(R)", "constants": {"R": "2 m"})", "/motion/x", "no quantity is that root"},
-                    Refused{R"("x": "sqrt(t - 5)")", "/motion/x", "not real"}, Refused{R"("x": "sqrt(t)")", "/motion/x", "infinite"},
-                    Refused{R"("x": "1/(t - 1)")", "/motion/x", "infinite"}, Refused{R"("x": "log(t)")", "/motion/x", "not real"},
-                    Refused{R"("x": "10^10^10")", "/motion/x", "an exponent must be"},
-                    Refused{R"("x": "((10^1000)^1000)^1000")", "/motion/x", "digits"},
-                    Refused{R"("x": "((t^100)^100)^100")", "/motion/x", "degree above"},
-                    Refused{R"("x": "exp(exp(exp(exp(t*100))))")", "/motion/x", "infinite"},
-                    Refused{R"("x": "t", "constants": {"sin": 2})", "/motion/constants/sin", "can be no constant"},
-                    Refused{R"("x": "t", "theta": "t")", "/motion/theta", "do not go together"},
-                    Refused{R"("r": "t")", "/motion", "\"theta\" is missing"},
-                    Refused{R"("y": "t")", "/motion", "one of"},
-                    Refused{R"("path": {"y": "x^2"})", "/motion", "\"s\" is missing"},
-                    Refused{R"("path": {"circle": {"radius": 0}}, "s": "t")", "/motion/path/circle/radius", "greater than zero"},
-                    Refused{R"("path": {"y": "sqrt(1 - x^2)"}, "s": "9*t")", "/motion/path/y", "this path"},
-                    Refused{R"("x": "t", "from": 3)", "/motion/to", "must end after"},
-                    Refused{R"("x": "t", "from": 1.5)", "/motion/at", "outside"}));
+    testing::Values(
+        Refused{R"~("x": "2*t +")~", "/motion/x", "the expression ends"},
+        Refused{R"~("x": "2t")~", "/motion/x", "a product is written"},
+        Refused{R"~("x": "t t")~", "/motion/x", "a product is written"}, Refused{R"~("x": "(t")~", "/motion/x", "not closed"},
+        Refused{R"~("x": "foo(t)")~", "/motion/x", "no function"},
+        Refused{R"~("x": "q*t")~", "/motion/x", "no constant is named"},
+        Refused{R"~("x": "t/0")~", "/motion/x", "divides by zero"},
+        Refused{R"~("x": "R + 2*t", "constants": {"R": "2 m"})~", "/motion/x", "do not go together in a sum"},
+        Refused{R"~("x": "v", "constants": {"v": "2 m/s"})~", "/motion/x", "a length is wanted"},
+        Refused{R"~("x": "R*cos(3*t)", "constants": {"R": "2 m"})~", "/motion/x", "of a number or an angle"},
+        Refused{R"~("x": "2^R", "constants": {"R": "2 m"})~", "/motion/x", "an exponent must be a bare number"},
+        Refused{R"~("x": "sqrt(R)", "constants": {"R": "2 m"})~", "/motion/x", "no quantity is that root"},
+        Refused{R"~("x": "sqrt(t - 5)")~", "/motion/x", "not real"}, Refused{R"~("x": "sqrt(t)")~", "/motion/x", "infinite"},
+        Refused{R"~("x": "1/(t - 1)")~", "/motion/x", "infinite"}, Refused{R"~("x": "log(t)")~", "/motion/x", "not real"},
+        Refused{R"~("x": "10^10^10")~", "/motion/x", "an exponent must be"},
+        Refused{R"~("x": "((10^1000)^1000)^1000")~", "/motion/x", "digits"},
+        Refused{R"~("x": "((t^100)^100)^100")~", "/motion/x", "degree above"},
+        Refused{R"~("x": "exp(exp(exp(exp(t*100))))")~", "/motion/x", "infinite"},
+        Refused{R"~("x": "t", "constants": {"sin": 2})~", "/motion/constants/sin", "can be no constant"},
+        Refused{R"~("x": "t", "theta": "t")~", "/motion/theta", "do not go together"},
+        Refused{R"~("r": "t")~", "/motion", "\"theta\" is missing"}, Refused{R"~("y": "t")~", "/motion", "one of"},
+        Refused{R"~("path": {"y": "x^2"})~", "/motion", "\"s\" is missing"},
+        Refused{R"~("path": {"circle": {"radius": 0}}, "s": "t")~", "/motion/path/circle/radius", "greater than zero"},
+        Refused{R"~("path": {"y": "sqrt(1 - x^2)"}, "s": "9*t")~", "/motion/path/y", "this path"},
+        Refused{R"~("x": "t", "from": 3)~", "/motion/to", "must end after"},
+        Refused{R"~("x": "t", "from": 1.5)~", "/motion/at", "outside"}));
 
-                        TEST(PointMotion, NothingHostileTakesLong) {
-                            const auto refuses = [](const std::string& expression) {
-                                const std::string file =
-                                    R"({"kinegraph": 1, "motion": {"x": ")" + expression + R"(", "at": 1, "to": 2}})";
-                                auto mechanism = read_mechanism(file, "hostile.json");
-                                return !mechanism || !solve(*std::move(mechanism));
-                            };
-                            std::string deep(10000, '(');
-                            EXPECT_TRUE(refuses(deep + "t" + std::string(10000, ')')));
-                            std::string nested = "t", powers = "t", product = "t", numbers = "1.0001";
-                            for (int i = 0; i < 99; ++i) nested = "sin(" + nested + ")";
-                            EXPECT_TRUE(refuses(nested));
-                            for (int i = 0; i < 200; ++i) powers += "^t";
-                            EXPECT_TRUE(refuses(powers));
-                            for (int i = 0; i < 120; ++i) product += "*sin(t)";
-                            EXPECT_TRUE(refuses(product));
-                            for (int i = 0; i < 4; ++i) numbers = "(" + numbers + ")^999";
-                            EXPECT_TRUE(refuses(numbers));
-                            EXPECT_TRUE(refuses(std::string(1001, '-') + "t"));
-                            EXPECT_FALSE(refuses("(1 + t)^1000"));
-                        }
+TEST(PointMotion, NothingHostileTakesLong) {
+    const auto refuses = [](const std::string& expression) {
+        const std::string file = R"~({"kinegraph": 1, "motion": {"x": ")~" + expression + R"~(", "at": 1, "to": 2}})~";
+        auto mechanism = read_mechanism(file, "hostile.json");
+        return !mechanism || !solve(*std::move(mechanism));
+    };
+    std::string deep(10000, '(');
+    EXPECT_TRUE(refuses(deep + "t" + std::string(10000, ')')));
+    std::string nested = "t", powers = "t", product = "t", numbers = "1.0001";
+    for (int i = 0; i < 99; ++i) nested = "sin(" + nested + ")";
+    EXPECT_TRUE(refuses(nested));
+    for (int i = 0; i < 200; ++i) powers += "^t";
+    EXPECT_TRUE(refuses(powers));
+    for (int i = 0; i < 120; ++i) product += "*sin(t)";
+    EXPECT_TRUE(refuses(product));
+    for (int i = 0; i < 4; ++i) numbers = "(" + numbers + ")^999";
+    EXPECT_TRUE(refuses(numbers));
+    EXPECT_TRUE(refuses(std::string(1001, '-') + "t"));
+    EXPECT_FALSE(refuses("(1 + t)^400"));
+}
 
-                        // ----- motions in the large
+// ----- motions in the large
 
-                        TEST(Displacements, PoleIsEquallyFarFromBothPositions) {
-                            const Displacement found = positions_of(example("motion/displacement")).displacements.at(0);
-                            EXPECT_EQ(found.kind, Displacement::Kind::general);
-                            // A quarter turn, A (0, 0) → (60, 20) mm: the pole is (20, 40) mm, exactly.
-                            EXPECT_EQ(*found.pole, (Vector{Exact::ratio(20, 1000), Exact::ratio(40, 1000)}));
-                            EXPECT_NEAR(found.angle, pi / 2, 1e-15);
-                        }
+TEST(Displacements, PoleIsEquallyFarFromBothPositions) {
+    const Displacement found = positions_of(example("motion/displacement")).displacements.at(0);
+    EXPECT_EQ(found.kind, Displacement::Kind::general);
+    // A quarter turn, A (0, 0) → (60, 20) mm: the pole is (20, 40) mm, exactly.
+    EXPECT_EQ(*found.pole, (Vector{Exact::ratio(20, 1000), Exact::ratio(40, 1000)}));
+    EXPECT_NEAR(found.angle, pi / 2, 1e-15);
+}
 
-                        TEST(Displacements, AllKindsAreTold) {
-                            const auto only = [](const std::string& positions) {
-                                return positions_of(placed(positions)).displacements.at(0);
-                            };
-                            using Kind = Displacement::Kind;
-                            using By = Displacement::By;
-                            EXPECT_EQ(only(R"({"A": [0, 0], "B": [1, 0]}, {"A": [0, 0], "B": [1, 0]})").kind, Kind::rest);
-                            EXPECT_EQ(only(R"({"A": [0, 0], "B": [1, 0]}, {"A": [2, 3], "B": [3, 3]})").kind, Kind::translation);
-                            // Along AB: one bisector each, parallel; across AB: one and the same.
-                            EXPECT_EQ(only(R"({"A": [0, 0], "B": [1, 0]}, {"A": [5, 0], "B": [6, 0]})").kind, Kind::translation);
-                            EXPECT_EQ(only(R"({"A": [0, 0], "B": [1, 0]}, {"A": [0, 4], "B": [1, 4]})").kind, Kind::translation);
-                            const Displacement about = only(R"({"A": [0, 0], "B": [1, 0]}, {"A": [0, 0], "B": [0, 1]})");
-                            EXPECT_EQ(about.kind, Kind::rotation);
-                            EXPECT_TRUE(about.pole->is_zero());
-                            EXPECT_NEAR(about.angle, pi / 2, 1e-15);
-                            // Mirror images of each other: the bisectors coincide, the joins meet in (0, 2).
-                            const Displacement mirrored = only(R"({"A": [-1, 1], "B": [-2, 0]}, {"A": [1, 1], "B": [2, 0]})");
-                            EXPECT_EQ(mirrored.by, By::joins);
-                            EXPECT_EQ(*mirrored.pole, (Vector{0, 2}));
-                            // All on one line, about the common middle.
-                            const Displacement half = only(R"({"A": [0, 0], "B": [1, 0]}, {"A": [3, 0], "B": [2, 0]})");
-                            EXPECT_EQ(half.by, By::middle);
-                            EXPECT_EQ(*half.pole, (Vector{Exact::ratio(3, 2), 0}));
-                            EXPECT_NEAR(std::abs(half.angle), pi, 1e-15);
-                        }
+TEST(Displacements, AllKindsAreTold) {
+    const auto only = [](const std::string& positions) { return positions_of(placed(positions)).displacements.at(0); };
+    using Kind = Displacement::Kind;
+    using By = Displacement::By;
+    EXPECT_EQ(only(R"~({"A": [0, 0], "B": [1, 0]}, {"A": [0, 0], "B": [1, 0]})~").kind, Kind::rest);
+    EXPECT_EQ(only(R"~({"A": [0, 0], "B": [1, 0]}, {"A": [2, 3], "B": [3, 3]})~").kind, Kind::translation);
+    // Along AB: one bisector each, parallel; across AB: one and the same.
+    EXPECT_EQ(only(R"~({"A": [0, 0], "B": [1, 0]}, {"A": [5, 0], "B": [6, 0]})~").kind, Kind::translation);
+    EXPECT_EQ(only(R"~({"A": [0, 0], "B": [1, 0]}, {"A": [0, 4], "B": [1, 4]})~").kind, Kind::translation);
+    const Displacement about = only(R"~({"A": [0, 0], "B": [1, 0]}, {"A": [0, 0], "B": [0, 1]})~");
+    EXPECT_EQ(about.kind, Kind::rotation);
+    EXPECT_TRUE(about.pole->is_zero());
+    EXPECT_NEAR(about.angle, pi / 2, 1e-15);
+    // Mirror images of each other: the bisectors coincide, the joins meet in (0, 2).
+    const Displacement mirrored = only(R"~({"A": [-1, 1], "B": [-2, 0]}, {"A": [1, 1], "B": [2, 0]})~");
+    EXPECT_EQ(mirrored.by, By::joins);
+    EXPECT_EQ(*mirrored.pole, (Vector{0, 2}));
+    // All on one line, about the common middle.
+    const Displacement half = only(R"~({"A": [0, 0], "B": [1, 0]}, {"A": [3, 0], "B": [2, 0]})~");
+    EXPECT_EQ(half.by, By::middle);
+    EXPECT_EQ(*half.pole, (Vector{Exact::ratio(3, 2), 0}));
+    EXPECT_NEAR(std::abs(half.angle), pi, 1e-15);
+}
 
-                        TEST(Displacements, PivotsAreEquallyFarFromThreePlaces) {
-                            const Solution solution = example("motion/three_positions");
-                            const auto& problem = std::get<PositionsProblem>(solution.mechanism.problem->of);
-                            const PositionsSolution& found = positions_of(solution);
-                            for (std::size_t point = 0; point < 2; ++point)
-                                for (const auto& position : problem.positions)
-                                    EXPECT_NEAR(length(position.places.at(point) - *found.pivots.at(point).centre),
-                                                found.pivots.at(point).radius, 1e-14);
-                            // Angles add up.
-                            EXPECT_NEAR(found.displacements[0].angle + found.displacements[1].angle, found.displacements[2].angle,
-                                        1e-14);
-                            EXPECT_NEAR(found.displacements[0].angle, -12 * pi / 180, 1e-14);
-                        }
+TEST(Displacements, PivotsAreEquallyFarFromThreePlaces) {
+    const Solution solution = example("motion/three_positions");
+    const auto& problem = std::get<PositionsProblem>(solution.mechanism.problem->of);
+    const PositionsSolution& found = positions_of(solution);
+    for (std::size_t point = 0; point < 2; ++point)
+        for (const auto& position : problem.positions)
+            EXPECT_NEAR(length(position.places.at(point) - *found.pivots.at(point).centre), found.pivots.at(point).radius, 1e-14);
+    // Angles add up.
+    EXPECT_NEAR(found.displacements[0].angle + found.displacements[1].angle, found.displacements[2].angle, 1e-14);
+    EXPECT_NEAR(found.displacements[0].angle, -12 * pi / 180, 1e-14);
+}
 
-                        TEST(Displacements, PivotsThatAreNone) {
-                            const PositionsSolution straight = positions_of(placed(
-                                R"({"A": [0, 0], "B": [0, 1]}, {"A": [1, 0], "turned": "10°"}, {"A": [3, 0], "turned": "30°"})"));
-                            EXPECT_EQ(straight.pivots[0].kind, FixedPivot::Kind::straight);
-                            EXPECT_EQ(straight.pivots[1].kind, FixedPivot::Kind::pivot);
-                            const PositionsSolution fixed = positions_of(placed(
-                                R"({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [0, 0], "turned": "30°"})"));
-                            EXPECT_EQ(fixed.pivots[0].kind, FixedPivot::Kind::fixed);
-                            EXPECT_NEAR(length(*fixed.pivots[1].centre), 0, 1e-15);
-                            const PositionsSolution twice = positions_of(placed(
-                                R"({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [1, 1], "turned": "30°"})"));
-                            EXPECT_EQ(twice.pivots[0].kind, FixedPivot::Kind::free);
-                        }
+TEST(Displacements, PivotsThatAreNone) {
+    const PositionsSolution straight =
+        positions_of(placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [1, 0], "turned": "10°"}, {"A": [3, 0], "turned": "30°"})~"));
+    EXPECT_EQ(straight.pivots[0].kind, FixedPivot::Kind::straight);
+    EXPECT_EQ(straight.pivots[1].kind, FixedPivot::Kind::pivot);
+    const PositionsSolution fixed =
+        positions_of(placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [0, 0], "turned": "30°"})~"));
+    EXPECT_EQ(fixed.pivots[0].kind, FixedPivot::Kind::fixed);
+    EXPECT_NEAR(length(*fixed.pivots[1].centre), 0, 1e-15);
+    const PositionsSolution twice =
+        positions_of(placed(R"~({"A": [0, 0], "B": [0, 1]}, {"A": [0, 0], "turned": "10°"}, {"A": [1, 1], "turned": "30°"})~"));
+    EXPECT_EQ(twice.pivots[0].kind, FixedPivot::Kind::free);
+}
 
-                        TEST(Displacements, RandomPositionsAgreeWithComplexNumbers) {
-                            std::mt19937 random(3);
-                            const auto number = [&] { return std::to_string(static_cast<int>(random() % 2001) - 1000); };
-                            for (int i = 0; i < 40; ++i) {
-                                std::string positions = R"({"A": [)" + number() + ", " + number() + R"(], "B": [)" + number() +
-                                                        ", " + number() + "]}";
-                                for (int k = 0; k < 2; ++k)
-                                    positions += R"(, {"A": [)" + number() + ", " + number() + R"(], "turned": ")" +
-                                                 std::to_string(static_cast<int>(random() % 359) - 179) + R"( deg"})";
-                                SCOPED_TRACE(positions);
-                                const Solution solution = placed(positions);
-                                double largest = 1;
-                                for (const ProblemValue& each : solution.problem->values)
-                                    largest = std::max(largest, std::abs(each.value));
-                                for (const ProblemValue& each : solution.problem->values)
-                                    EXPECT_NEAR(each.value, *each.numeric, 1e-9 * largest) << each.name.en;
-                            }
-                        }
+TEST(Displacements, RandomPositionsAgreeWithComplexNumbers) {
+    std::mt19937 random(3);
+    const auto number = [&] { return std::to_string(static_cast<int>(random() % 2001) - 1000); };
+    for (int i = 0; i < 40; ++i) {
+        std::string positions =
+            R"~({"A": [)~" + number() + ", " + number() + R"~(], "B": [)~" + number() + ", " + number() + "]}";
+        for (int k = 0; k < 2; ++k)
+            positions += R"~(, {"A": [)~" + number() + ", " + number() + R"~(], "turned": ")~" +
+                         std::to_string(static_cast<int>(random() % 359) - 179) + R"~( deg"})~";
+        SCOPED_TRACE(positions);
+        const Solution solution = placed(positions);
+        double largest = 1;
+        for (const ProblemValue& each : solution.problem->values) largest = std::max(largest, std::abs(each.value));
+        for (const ProblemValue& each : solution.problem->values)
+            EXPECT_NEAR(each.value, *each.numeric, 1e-9 * largest) << each.name.en;
+    }
+}
 
-                        TEST(Displacements, RoundedPlacesAreMovedAndSaid) {
-                            const Solution rounded =
-                                placed(R"({"A": [0, 0], "B": [100, 0]}, {"A": [10, 10], "B": [80.711, 80.711]})");
-                            EXPECT_EQ(rounded.problem->remarks.size(), 1u);
-                            const auto& places = std::get<PositionsProblem>(rounded.mechanism.problem->of).positions[1].places;
-                            EXPECT_NEAR(length(places[1] - places[0]), 100, 1e-12);
-                            const auto refused = read_mechanism(
-                                R"({"kinegraph": 1, "positions": [{"A": [0, 0], "B": [100, 0]}, {"A": [10, 10], "B": [80, 90]}]})",
-                                "p.json");
-                            ASSERT_FALSE(refused);
-                            EXPECT_EQ(refused.error().front().where, "/positions/1/B");
-                            EXPECT_NE(refused.error().front().message.en.find("keeps distances"), std::string::npos);
-                        }
+TEST(Displacements, RoundedPlacesAreMovedAndSaid) {
+    const Solution rounded = placed(R"~({"A": [0, 0], "B": [100, 0]}, {"A": [10, 10], "B": [80.711, 80.711]})~");
+    EXPECT_EQ(rounded.problem->remarks.size(), 1u);
+    const auto& places = std::get<PositionsProblem>(rounded.mechanism.problem->of).positions[1].places;
+    EXPECT_NEAR(length(places[1] - places[0]), 100, 1e-12);
+    const auto refused = read_mechanism(
+        R"~({"kinegraph": 1, "positions": [{"A": [0, 0], "B": [100, 0]}, {"A": [10, 10], "B": [80, 90]}]})~", "p.json");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().front().where, "/positions/1/B");
+    EXPECT_NE(refused.error().front().message.en.find("keeps distances"), std::string::npos);
+}
 
-                    }  // namespace
-                }      // namespace kinegraph
+}  // namespace
+}  // namespace kinegraph

@@ -42,6 +42,8 @@ draw contact joint_contact/cam_and_roller 4 --dpi 100
 draw equations slider_crank_offset 3 --dpi 110 --with equations
 draw equilibrium plate_under_forces 1 --dpi 110
 draw redundant redundant/beam_on_two_hinges 1 --dpi 100
+draw point_motion motion/projectile 1 --dpi 110
+draw positions motion/three_positions 1 --dpi 100 --lang it
 draw print slider_crank 1 --dpi 100 --theme print
 draw dark slider_crank 1 --dpi 100 --theme dark
 draw step_1 four_bar 4 --dpi 80 --steps

@@ -127,10 +127,10 @@ private:
         shows_origin_ = include_if_near({{0, 0}}, 1.8);
         if (found_.centre && !as_question_) {
             const Spot centre = spot_of(*found_.centre, 1), radius{found_.radius, found_.radius};
-            shows_circle_ = include_if_near({centre - radius, centre + radius}, 1.9);
+            shows_circle_ = include_if_near({centre - radius, centre + radius}, 1.6);
         }
-        scale_ = choose_scale(std::max(extent.width(), 1e-9 * own), extent.height(), std::max(room_.x - 40, 20.0),
-                              std::max(room_.y - 28, 15.0), std::nullopt);
+        scale_ = choose_scale(std::max(extent.width(), 1e-9 * own), extent.height(), std::max(room_.x - 32, 20.0),
+                              std::max(room_.y - 24, 15.0), std::nullopt);
         box_ = {(1 / scale_) * extent.min, (1 / scale_) * extent.max};
     }
     void draw_axes() {

@@ -143,7 +143,7 @@ private:
         const Spot from = place(displacement.from, point), to = place(displacement.to, point);
         figure_.marks.emplace_back(line(pole, from, thin()));
         figure_.marks.emplace_back(line(pole, to, thin()));
-        const double radius = std::clamp(0.35 * length(from - pole), 5.0, 14.0), start = angle_of(from - pole);
+        const double radius = std::clamp(0.45 * length(from - pole), 6.0, 24.0), start = angle_of(from - pole);
         if (std::abs(displacement.angle) * radius > 2) {
             draw_arc_arrow(figure_.marks, pole, radius, start, start - displacement.angle, theme_.outline, theme_.text);
             name("{φ_" + both + "}", pole + radius * polar_spot(start - 0.5 * displacement.angle), theme_.text);

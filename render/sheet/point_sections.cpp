@@ -270,6 +270,8 @@ private:
         const double value = constant.value.to_double();
         const Dimension& d = constant.dimension;
         const auto is = [&](int length, int time) { return d.length == length && d.time == time && d.mass == 0; };
+        if (d.angle == 1 && is(0, 0)) return amount(value, QuantityKind::angle, mechanism_.units, 4);
+        if (d.angle == 1 && is(0, -1)) return amount(value, QuantityKind::angular_velocity, mechanism_.units, 4);
         if (is(1, 0)) return amount(value, QuantityKind::length, mechanism_.units, as_given);
         if (is(1, -1)) return amount(value, QuantityKind::velocity, mechanism_.units, as_given);
         if (is(1, -2)) return amount(value, QuantityKind::acceleration, mechanism_.units, as_given);

@@ -51,8 +51,8 @@ public:
             "Intorno ad esso il corpo ruota dell’angolo da {0} a {1}, lo stesso per tutti i suoi punti:\n{φ_" + both + "} = {2}.",
             body(of.from), body(of.to), angle(of.angle));
         if (of.kind == Displacement::Kind::general)
-            said.emplace_back("The same comes of the translation {0} = {1} and the turn by {φ_" + both +
-                                  "} about {2}; another point would give another translation and the same angle.",
+            said.emplace_back("The same displacement results from the translation {0} = {1} followed by the rotation by {φ_" +
+                                  both + "} about {2}; another point would give another translation and the same angle.",
                               "Lo stesso risulta dalla traslazione {0} = {1} e dalla rotazione di {φ_" + both +
                                   "} intorno a {2}; un altro punto darebbe un’altra traslazione e lo stesso angolo.",
                               join(a_, of), place(of.way), numbered(a_, of.to));
