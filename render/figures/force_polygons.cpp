@@ -92,6 +92,7 @@ public:
             side.statement = each.statement;
             parts.vectors.push_back(std::move(side));
         }
+        set_side_by_side(parts);
         return parts;
     }
     Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {

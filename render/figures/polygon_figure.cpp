@@ -57,6 +57,7 @@ public:
     PolygonParts parts_of(const Figure& figure) const {
         PolygonParts parts;
         add_vectors(parts, figure);
+        set_side_by_side(parts);
         add_trials(parts, figure);
         add_lines(parts, figure);
         add_images(parts, figure);

@@ -837,10 +837,18 @@ bool is_closed(const Figure& figure) {
            std::holds_alternative<GroupEnd>(figure.marks.back()) && begun == ended;
 }
 
+/// It runs onto a line that it names, and as far as the symbol of a point.
+void draw_leader(std::vector<Mark>& marks, const LabelRequest& request, const Candidate& place) {
+    constexpr double dot_radius = 0.38;
+    const Spot from = request.toward && !request.along ? request.anchor : place.leader_from;
+    marks.emplace_back(line(from, place.leader_to, {0.18, leader_colour, {}, false}));
+    marks.emplace_back(disc(from, dot_radius, leader_colour));
+}
+
 void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-    if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
+    if (place.leader) draw_leader(figure.marks, request, place);
     const Spot centre = place.box.centre;
     if (request.balloon > 0) {
         const double round = 2 * std::numbers::pi * request.balloon;
@@ -872,6 +880,11 @@ void set_key(Figure& figure, const LabelKey& key, double measure) {
 }
 
 }  // namespace
+
+bool is_of_leader(const Mark& mark) {
+    const auto* path = std::get_if<Path>(&mark);
+    return path && ((path->stroked && path->pen.colour == leader_colour) || (path->filled && path->fill == leader_colour));
+}
 
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling) {
     if (figure.labels.empty()) return true;

@@ -7,6 +7,11 @@
 
 namespace kinegraph::render {
 
+/// Leaders are thin and grey and end in a dot at what they name, so that none is taken for a vector.
+constexpr Colour leader_colour{0x80, 0x80, 0x88};
+/// Whether a mark is a part of a leader.
+bool is_of_leader(const Mark& mark);
+
 /// On a page of any size nobody reads more: the richest example has 41.
 constexpr std::size_t most_names = 80;
 
