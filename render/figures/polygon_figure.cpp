@@ -9,6 +9,7 @@
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/line_numbers.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -24,7 +25,7 @@ constexpr double coincident = 0.02;     // mm: drawn as one
 
 class Drawing {
 public:
-    Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene) {}
+    Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene), numbers_(scene) {}
 
     bool empty() const { return scene_.empty(); }
     double width() const { return scene_.width(); }
@@ -134,7 +135,9 @@ private:
             drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
             drawn.statement = each.statement;
             if (each.reason.kind != LineReason::Kind::known) {
-                drawn.mark = reason;
+                if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
+                    drawn.mark = one_piece(number);
+                append(drawn.mark, reason);
                 drawn.mark_at = meet + (0.58 * overshoot) * along;
                 drawn.mark_toward = meet + overshoot * along;
             }
@@ -298,6 +301,7 @@ private:
 
     const DrawingContext& context_;
     const PolygonScene& scene_;
+    LineNumbers numbers_;
 };
 
 // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no smaller than

@@ -7,7 +7,8 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double caption = 7, text_gap = 5, least_beside = 25, price_of_columns = 0.05;
+constexpr double caption = 7, text_gap = 5, least_beside = 25;
+constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr double hardly_readable = 10;  // mm
 constexpr double room_of_a_name = 150;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
@@ -159,7 +160,6 @@ void BandLayouts::try_figures(BandLayout& best, BandLayout layout, Spot room) co
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
     const double whole = format_.span(width.columns, width.of);
-    constexpr double worth_of_corner = 0.01;
     BandLayout best;
     if (height <= notch.high) return best;
     for (const bool cornered : {false, true}) {
@@ -223,9 +223,8 @@ void BandLayouts::try_round(BandLayout& best, BandLayout layout, double whole, d
     const ColumnText& words = text(layout.divided, layout.cornered);
     layout.beside = true;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
-    const double worth = layout.worth = (layout.cornered ? 0.01 : 0) - price_of_columns * layout.columns;
-    const double loss = notch.high > 0 ? notch.high : 0;
-    if (layout.columns * (height - loss) - least_beside < words.whole_height() - layout.columns * loss) return;
+    const double worth = (layout.cornered ? worth_of_corner : 0) - price_of_columns * layout.columns;
+    if (layout.columns * height - least_beside < words.whole_height()) return;
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         layout.worth = worth;
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);

@@ -15,6 +15,7 @@
 #include "render/tables/force_tables.hpp"
 #include "render/tables/prose.hpp"
 #include "render/text/formula.hpp"
+#include "render/text/numbered_lines.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -26,7 +27,8 @@ class BandText {
 public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
-             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations)
+             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
+             const std::vector<LineNumbers>& lines)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -34,7 +36,8 @@ public:
           steps_(steps),
           likewise_(likewise),
           with_centres_(with_centres),
-          equations_(equations) {}
+          equations_(equations),
+          lines_(lines) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
                        const std::map<std::string, RichText>& on_figures) const {
@@ -106,7 +109,12 @@ private:
     /// A sentence, and of whom it holds likewise.
     RichText said(std::size_t statement) const {
         const auto& statements = solution_.protocol.statements;
-        RichText text = say(statements[statement].message, context_.language);
+        RichText text = say(statements[statement].message, context_.language, [&](const LineReason& reason) {
+            std::string number;
+            for (const LineNumbers& each : lines_)
+                if (number.empty()) number = each.before(StatementIndex(statement), reason);
+            return number;
+        });
         const auto others = likewise_.find(statement);
         if (others == likewise_.end()) return text;
         std::vector<const Message*> messages;
@@ -244,6 +252,7 @@ private:
     const Likewise& likewise_;
     bool with_centres_;
     const std::vector<EquationItem>& equations_;
+    const std::vector<LineNumbers>& lines_;
 };
 
 /// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
@@ -272,6 +281,9 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
 
 Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
+    const std::vector<Polygon>& polygons = solution_.protocol.polygons;
+    for (std::size_t p = 0; p < polygons.size(); ++p)
+        if (polygons[p].plane != Plane::force) lines_.emplace_back(polygon_scene(solution_, static_cast<int>(p)));
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
     if (solution_.equations) collect_equations();
@@ -439,10 +451,6 @@ void Bands::collect_bodies() {
         };
         return rank(*a) < rank(*b);
     });
-    // Bars in one row, although what they carry is found later: so the brief solution stays on its two sides.
-    if (detail_ == SolutionDetail::brief)
-        std::stable_partition(order.begin(), order.end(),
-                              [&](const FreeBody* body) { return !has_force_polygon(solution_, *body); });
     bool of_two_forces = false;
     for (const FreeBody* body : order) {
         const std::string name = render::name_of(solution_, *body);
@@ -535,7 +543,7 @@ Block Bands::equations(const Band& band, double most) const {
 
 std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
                                  const std::vector<ResultRow>& results) const {
-    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_);
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         all.push_back(writer.passage_of(part, results, remarks_));

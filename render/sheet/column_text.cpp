@@ -46,9 +46,9 @@ bool ColumnText::flow(const std::vector<TextColumn>& columns, double height,
             const bool turns = y + before + above + own > room();
             if (turns) {
                 const double anew = passage.head.height + (first ? passage.heading.height : 0) + own;
-                do
+                do {
                     if (++column == columns.size()) return false;
-                while (anew > room());
+                } while (anew > room());
             }
             y = turns ? 0 : y + before;
             if (first) put(passage.heading);

@@ -219,12 +219,13 @@ private:
         Drawn drawn;
         drawn.wanted = wanted;
         drawn.number = number;
-        drawn.figure = figure_in(wanted, {room.x, room.y - one_line}, coarsest);
+        constexpr double least_room = 10;
+        const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
+        drawn.figure = figure_in(wanted, below(one_line), coarsest);
         if (drawn.is_refused()) return drawn;
         std::vector<Mark> words;
         drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
-        if (drawn.caption > one_line && drawn.height() > room.y)
-            drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption}, coarsest);
+        if (drawn.caption > one_line && drawn.height() > room.y) drawn.figure = figure_in(wanted, below(drawn.caption), coarsest);
         return drawn;
     }
 
