@@ -53,9 +53,11 @@ TEST(DrawnAsInBooks, VectorsOfOneLineStandSideBySide) {
             const Figure figure = polygon_figure(context, scene, 130, 110);
             for (std::size_t i = 0; i < figure.axes.size(); ++i) {
                 const DrawnAxis& own = figure.axes[i];
-                for (std::size_t j = 0; j < i; ++j)
-                    if (figure.axes[j].detail == own.detail && !fall_together(figure.axes[j], own))
-                        EXPECT_LE(shared(figure.axes[j], own), 1.05) << own.name << " on " << figure.axes[j].name;
+                for (std::size_t j = 0; j < i; ++j) {
+                    const DrawnAxis& other = figure.axes[j];
+                    if (other.detail != own.detail || fall_together(other, own)) continue;
+                    EXPECT_LE(shared(other, own), 1.05) << own.name << " on " << other.name;
+                }
                 if (!own.detail.empty()) continue;
                 // Beside its place it is as long and has its direction.
                 const auto vector = std::find_if(scene.vectors.begin(), scene.vectors.end(),
@@ -127,15 +129,22 @@ TEST(DrawnAsInBooks, LeadersEndInADot) {
     LabelRequest& label = figure.labels.emplace_back();
     label.text = one_piece("A");
     label.anchor = {0, 0};
-    ASSERT_TRUE(place_labels(figure, fonts()));
+    const std::size_t before = figure.marks.size();
+    constexpr Colour grey{0x12, 0x34, 0x56};
+    ASSERT_TRUE(place_labels(figure, fonts(), std::nullopt, Labelling::free, grey));
     std::vector<const Path*> leader;
-    for (const Mark& mark : figure.marks)
-        if (is_of_leader(mark)) leader.push_back(&std::get<Path>(mark));
+    for (std::size_t i = before; i < figure.marks.size(); ++i)
+        if (const auto* path = std::get_if<Path>(&figure.marks[i])) leader.push_back(path);
     ASSERT_EQ(leader.size(), 2u);
+    EXPECT_EQ(leader[0]->pen.colour, grey);
+    EXPECT_EQ(leader[1]->fill, grey);
     EXPECT_TRUE(leader[0]->stroked);
     EXPECT_LT(leader[0]->pen.width, 0.2);
     EXPECT_TRUE(leader[1]->filled);
     EXPECT_LT(length(box_of({*leader[1]}).middle()), 3);
+    std::vector<Mark> marks(figure.marks.begin(), figure.marks.begin() + static_cast<std::ptrdiff_t>(before) + 2);
+    drop_leader(marks, grey);
+    EXPECT_EQ(marks.size(), before);
 }
 
 TEST(DrawnAsInBooks, TablesOfReadingsSayWhatAMillimetreIsWorth) {

@@ -371,7 +371,7 @@ private:
     /// Whether the labels have places; the group is closed then.
     bool finish(Figure& figure, bool whatever_it_takes) const {
         const Labelling labelling = whatever_it_takes ? Labelling::free : Labelling::if_it_fits;
-        if (!place_labels(figure, context_.fonts, room_, labelling)) return false;
+        if (!place_labels(figure, context_.fonts, room_, labelling, context_.theme.secondary)) return false;
         figure.marks.emplace_back(GroupEnd{});
         return true;
     }
@@ -379,7 +379,8 @@ private:
     std::optional<Figure> detailed(const Attempt& made) const {
         if (made.details.empty()) return std::nullopt;
         Figure figure = drawing_.with_parts(made.empty, made.parts, made.details);
-        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free) || !fits(figure)) return std::nullopt;
+        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) || !fits(figure))
+            return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         std::size_t letters = made.letters;
         if (!set_details(figure, context_, made.parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;

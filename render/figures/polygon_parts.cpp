@@ -471,8 +471,9 @@ private:
         draw_parts(inset, context_, parts, inner);
         for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
         inset.box = {{-radius, -radius}, {radius, radius}};
-        all_free_ =
-            place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free) && all_free_;
+        all_free_ = place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free,
+                                 context_.theme.secondary) &&
+                    all_free_;
         const Box drawn = box_of(inset.marks);
         const ShapedLine name = context_.fonts.shape(inset.caption, theme.label);
         const ShapedLine scale = context_.fonts.shape(scale_words(context_, inset), theme.body_text);
@@ -685,7 +686,7 @@ private:
             if (const auto detail = text ? headed(text->words) : std::nullopt) {
                 set_heading(kept, *text, *detail);
             } else if (const auto circled = label ? lettered(text->words) : std::nullopt) {
-                while (!kept.empty() && is_of_leader(kept.back())) kept.pop_back();
+                drop_leader(kept, context_.theme.secondary);
                 ask_letter(*circled, text->statement);
             } else {
                 kept.push_back(std::move(mark));
@@ -696,7 +697,8 @@ private:
         const auto end = static_cast<std::ptrdiff_t>(figure_.marks.size());
         figure_.marks.emplace_back(Path{});
         figure_.labels = std::move(letters_);
-        place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()});
+        place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()}, Labelling::free,
+                     context_.theme.secondary);
         figure_.marks.erase(figure_.marks.begin() + end);
         const Box drawn = box_of(figure_.marks);
         figure_.box = {{std::min(figure_.box.min.x, drawn.min.x), std::min(figure_.box.min.y, drawn.min.y)},

@@ -47,6 +47,15 @@ std::optional<Reading> reading_of(const ResultRow& row) {
     return Reading{std::round(*row.millimetres * 10) / 10 * scale,
                    std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
+/// A scale, without zeros that say nothing: 0.005.
+std::string round_number(double value, Language language) {
+    std::string text = number(value, 3, language);
+    const char point = language == Language::it ? ',' : '.';
+    if (text.find(point) == std::string::npos || text.find(' ') != std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == point) text.pop_back();
+    return text;
+}
 /// What a millimetre is worth to all rows that are read off; nothing where that differs.
 std::optional<double> scale_of(const std::vector<ResultRow>& rows) {
     constexpr double equal = 1e-4;
@@ -403,7 +412,7 @@ std::vector<Block> results_lines(const DrawingContext& context, const std::vecto
     std::vector<Block> set{{{rule(0, whole, 0, theme.outline, theme.text)}, whole, 4.8}};
     // The arithmetic of the readings, "mm × 0.005", where one scale holds and the head has room for it.
     if (const auto scale = scale_of(rows)) {
-        const ShapedLine product = shape("mm × " + number(*scale, 3, language), theme.small);
+        const ShapedLine product = shape("mm × " + round_number(*scale, language), theme.small);
         if (product.width <= left[1] + widths[1]) head.cells[1] = product;
     }
     set_line(set.front(), head, 3.4, theme.secondary);
