@@ -403,10 +403,9 @@ void Bands::collect_curvature() {
 void Bands::collect_forces() {
     // In brief the mechanism is drawn once, and the bodies cut free have their lines of action.
     const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty();
-    Band& lines =
-        add("lines-of-action", drawn_already ? std::vector<std::string>{} : std::vector<std::string>{"lines-of-action"});
-    lines.draws_mechanism = !drawn_already;
-    const std::size_t at_lines = list.size() - 1;
+    // What is said of its lines stands with the first body then.
+    const std::size_t at_lines = list.size();
+    if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;
     collect_bodies();
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
