@@ -117,7 +117,7 @@ private:
 
 Figure circle_diagram(const DrawingContext& context, double room_x, double room_y) {
     Figure figure = CircleDiagram(context, room_x, room_y).figure();
-    place_labels(figure, context.fonts, Spot{room_x, room_y});
+    place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::free, context.theme.secondary);
     figure.move(-figure.box.min.x, -figure.box.min.y);
     return figure;
 }

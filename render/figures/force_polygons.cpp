@@ -92,6 +92,7 @@ public:
             side.statement = each.statement;
             parts.vectors.push_back(std::move(side));
         }
+        set_side_by_side(parts);
         return parts;
     }
     Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {
@@ -242,7 +243,7 @@ private:
     /// Letters it and draws its details; false where these find no free place.
     bool finish(Cell& cell, const Item& item, Spot room, bool with_details, std::size_t& letters) const {
         const Labelling labelling = with_details ? Labelling::if_all_free : Labelling::free;
-        if (!place_labels(cell.figure, context_.fonts, std::nullopt, labelling)) return false;
+        if (!place_labels(cell.figure, context_.fonts, std::nullopt, labelling, context_.theme.secondary)) return false;
         cell.figure.marks.emplace_back(GroupEnd{});
         if (!set_details(cell.figure, context_, cell.parts, cell.details, {room.x, room.y - head - bar}, letters)) return false;
         cell.size = size_of(item, cell.figure, 0);
@@ -420,13 +421,13 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
         std::size_t letters = 0;
         if (const std::vector<Detail> details = details_of(parts, scale, 1, letters); !details.empty()) {
             Figure figure = drawing.with_parts(empty, parts, details);
-            if (place_labels(figure, context.fonts, room, Labelling::if_all_free)) {
+            if (place_labels(figure, context.fonts, room, Labelling::if_all_free, context.theme.secondary)) {
                 close(figure);
                 if (set_details(figure, context, parts, details, {room_x, room_y}, letters) && fits(figure)) return figure;
             }
         }
         Figure figure = drawing.with_parts(empty, parts, {});
-        place_labels(figure, context.fonts, room);
+        place_labels(figure, context.fonts, room, Labelling::free, context.theme.secondary);
         close(figure);
         return figure;
     };

@@ -313,7 +313,9 @@ Figure joukowsky_figure(const DrawingContext& context, double room_x, double roo
         Figure figure = lever.at(trial.scale);
         const bool has_room = figure.box.width() + 2 * label_reach <= room_x && figure.box.height() + 2 * label_reach <= room_y;
         if (!trial.last && !has_room) return std::nullopt;
-        if (!place_labels(figure, context.fonts, room, trial.last ? Labelling::free : Labelling::if_it_fits)) return std::nullopt;
+        if (!place_labels(figure, context.fonts, room, trial.last ? Labelling::free : Labelling::if_it_fits,
+                          context.theme.secondary))
+            return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         return figure;
     });

@@ -383,7 +383,7 @@ RichText typeset(const Column& column, const Mechanism& mechanism, Language lang
 Figure plot_figure(const DrawingContext& context, const CycleTable& table, const std::vector<std::size_t>& columns, int number,
                    double room_x, double room_y) {
     Figure figure = PlotFigure(context, table, columns, number, {room_x, room_y}).draw();
-    place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict);
+    place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict, context.theme.secondary);
     figure.move(-figure.box.min.x, -figure.box.min.y);
     return figure;
 }

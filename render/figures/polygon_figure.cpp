@@ -9,6 +9,7 @@
 #include "render/figures/fit.hpp"
 #include "render/figures/polygon_parts.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/line_numbers.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -24,7 +25,7 @@ constexpr double coincident = 0.02;     // mm: drawn as one
 
 class Drawing {
 public:
-    Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene) {}
+    Drawing(const DrawingContext& context, const PolygonScene& scene) : context_(context), scene_(scene), numbers_(scene) {}
 
     bool empty() const { return scene_.empty(); }
     double width() const { return scene_.width(); }
@@ -57,6 +58,7 @@ public:
     PolygonParts parts_of(const Figure& figure) const {
         PolygonParts parts;
         add_vectors(parts, figure);
+        set_side_by_side(parts);
         add_trials(parts, figure);
         add_lines(parts, figure);
         add_images(parts, figure);
@@ -133,7 +135,9 @@ private:
             drawn.pen = {context_.theme.thin, context_.theme.secondary, {}, false};
             drawn.statement = each.statement;
             if (each.reason.kind != LineReason::Kind::known) {
-                drawn.mark = reason;
+                if (const std::string number = numbers_.before(each.statement, each.reason); !number.empty())
+                    drawn.mark = one_piece(number);
+                append(drawn.mark, reason);
                 drawn.mark_at = meet + (0.58 * overshoot) * along;
                 drawn.mark_toward = meet + overshoot * along;
             }
@@ -297,6 +301,7 @@ private:
 
     const DrawingContext& context_;
     const PolygonScene& scene_;
+    LineNumbers numbers_;
 };
 
 // Where a room is too small for lettering at all, the smallest figure that still shows something is handed out: no smaller than
@@ -366,7 +371,7 @@ private:
     /// Whether the labels have places; the group is closed then.
     bool finish(Figure& figure, bool whatever_it_takes) const {
         const Labelling labelling = whatever_it_takes ? Labelling::free : Labelling::if_it_fits;
-        if (!place_labels(figure, context_.fonts, room_, labelling)) return false;
+        if (!place_labels(figure, context_.fonts, room_, labelling, context_.theme.secondary)) return false;
         figure.marks.emplace_back(GroupEnd{});
         return true;
     }
@@ -374,7 +379,8 @@ private:
     std::optional<Figure> detailed(const Attempt& made) const {
         if (made.details.empty()) return std::nullopt;
         Figure figure = drawing_.with_parts(made.empty, made.parts, made.details);
-        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free) || !fits(figure)) return std::nullopt;
+        if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) || !fits(figure))
+            return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         std::size_t letters = made.letters;
         if (!set_details(figure, context_, made.parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;

@@ -59,6 +59,46 @@ bool is_in_any(const std::vector<Detail>& details, const Part& part) {
     return std::any_of(details.begin(), details.end(), [&](const Detail& detail) { return is_in(detail, part); });
 }
 
+/// Two that are too short to be told apart on paper are not equal for that.
+bool have_one_size(const PolygonVector& a, const PolygonVector& b) {
+    constexpr double equal = 1e-3;
+    return std::abs(a.value - b.value) <= equal * std::max(a.value, b.value);
+}
+bool fall_together(const PolygonVector& a, const PolygonVector& b) {
+    return have_one_size(a, b) && length(a.tail - b.tail) < coincident && length(a.tip - b.tip) < coincident;
+}
+bool are_opposite(const PolygonVector& a, const PolygonVector& b) {
+    return have_one_size(a, b) && length(a.tail - b.tip) < coincident && length(a.tip - b.tail) < coincident;
+}
+/// So far along one line that one would hide the other.
+bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
+    constexpr double beside = 0.4, shared = 1;  // mm
+    if (a.internal || b.internal || length(a.tip - a.tail) < shared || length(b.tip - b.tail) < shared) return false;
+    const Spot along = unit(a.tip - a.tail);
+    if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside) return false;
+    const double from = dot(b.tail - a.tail, along), to = dot(b.tip - a.tail, along);
+    return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
+}
+
+/// Where a vector stands beside a line: in its lane, counted along the normal.
+struct Lane {
+    int number = 0;
+    Spot normal;
+};
+/// 0, 1, −1, 2, −2, …
+int nth_lane(int n) { return n % 2 == 1 ? (n + 1) / 2 : -n / 2; }
+
+/// Away from the rest of the polygon.
+Spot outward(const PolygonParts& parts, const PolygonVector& vector) {
+    const Spot along = unit(vector.tip - vector.tail), normal{-along.y, along.x};
+    double sum = 0;
+    for (const PolygonVector& other : parts.vectors)
+        sum += dot(other.tail - vector.tail, normal) + dot(other.tip - vector.tail, normal);
+    constexpr double noise = 1e-6;
+    if (std::abs(sum) > noise) return sum > 0 ? -1.0 * normal : normal;
+    return normal.y < -noise || (normal.y < noise && normal.x > 0) ? normal : -1.0 * normal;
+}
+
 // --- one figure
 // ------------------------------------------------------------------------------------------------------------------
 
@@ -144,60 +184,28 @@ private:
     }
 
     void draw_shaft(std::vector<Mark>& marks, Spot from, Spot to, bool has_tip, const BodyColour& colour, bool internal,
-                    StatementIndex statement, double width) const {
+                    StatementIndex statement) const {
         const std::size_t first = marks.size();
         if (internal)
             marks.emplace_back(line(from, to, {theme_.outline, colour.line, dashes(), false}));
         else if (has_tip)
-            draw_arrow(marks, from, to, width, colour.line, colour.dashes);
+            draw_arrow(marks, from, to, theme_.vector, colour.line, colour.dashes);
         else
-            marks.emplace_back(line(from, to, {width, colour.line, colour.dashes, false}));
+            marks.emplace_back(line(from, to, {theme_.vector, colour.line, colour.dashes, false}));
         belong(marks, first, statement);
     }
 
-    /// Where a vector lies already.
+    /// A vector that is drawn already.
     struct Drawn {
-        Spot tail, tip;
-        double value = 0;
+        const PolygonVector* vector = nullptr;
         bool arrow = false;  // else a broken line
         std::optional<std::size_t> label;
-        bool is_same(const PolygonVector& vector) const {
-            return has_size_of(vector) && length(tail - vector.tail) < coincident && length(tip - vector.tip) < coincident;
-        }
-        bool is_opposite(const PolygonVector& vector) const {
-            return has_size_of(vector) && length(tail - vector.tip) < coincident && length(tip - vector.tail) < coincident;
-        }
-        /// Two that are too short to be told apart on paper are not equal for that.
-        bool has_size_of(const PolygonVector& vector) const {
-            constexpr double equal = 1e-3;
-            return std::abs(value - vector.value) <= equal * std::max(value, vector.value);
-        }
     };
-    /// Whether one would hide the other: so far along one line, in different inks. Of one ink the heads tell them apart.
-    static bool hide_each_other(const PolygonVector& a, const PolygonVector& b) {
-        constexpr double beside = 0.5, shared = 2;  // mm
-        if (a.internal || b.internal || (a.colour.line == b.colour.line && a.colour.dashes == b.colour.dashes)) return false;
-        const Spot along = unit(a.tip - a.tail);
-        if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside) return false;
-        const double from = dot(b.tail - a.tail, along), to = dot(b.tip - a.tail, along);
-        return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to)) > shared;
-    }
-    /// A vector upon another is drawn thinner, and that one broader, so that both are seen, shafts and heads.
-    double width_of(const PolygonVector& vector) const {
-        const auto hides = [&](const PolygonVector& other) {
-            const Drawn drawn{vector.tail, vector.tip, vector.value, true, std::nullopt};
-            return !drawn.is_same(other) && hide_each_other(vector, other);
-        };
-        const auto own = parts_.vectors.begin() + (&vector - parts_.vectors.data());
-        const bool lies_upon = std::any_of(parts_.vectors.begin(), own, hides);
-        const bool bears = std::any_of(own + 1, parts_.vectors.end(), hides);
-        return lies_upon ? theme_.vector * (bears ? 0.8 : 0.5) : theme_.vector * (bears ? 1.6 : 1.0);
-    }
     /// Broken lines lie below arrows; labels are in the order of the vectors.
     void draw_vectors() {
         for (const PolygonPiece& piece : parts_.pieces)
-            draw_shaft(figure_.marks, piece.from, piece.to, piece.has_tip, piece.colour, piece.internal, piece.statement,
-                       theme_.vector);
+            draw_shaft(figure_.marks, piece.from + piece.aside, piece.to + piece.aside, piece.has_tip, piece.colour,
+                       piece.internal, piece.statement);
         std::vector<Drawn> drawn;
         std::vector<Mark> broken, arrows;
         for (const PolygonVector& vector : parts_.vectors) draw_vector(vector, drawn, vector.internal ? broken : arrows);
@@ -207,20 +215,24 @@ private:
     }
     void draw_vector(const PolygonVector& vector, std::vector<Drawn>& drawn, std::vector<Mark>& marks) {
         // Of those that fall together the first is drawn, and their one label has its colour: a_A = a_A^n. A side of forces met
-        // again (a two-force body lies between) is one stroke with both names; an outer force is the arrow.
+        // again (a two-force body lies between) is one stroke with both names; an outer force is the arrow. Two outer forces
+        // stand side by side: one stroke with two heads says nothing.
         const auto with = std::find_if(drawn.begin(), drawn.end(), [&](const Drawn& other) {
-            return other.is_same(vector) || (parts_.opposites_share_label && other.is_opposite(vector));
+            const bool one_stroke = parts_.opposites_share_label && (vector.internal || !other.arrow);
+            return fall_together(*other.vector, vector) || (one_stroke && are_opposite(*other.vector, vector));
         });
-        const bool alike = with != drawn.end() && with->is_same(vector);
+        const bool alike = with != drawn.end() && fall_together(*with->vector, vector);
+        const Spot tail = vector.tail + vector.aside, tip = vector.tip + vector.aside;
+        if (with == drawn.end()) lead_back(vector);
         const std::size_t first = marks.size();
         marks.emplace_back(GroupBegin{"vector",
                                       figure_.id + "-" + legal_id(vector.name),
                                       vector.name + " = " + shortest(vector.value) + " " + figure_.unit,
                                       {{"data-name", vector.name}, {"data-value", shortest(vector.value)}}});
-        marks.emplace_back(Axis{vector.tail, vector.tip});
-        figure_.axes.push_back({vector.name, vector.tail, vector.tip, ""});
+        marks.emplace_back(Axis{tail, tip});
+        figure_.axes.push_back({vector.name, tail, tip, ""});
         if (with == drawn.end() || (!vector.internal && !(alike && with->arrow)))
-            draw_shaft(marks, vector.tail, vector.tip, true, vector.colour, vector.internal, vector.statement, width_of(vector));
+            draw_shaft(marks, tail, tip, true, vector.colour, vector.internal, vector.statement);
         marks.emplace_back(GroupEnd{});
         belong(marks, first, vector.statement);
         if (with != drawn.end()) {
@@ -236,13 +248,22 @@ private:
             }
             return;
         }
-        drawn.push_back({vector.tail, vector.tip, vector.value, !vector.internal, std::nullopt});
+        drawn.push_back({&vector, !vector.internal, std::nullopt});
         if (is_in_any(details_, vector)) return;
         drawn.back().label = figure_.labels.size();
         LabelRequest& label = ask_label(vector.text, vector.internal ? theme_.label : theme_.equation, vector.colour.letter,
-                                        0.5 * (vector.tail + vector.tip), 1.5, vector.statement);
-        label.toward = vector.tip;
+                                        0.5 * (tail + tip), 1.5, vector.statement);
+        label.toward = tip;
         label.names = {vector.name};
+    }
+
+    /// Thin lines from the places of its ends to where it is drawn.
+    void lead_back(const PolygonVector& vector) {
+        if (length(vector.aside) == 0) return;
+        for (const Spot end : {vector.tail, vector.tip}) {
+            figure_.marks.emplace_back(line(end, end + vector.aside, {theme_.thin, theme_.secondary, {}, false}));
+            belong(figure_.marks, figure_.marks.size() - 1, vector.statement);
+        }
     }
 
     void draw_pole() {
@@ -296,9 +317,9 @@ private:
     bool touched_by_vector(Spot at) const {
         const auto near = [&](Spot end) { return length(end - at) < coincident; };
         return std::any_of(parts_.vectors.begin(), parts_.vectors.end(),
-                           [&](const PolygonVector& v) { return near(v.tail) || near(v.tip); }) ||
+                           [&](const PolygonVector& v) { return near(v.tail + v.aside) || near(v.tip + v.aside); }) ||
                std::any_of(parts_.pieces.begin(), parts_.pieces.end(),
-                           [&](const PolygonPiece& p) { return near(p.from) || near(p.to); });
+                           [&](const PolygonPiece& p) { return near(p.from + p.aside) || near(p.to + p.aside); });
     }
 
     /// The circle round a place that is drawn again, with its letter.
@@ -385,7 +406,8 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
             const bool again = std::any_of(all.pieces.begin(), all.pieces.end(), [&](const PolygonPiece& other) {
                 return length(other.from - from) < coincident && length(other.to - to) < coincident;
             });
-            if (!again) all.pieces.push_back({from, to, chord->second == 1.0, each.colour, each.internal, each.statement});
+            if (!again)
+                all.pieces.push_back({from, to, chord->second == 1.0, each.colour, each.internal, each.statement, each.aside});
         }
     }
     for (const PolygonImage& each : parts.images)
@@ -405,6 +427,7 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
             all.corners.back().at = larger(each.at);
             all.corners.back().shorter_leg *= detail.magnification;
         }
+    set_side_by_side(all);
     return all;
 }
 
@@ -448,8 +471,9 @@ private:
         draw_parts(inset, context_, parts, inner);
         for (DrawnAxis& each : inset.axes) each.detail = detail.letter;
         inset.box = {{-radius, -radius}, {radius, radius}};
-        all_free_ =
-            place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free) && all_free_;
+        all_free_ = place_labels(inset, context_.fonts, Spot{2 * radius + 8, 2 * radius + 2}, Labelling::if_all_free,
+                                 context_.theme.secondary) &&
+                    all_free_;
         const Box drawn = box_of(inset.marks);
         const ShapedLine name = context_.fonts.shape(inset.caption, theme.label);
         const ShapedLine scale = context_.fonts.shape(scale_words(context_, inset), theme.body_text);
@@ -516,6 +540,28 @@ private:
 };
 
 }  // namespace
+
+void set_side_by_side(PolygonParts& parts) {
+    constexpr double pitch = 2.2;  // mm: a head and a little air
+    std::vector<Lane> lanes;
+    for (PolygonVector& vector : parts.vectors) {
+        std::optional<Lane> own;
+        std::optional<Spot> normal;
+        std::set<int> taken;
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            if (!hide_each_other(parts.vectors[i], vector)) continue;
+            if (!own && fall_together(parts.vectors[i], vector)) own = lanes[i];
+            taken.insert(lanes[i].number);
+            if (!normal) normal = lanes[i].normal;
+        }
+        if (!own) {
+            own = Lane{0, normal ? *normal : outward(parts, vector)};
+            for (int n = 0; taken.contains(own->number);) own->number = nth_lane(++n);
+        }
+        vector.aside = (pitch * own->number) * own->normal;
+        lanes.push_back(*own);
+    }
+}
 
 std::vector<Detail> details_of(const PolygonParts& parts, double scale, double magnified, std::size_t& letters) {
     double longest = 0;
@@ -640,9 +686,7 @@ private:
             if (const auto detail = text ? headed(text->words) : std::nullopt) {
                 set_heading(kept, *text, *detail);
             } else if (const auto circled = label ? lettered(text->words) : std::nullopt) {
-                const auto* leader = kept.empty() ? nullptr : std::get_if<Path>(&kept.back());
-                const bool leads = leader && leader->stroked && leader->segments.size() == 2;
-                if (leads && leader->pen.colour == text->colour) kept.pop_back();
+                drop_leader(kept, context_.theme.secondary);
                 ask_letter(*circled, text->statement);
             } else {
                 kept.push_back(std::move(mark));
@@ -653,7 +697,8 @@ private:
         const auto end = static_cast<std::ptrdiff_t>(figure_.marks.size());
         figure_.marks.emplace_back(Path{});
         figure_.labels = std::move(letters_);
-        place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()});
+        place_labels(figure_, context_.fonts, Spot{figure_.box.width(), figure_.box.height()}, Labelling::free,
+                     context_.theme.secondary);
         figure_.marks.erase(figure_.marks.begin() + end);
         const Box drawn = box_of(figure_.marks);
         figure_.box = {{std::min(figure_.box.min.x, drawn.min.x), std::min(figure_.box.min.y, drawn.min.y)},

@@ -29,6 +29,7 @@ struct PolygonVector {
     bool internal = false;          ///< a broken line without a head: it falls out of the sum
     bool has_right_angles = false;  ///< a line ⟂ to it through one of its ends is so by construction
     StatementIndex statement = none;
+    Spot aside{};  ///< from its place to where it is drawn: beside others that lie on the same line
 };
 /// Begins the group of a polygon, once it has its kind, caption, scale and unit; drawn by a statement where one is named.
 void open_group(Figure& figure, StatementIndex statement = none);
@@ -40,6 +41,7 @@ struct PolygonPiece {
     BodyColour colour;
     bool internal = false;
     StatementIndex statement = none;
+    Spot aside{};  ///< as PolygonVector's
 };
 struct PolygonImage {
     using Kind = SceneImage::Kind;
@@ -64,6 +66,10 @@ struct PolygonParts {
     std::vector<PolygonCorner> corners;
     bool opposites_share_label = false;  ///< as forces do: F_32 = −F_23
 };
+
+/// Vectors that would lie upon each other stand side by side, as in books: the first in its place, each other in the first lane
+/// that is free beside it. Their ends are led back to their places by thin lines.
+void set_side_by_side(PolygonParts& parts);
 
 /// A place of a figure that is drawn again, larger.
 struct Detail {

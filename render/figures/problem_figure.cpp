@@ -26,7 +26,7 @@ Figure begun(const char* kind, const char* id, const Words& caption, double scal
 Figure finished(Figure figure, const DrawingContext& context, Spot room) {
     figure.marks.emplace_back(GroupEnd{});
     figure.box = box_of(figure.marks);
-    place_labels(figure, context.fonts, room, Labelling::strict);
+    place_labels(figure, context.fonts, room, Labelling::strict, context.theme.secondary);
     figure.move(-figure.box.min.x, -figure.box.min.y);
     return figure;
 }

@@ -221,7 +221,7 @@ private:
 
 Figure xy_plot_figure(const DrawingContext& context, const XyPlot& plot, double room_x, double room_y) {
     Figure figure = Plot(context, plot, {room_x, room_y}).draw();
-    place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict);
+    place_labels(figure, context.fonts, Spot{room_x, room_y}, Labelling::strict, context.theme.secondary);
     figure.move(-figure.box.min.x, -figure.box.min.y);
     return figure;
 }

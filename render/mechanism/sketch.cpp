@@ -63,7 +63,8 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
                    plain(figure.caption),
                    {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}}});
     figure.marks.emplace_back(GroupEnd{});
-    place_labels(figure, context.fonts, Spot{room.x, room.y - 8}, strict ? Labelling::strict : Labelling::free);
+    place_labels(figure, context.fonts, Spot{room.x, room.y - 8}, strict ? Labelling::strict : Labelling::free,
+                 context.theme.secondary);
     const Box size_of_bar = box_of(bar);
     move(bar, figure.box.min.x - size_of_bar.min.x, figure.box.max.y + 3 - size_of_bar.min.y);
     const Box at = box_of(bar);

@@ -837,10 +837,19 @@ bool is_closed(const Figure& figure) {
            std::holds_alternative<GroupEnd>(figure.marks.back()) && begun == ended;
 }
 
-void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped) {
+constexpr double leader_dot = 0.38;  // its radius, mm
+
+/// It runs onto a line that it names, and as far as the symbol of a point.
+void draw_leader(std::vector<Mark>& marks, const LabelRequest& request, const Candidate& place, Colour colour) {
+    const Spot from = request.toward && !request.along ? request.anchor : place.leader_from;
+    marks.emplace_back(line(from, place.leader_to, {0.18, colour, {}, false}));
+    marks.emplace_back(disc(from, leader_dot, colour));
+}
+
+void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped, Colour leaders) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-    if (place.leader) figure.marks.emplace_back(line(place.leader_from, place.leader_to, {0.18, request.colour, {}, false}));
+    if (place.leader) draw_leader(figure.marks, request, place, leaders);
     const Spot centre = place.box.centre;
     if (request.balloon > 0) {
         const double round = 2 * std::numbers::pi * request.balloon;
@@ -873,7 +882,19 @@ void set_key(Figure& figure, const LabelKey& key, double measure) {
 
 }  // namespace
 
+void drop_leader(std::vector<Mark>& marks, Colour leaders) {
+    if (marks.size() < 2) return;
+    const auto* dot = std::get_if<Path>(&marks.back());
+    const auto* stroke = std::get_if<Path>(&marks[marks.size() - 2]);
+    if (!dot || !dot->filled || dot->stroked || dot->fill != leaders) return;
+    if (!stroke || !stroke->stroked || stroke->segments.size() != 2 || stroke->pen.colour != leaders) return;
+    marks.resize(marks.size() - 2);
+}
+
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling) {
+    return place_labels(figure, fonts, room, labelling, Theme{}.secondary);
+}
+bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling, Colour leaders) {
     if (figure.labels.empty()) return true;
     const Ground ground(figure.marks, fonts);
     const bool boxed = figure.box.width() > 0 && figure.box.height() > 0;
@@ -897,7 +918,8 @@ bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, 
     // Into the figure's group, where that is closed already.
     const bool closed = is_closed(figure);
     if (closed) figure.marks.pop_back();
-    for (std::size_t i = 0; i < requests.size(); ++i) set_label(figure, requests[i], placing->chosen(i), placing->shaped(i));
+    for (std::size_t i = 0; i < requests.size(); ++i)
+        set_label(figure, requests[i], placing->chosen(i), placing->shaped(i), leaders);
     if (!key.empty()) set_key(figure, key, measure);
     if (closed) figure.marks.emplace_back(GroupEnd{});
     for (std::size_t i = names; i < figure.labels.size(); ++i) figure.unnamed.push_back(std::move(figure.labels[i].text));

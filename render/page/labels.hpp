@@ -25,6 +25,11 @@ enum class Labelling {
 /// the rest are the figure's `unnamed`. False: none was set.
 bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room = std::nullopt,
                   Labelling labelling = Labelling::free);
+/// The same with leaders in this colour, else in that of the usual theme's secondary strokes. They are thin and end in a dot at
+/// what they name, so that none is taken for a vector; a leader's stroke and its dot stand right before its label.
+bool place_labels(Figure& figure, const Fonts& fonts, std::optional<Spot> room, Labelling labelling, Colour leaders);
+/// Takes the leader off marks that end with one of this colour.
+void drop_leader(std::vector<Mark>& marks, Colour leaders);
 
 /// What the names that a figure asks for will take with the air about them, mm²: places or none.
 double room_of_names(const Figure& figure, const Fonts& fonts);

@@ -7,7 +7,8 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double caption = 7, text_gap = 5;
+constexpr double caption = 7, text_gap = 5, least_beside = 25;
+constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr double hardly_readable = 10;  // mm
 constexpr double room_of_a_name = 150;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
@@ -159,7 +160,6 @@ void BandLayouts::try_figures(BandLayout& best, BandLayout layout, Spot room) co
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
     const double whole = format_.span(width.columns, width.of);
-    constexpr double worth_of_corner = 0.01;
     BandLayout best;
     if (height <= notch.high) return best;
     for (const bool cornered : {false, true}) {
@@ -174,7 +174,7 @@ BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
 }
 
 void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const {
-    constexpr double price_of_columns = 0.05, least_beside = 25, worth_of_beside = 0.02;
+    constexpr double worth_of_beside = 0.02;
     const double above = height - notch.high;
     const ColumnText& words = text(base.divided, base.cornered);
     BandLayout layout = base;
@@ -202,6 +202,43 @@ void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole
         // Figures stand left of the title block, the text above it.
         if (notch.high > 0 && std::min(left, notch.left) > least_beside)
             try_figures(best, layout, {std::min(left, notch.left), height});
+    }
+    if (!sizes_.empty()) try_round(best, layout, whole, height, notch);
+}
+
+std::vector<TextColumn> BandLayout::text_columns(double whole, double measure, double figures, const Notch& notch) const {
+    std::vector<TextColumn> all;
+    for (int i = 0; i < columns; ++i) {
+        const bool below = !beside || i < under;
+        // Those beside the figures keep to the right edge.
+        const double x = below ? i * (measure + gap) : whole - (columns - i) * (measure + gap) + gap;
+        const bool over_block = notch.high > 0 && x + measure > notch.left + 0.05;
+        all.push_back({x, below && figures > 0 ? figures + text_gap : 0, over_block ? notch.high : 0});
+    }
+    return all;
+}
+
+/// Figures in the upper left corner, text under them and then beside: as high as the text lets them be.
+void BandLayouts::try_round(BandLayout& best, BandLayout layout, double whole, double height, Notch notch) const {
+    const ColumnText& words = text(layout.divided, layout.cornered);
+    layout.beside = true;
+    layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
+    const double worth = (layout.cornered ? worth_of_corner : 0) - price_of_columns * layout.columns;
+    if (layout.columns * height - least_beside < words.whole_height()) return;
+    for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
+        layout.worth = worth;
+        const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
+        const auto holds = [&](double figures) {
+            return words.fits(layout.text_columns(whole, words.measure(), figures, notch), height);
+        };
+        if (left < least_beside || !holds(least_beside)) continue;
+        double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
+        constexpr double fine = 2;
+        while (high - low > fine) {
+            const double middle = 0.5 * (low + high);
+            (holds(middle) ? low : high) = middle;
+        }
+        try_figures(best, layout, {left, low});
     }
 }
 

@@ -34,9 +34,13 @@ struct BandLayout {
     int divided = 0;            ///< the text's column is a page divided by this; 0: no text
     int columns = 0;            ///< of text
     bool beside = false;        ///< the text stands right of the figures, else under them
+    int under = 0;              ///< beside: so many of its columns, the first, go on under the figures
     bool stacked = false;       ///< the figures stand one under the other
     bool cornered = false;      ///< the equations stand in a corner of the figure
     std::vector<Spot> rooms{};  ///< of the figures; no width: left out
+
+    /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these are.
+    std::vector<TextColumn> text_columns(double whole, double measure, double figures, const Notch& notch) const;
 };
 
 /// What a figure takes at a scale, its caption included, and what that is worth.
@@ -84,6 +88,7 @@ public:
     double scale_in(std::size_t figure, Spot room) const;
 
 private:
+    void try_round(BandLayout& best, BandLayout layout, double whole, double height, Notch notch) const;
     void try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const;
     void try_figures(BandLayout& best, BandLayout layout, Spot room) const;
 

@@ -17,6 +17,7 @@
 #include "render/tables/truss_table.hpp"
 #include "render/tables/work_text.hpp"
 #include "render/text/formula.hpp"
+#include "render/text/numbered_lines.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -28,7 +29,8 @@ class BandText {
 public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
-             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations, NaturalBlocks& natural)
+             const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
+             const std::vector<LineNumbers>& lines, NaturalBlocks& natural)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -37,6 +39,7 @@ public:
           likewise_(likewise),
           with_centres_(with_centres),
           equations_(equations),
+          lines_(lines),
           natural_(natural) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
@@ -117,7 +120,12 @@ private:
     /// A sentence, and of whom it holds likewise.
     RichText said(std::size_t statement) const {
         const auto& statements = solution_.protocol.statements;
-        RichText text = say(statements[statement].message, context_.language);
+        RichText text = say(statements[statement].message, context_.language, [&](const LineReason& reason) {
+            std::string number;
+            for (const LineNumbers& each : lines_)
+                if (number.empty()) number = each.before(StatementIndex(statement), reason);
+            return number;
+        });
         const auto others = likewise_.find(statement);
         if (others == likewise_.end()) return text;
         std::vector<const Message*> messages;
@@ -255,6 +263,7 @@ private:
     const Likewise& likewise_;
     bool with_centres_;
     const std::vector<EquationItem>& equations_;
+    const std::vector<LineNumbers>& lines_;
     NaturalBlocks& natural_;
 };
 
@@ -284,6 +293,9 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
 
 Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
     : context_(context), solution_(context.solution), wanted_(wanted), detail_(detail) {
+    const std::vector<Polygon>& polygons = solution_.protocol.polygons;
+    for (std::size_t p = 0; p < polygons.size(); ++p)
+        if (polygons[p].plane != Plane::force) lines_.emplace_back(polygon_scene(solution_, static_cast<int>(p)));
     const bool motion = has_motion(solution_) || !has_forces(solution_);
     if (motion) collect_motion();
     if (detail_ == SolutionDetail::full) collect_apart();
@@ -410,10 +422,9 @@ void Bands::collect_curvature() {
 void Bands::collect_forces() {
     // In brief the mechanism is drawn once, and the bodies cut free have their lines of action.
     const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty();
-    Band& lines =
-        add("lines-of-action", drawn_already ? std::vector<std::string>{} : std::vector<std::string>{"lines-of-action"});
-    lines.draws_mechanism = !drawn_already;
-    const std::size_t at_lines = list.size() - 1;
+    // What is said of its lines stands with the first body then.
+    const std::size_t at_lines = list.size();
+    if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;
     collect_bodies();
     if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
@@ -590,7 +601,8 @@ Block Bands::equations(const Band& band, double most) const {
 
 std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
                                  const std::vector<ResultRow>& results) const {
-    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, natural_);
+    const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
+                          natural_);
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         all.push_back(writer.passage_of(part, results, remarks_));

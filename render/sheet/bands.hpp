@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/page/block.hpp"
+#include "render/scene/line_numbers.hpp"
 #include "render/sheet/wanted_figures.hpp"
 #include "render/tables/equation_block.hpp"
 #include "render/tables/equation_text.hpp"
@@ -98,6 +99,7 @@ private:
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
+    std::vector<LineNumbers> lines_;  // of the polygons of motion
     mutable NaturalBlocks natural_;  // of these, as they were set first
 };
 

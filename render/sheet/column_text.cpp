@@ -29,11 +29,13 @@ bool ColumnText::is_too_wide() const {
     });
 }
 
-bool ColumnText::flow(int columns, double height, const std::function<void(const Block&, int column, double y)>& place) const {
-    int column = 0;
+bool ColumnText::flow(const std::vector<TextColumn>& columns, double height,
+                      const std::function<void(const Block&, std::size_t column, double y)>& place) const {
+    std::size_t column = 0;
     double y = 0;
+    const auto room = [&] { return height - columns[column].lift - columns[column].top + grace; };
     const auto put = [&](const Block& block) {
-        if (place && !block.marks.empty()) place(block, column, y);
+        if (place && !block.marks.empty()) place(block, column, columns[column].top + y);
         y += block.height;
     };
     for (const Passage& passage : passages_)
@@ -41,8 +43,13 @@ bool ColumnText::flow(int columns, double height, const std::function<void(const
             const bool first = i == 0;
             const double own = passage.rows[i].height, above = first ? passage.heading.height + passage.head.height : 0;
             const double before = first && y > 0 ? passage_gap : 0;
-            const bool turns = y + before + above + own > height + grace;
-            if (turns && (++column == columns || passage.head.height + above + own > height + grace)) return false;
+            const bool turns = y + before + above + own > room();
+            if (turns) {
+                const double anew = passage.head.height + (first ? passage.heading.height : 0) + own;
+                do {
+                    if (++column == columns.size()) return false;
+                } while (anew > room());
+            }
             y = turns ? 0 : y + before;
             if (first) put(passage.heading);
             if (first || turns) put(passage.head);
@@ -51,30 +58,48 @@ bool ColumnText::flow(int columns, double height, const std::function<void(const
     return true;
 }
 
+double ColumnText::whole_height() const {
+    if (whole_ >= 0) return whole_;
+    whole_ = 0;
+    for (const Passage& passage : passages_) {
+        whole_ += (whole_ > 0 ? passage_gap : 0) + passage.heading.height + passage.head.height;
+        for (const Block& row : passage.rows) whole_ += row.height;
+    }
+    return whole_;
+}
+
+double ColumnText::height(const std::vector<TextColumn>& columns) const {
+    double taken = 0, first = 1e300;
+    for (const TextColumn& each : columns) taken += each.top + each.lift, first = std::min(first, each.top + each.lift);
+    double least = std::max(first, (whole_height() + taken) / static_cast<double>(columns.size()) - taken);
+    double most = columns.size() == 1 ? whole_height() + taken : 1.2 * least + 1;
+    while (!fits(columns, most)) least = most, most *= 1.2;
+    constexpr double fine = 0.5;
+    while (columns.size() > 1 && most - least > fine) {
+        const double middle = 0.5 * (least + most);
+        (fits(columns, middle) ? most : least) = middle;
+    }
+    return most;
+}
+
 double ColumnText::height(int columns) const {
     const auto index = static_cast<std::size_t>(columns);
     if (heights_.size() <= index) heights_.resize(index + 1, -1);
     double& known = heights_[index];
-    if (known >= 0) return known;
-    double whole = 0;
-    for (const Passage& passage : passages_) {
-        whole += (whole > 0 ? passage_gap : 0) + passage.heading.height + passage.head.height;
-        for (const Block& row : passage.rows) whole += row.height;
-    }
-    double least = whole / columns, most = columns == 1 ? whole : 1.2 * least + 1;
-    while (!flow(columns, most, {})) least = most, most *= 1.2;
-    constexpr double fine = 0.5;
-    while (columns > 1 && most - least > fine) {
-        const double middle = 0.5 * (least + most);
-        (flow(columns, middle, {}) ? most : least) = middle;
-    }
-    return known = most;
+    if (known < 0) known = height(std::vector<TextColumn>(index));
+    return known;
+}
+
+void ColumnText::set(std::vector<Mark>& marks, Spot at, const std::vector<TextColumn>& columns) const {
+    flow(columns, height(columns), [&](const Block& block, std::size_t column, double y) {
+        render::set(marks, block, {at.x + columns[column].x, at.y + y});
+    });
 }
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, int columns, double between) const {
-    flow(columns, height(columns), [&](const Block& block, int column, double y) {
-        render::set(marks, block, {at.x + column * (measure_ + between), at.y + y});
-    });
+    std::vector<TextColumn> all;
+    for (int i = 0; i < columns; ++i) all.push_back({i * (measure_ + between), 0, 0});
+    set(marks, at, all);
 }
 
 }  // namespace kinegraph::render

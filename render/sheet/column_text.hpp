@@ -8,6 +8,11 @@
 
 namespace kinegraph::render {
 
+/// A column that text flows through: where it stands, where it begins, and how far above the others it ends.
+struct TextColumn {
+    double x = 0, top = 0, lift = 0;
+};
+
 class ColumnText {
 public:
     /// Rows as they are set, then scaled; `measure`: width of a column, mm.
@@ -21,12 +26,21 @@ public:
     double height(int columns) const;
     void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
 
+    /// The same in columns of different heights, from the first to the last.
+    bool fits(const std::vector<TextColumn>& columns, double height) const { return flow(columns, height, {}); }
+    double height(const std::vector<TextColumn>& columns) const;
+    void set(std::vector<Mark>& marks, Spot at, const std::vector<TextColumn>& columns) const;
+    /// One column under the other.
+    double whole_height() const;
+
 private:
-    bool flow(int columns, double height, const std::function<void(const Block&, int column, double y)>& place) const;
+    bool flow(const std::vector<TextColumn>& columns, double height,
+              const std::function<void(const Block&, std::size_t column, double y)>& place) const;
 
     std::vector<Passage> passages_;
     double measure_;
     mutable std::vector<double> heights_;  // by columns, once asked
+    mutable double whole_ = -1;            // … of all in one
 };
 
 }  // namespace kinegraph::render

@@ -219,12 +219,13 @@ private:
         Drawn drawn;
         drawn.wanted = wanted;
         drawn.number = number;
-        drawn.figure = figure_in(wanted, {room.x, room.y - one_line}, coarsest);
+        constexpr double least_room = 10;
+        const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
+        drawn.figure = figure_in(wanted, below(one_line), coarsest);
         if (drawn.is_refused()) return drawn;
         std::vector<Mark> words;
         drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
-        if (drawn.caption > one_line && drawn.height() > room.y)
-            drawn.figure = figure_in(wanted, {room.x, room.y - drawn.caption}, coarsest);
+        if (drawn.caption > one_line && drawn.height() > room.y) drawn.figure = figure_in(wanted, below(drawn.caption), coarsest);
         return drawn;
     }
 
@@ -314,11 +315,20 @@ private:
                 figures = layout.stacked ? figures + (figures > 0 ? gap : 0) + each.height() : std::max(figures, each.height());
                 right = std::max(right, each.room.max.x);
             }
+        if (layout.under > 0) return height_round(placed, layout, figures, right, whole);
         const double text =
             layout.divided == 0 ? 0 : layouts_[placed.band].text(layout.divided, layout.cornered).height(layout.columns);
         const double notch = whole ? placed.notch.high : 0;
         if (!layout.beside) return figures + (figures > 0 && text > 0 ? text_gap : 0) + text + notch;
         return std::max(figures + (right > placed.notch.left + grace ? notch : 0), text + notch);
+    }
+
+    /// … of one whose text stands under and beside its figures.
+    double height_round(const PlacedBand& placed, const BandLayout& layout, double figures, double right, bool whole) const {
+        const ColumnText& text = layouts_[placed.band].text(layout.divided, layout.cornered);
+        const Notch notch = whole ? placed.notch : Notch{};
+        const double words = text.height(layout.text_columns(placed.room.width(), text.measure(), figures, notch));
+        return std::max(figures + (notch.high > 0 && right > notch.left + grace ? notch.high : 0), words);
     }
 
     Page page(std::size_t index) {
@@ -375,7 +385,11 @@ private:
             down += drawn.height() + gap;
             below = layout.stacked ? down - gap : std::max(below, drawn.height());
         }
-        if (layout.divided > 0) {
+        if (layout.under > 0) {
+            const ColumnText& planned = layouts_[placed.band].text(layout.divided, layout.cornered);
+            text_of(band, planned.measure(), layout.cornered)
+                .set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch));
+        } else if (layout.divided > 0) {
             const ColumnText& planned = layouts_[placed.band].text(layout.divided, layout.cornered);
             const double width = layout.columns * (planned.measure() + gap) - gap;
             const Spot corner = layout.beside ? Spot{placed.room.max.x - width, at.y}

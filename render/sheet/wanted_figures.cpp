@@ -371,7 +371,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.empty = scene.empty();
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
-    wanted.least = 45;
+    wanted.least = 36;
     wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();

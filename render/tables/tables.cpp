@@ -47,6 +47,27 @@ std::optional<Reading> reading_of(const ResultRow& row) {
     return Reading{std::round(*row.millimetres * 10) / 10 * scale,
                    std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
+/// A scale, without zeros that say nothing: 0.005.
+std::string round_number(double value, Language language) {
+    std::string text = number(value, 3, language);
+    const char point = language == Language::it ? ',' : '.';
+    if (text.find(point) == std::string::npos || text.find(' ') != std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == point) text.pop_back();
+    return text;
+}
+/// What a millimetre is worth to all rows that are read off; nothing where that differs.
+std::optional<double> scale_of(const std::vector<ResultRow>& rows) {
+    constexpr double equal = 1e-4;
+    std::optional<double> common;
+    for (const ResultRow& row : rows) {
+        if (!row.millimetres || !(*row.millimetres > 0) || !(row.drawing > 0)) continue;
+        const double scale = row.drawing / *row.millimetres;
+        if (common && std::abs(scale - *common) > equal * *common) return std::nullopt;
+        if (!common) common = scale;
+    }
+    return common;
+}
 std::string cell(double value, std::optional<int> decimals, Language language) {
     return decimals ? fixed(value, *decimals, language) : number(value, 5, language);
 }
@@ -389,6 +410,11 @@ std::vector<Block> results_lines(const DrawingContext& context, const std::vecto
             set_right(block.marks, each.cells[c], left[c] + widths[c], baseline, colour);
     };
     std::vector<Block> set{{{rule(0, whole, 0, theme.outline, theme.text)}, whole, 4.8}};
+    // The arithmetic of the readings, "mm × 0.005", where one scale holds and the head has room for it.
+    if (const auto scale = scale_of(rows)) {
+        const ShapedLine product = shape("mm × " + round_number(*scale, language), theme.small);
+        if (product.width <= left[1] + widths[1]) head.cells[1] = product;
+    }
     set_line(set.front(), head, 3.4, theme.secondary);
     set.front().marks.emplace_back(rule(0, whole, 4.8, theme.thin, theme.text));
     for (std::size_t i = 0; i < lines.size(); ++i) {

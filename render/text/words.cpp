@@ -5,6 +5,7 @@
 // brackets] is said only when all its arguments are given; ~ is a blank at which no line ends; ω and α are set as symbols (α is ω̇
 // in Italian), × is ∧ there.
 #include "render/text/words.hpp"
+#include "render/text/numbered_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -1234,7 +1235,8 @@ bool is_one(const Argument& arg) {
 }
 
 /// Sets a stretch of a pattern; true where every argument it names is given.
-bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, Setting setting, RichText& to) {
+bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Language language, Setting setting, RichText& to,
+          const BeforeLine& before_line = {}) {
     bool all_given = true;
     std::string plain_text;
     const auto flush = [&] {
@@ -1252,6 +1254,8 @@ bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Lang
                                                                 : pattern.substr(second + 1, end - second - 1);
             } else if (given) {
                 flush();
+                const auto* line = std::get_if<LineReason>(&arguments[index]);
+                if (line && before_line) to.push_back(piece(before_line(*line)));
                 append(to, argument(arguments[index], language, setting));
             } else {
                 all_given = false;
@@ -1261,7 +1265,8 @@ bool fill(std::string_view pattern, const std::vector<Argument>& arguments, Lang
             const std::size_t end = pattern.find(']', i);
             flush();
             RichText optional_part;
-            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, setting, optional_part)) append(to, optional_part);
+            if (fill(pattern.substr(i + 1, end - i - 1), arguments, language, setting, optional_part, before_line))
+                append(to, optional_part);
             i = end + 1;
         } else if (pattern[i] == '~') {
             plain_text += setting == Setting::typeset ? unbroken_blank : " ";
@@ -1345,9 +1350,10 @@ bool is_all_zero(std::string_view decimal) {
 
 }  // namespace
 
-RichText say(const Message& message, Language language) {
+RichText say(const Message& message, Language language) { return say(message, language, {}); }
+RichText say(const Message& message, Language language, const BeforeLine& before_line) {
     RichText text;
-    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::typeset, text);
+    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::typeset, text, before_line);
     for (std::size_t i = 0; i < message.workings.size(); ++i) {
         text.push_back(piece(i == 0 ? " " : "; "));
         append(text, worked_out(message.workings[i], language));

@@ -1,0 +1,155 @@
+// How polygons are drawn: vectors of one line side by side, lines of the construction numbered as the sentences name them,
+// leaders that are no vectors, readings with their arithmetic.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "render/figures/figure.hpp"
+#include "render/page/labels.hpp"
+#include "render/scene/line_numbers.hpp"
+#include "render/sheet/sheet.hpp"
+#include "tests/pages.hpp"
+
+namespace {
+
+using namespace kinegraph;
+using namespace kinegraph::render;
+using namespace kinegraph::pages;
+
+/// How far two strokes run along one line, mm.
+double shared(const DrawnAxis& a, const DrawnAxis& b) {
+    constexpr double beside = 0.4;
+    const Spot along = unit(a.tip - a.tail);
+    if (std::abs(cross(along, b.tail - a.tail)) > beside || std::abs(cross(along, b.tip - a.tail)) > beside) return 0;
+    const double from = dot(b.tail - a.tail, along), to = dot(b.tip - a.tail, along);
+    return std::min(length(a.tip - a.tail), std::max(from, to)) - std::max(0.0, std::min(from, to));
+}
+bool fall_together(const DrawnAxis& a, const DrawnAxis& b) {
+    return length(a.tail - b.tail) < 0.02 && length(a.tip - b.tip) < 0.02;
+}
+
+const DrawnAxis& axis_of(const Figure& figure, const std::string& name) {
+    const auto found = std::find_if(figure.axes.begin(), figure.axes.end(), [&](const DrawnAxis& a) { return a.name == name; });
+    if (found == figure.axes.end()) throw std::runtime_error(figure.id + " has no " + name);
+    return *found;
+}
+
+TEST(DrawnAsInBooks, VectorsOfOneLineStandSideBySide) {
+    const Theme theme;
+    int beside = 0;
+    for (const char* const name : {"planetary_train", "slider_crank_outer_dead_point", "slider_crank_inner_dead_point",
+                                   "elliptic_trammel", "exam_2001", "parallel_crank"}) {
+        const Solution solution = example(name);
+        const DrawingContext context{solution, theme, fonts()};
+        for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+            if (solution.protocol.polygons[p].plane == Plane::force) continue;
+            const PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
+            if (scene.empty()) continue;
+            SCOPED_TRACE(std::string(name) + ", " + scene.id);
+            const Figure figure = polygon_figure(context, scene, 130, 110);
+            for (std::size_t i = 0; i < figure.axes.size(); ++i) {
+                const DrawnAxis& own = figure.axes[i];
+                for (std::size_t j = 0; j < i; ++j) {
+                    const DrawnAxis& other = figure.axes[j];
+                    if (other.detail != own.detail || fall_together(other, own)) continue;
+                    EXPECT_LE(shared(other, own), 1.05) << own.name << " on " << other.name;
+                }
+                if (!own.detail.empty()) continue;
+                // Beside its place it is as long and has its direction.
+                const auto vector = std::find_if(scene.vectors.begin(), scene.vectors.end(),
+                                                 [&](const SceneVector& v) { return v.name == own.name; });
+                ASSERT_NE(vector, scene.vectors.end());
+                const Spot place{vector->tail.x / figure.scale, -vector->tail.y / figure.scale};
+                const Spot drawn = own.tip - own.tail;
+                EXPECT_NEAR(drawn.x, (vector->tip.x - vector->tail.x) / figure.scale, 1e-6);
+                EXPECT_NEAR(drawn.y, -(vector->tip.y - vector->tail.y) / figure.scale, 1e-6);
+                beside += length(own.tail - figure.origin - place) > 1 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GE(beside, 6);
+}
+
+TEST(DrawnAsInBooks, OppositeVectorsOfADeadPointAreTwoArrows) {
+    const Solution solution = example("slider_crank_outer_dead_point");
+    const Theme theme;
+    const Figure figure = polygon_figure({solution, theme, fonts()}, 0, 100, 100);
+    const DrawnAxis &a = axis_of(figure, "v_A"), &ba = axis_of(figure, "v_BA");
+    EXPECT_NEAR(length(a.tip - a.tail), length(ba.tip - ba.tail), 1e-6);
+    EXPECT_NEAR(std::abs(cross(unit(a.tip - a.tail), ba.tail - a.tail)), 2.2, 1e-6);
+}
+
+TEST(DrawnAsInBooks, SentencesNameTheLinesByTheirNumbers) {
+    const Solution solution = example("four_bar");
+    const PolygonScene scene = polygon_scene(solution, 0);
+    const LineNumbers numbers(scene);
+    std::set<std::string> given;
+    for (const SceneLine& line : scene.lines) given.insert(numbers.before(line.statement, line.reason));
+    EXPECT_TRUE(given.contains("①\u00A0"));
+    EXPECT_TRUE(given.contains("②\u00A0"));
+    EXPECT_EQ(numbers.before(StatementIndex(0), scene.lines.front().reason).empty(),
+              scene.lines.front().statement != StatementIndex(0));
+    for (const Language language : {Language::en, Language::it}) {
+        SheetOptions options;
+        options.language = language;
+        const auto pages = lay_out(solution, options, fonts());
+        for (const char* const number : {"①", "②"}) {
+            int on_lines = 0, in_sentences = 0;
+            for (const Page& page : pages)
+                for (const TextMark* text : texts_of(page))
+                    if (text->words.find(number) != std::string::npos) ++(text->cls == "label" ? on_lines : in_sentences);
+            // In the polygons of velocities and of accelerations.
+            EXPECT_EQ(on_lines, 2) << number;
+            EXPECT_GE(in_sentences, 2) << number;
+        }
+    }
+}
+
+TEST(DrawnAsInBooks, ALineThatStandsAloneHasNoNumber) {
+    const Solution solution = example("rotating_body");
+    for (std::size_t p = 0; p < solution.protocol.polygons.size(); ++p) {
+        PolygonScene scene = polygon_scene(solution, static_cast<int>(p));
+        if (scene.lines.size() > 1) scene.lines.resize(1);
+        const LineNumbers numbers(scene);
+        for (const SceneLine& line : scene.lines) EXPECT_EQ(numbers.before(line.statement, line.reason), "");
+    }
+}
+
+TEST(DrawnAsInBooks, LeadersEndInADot) {
+    Figure figure;
+    // Strokes round the point leave its name no place nearby.
+    for (int i = -12; i <= 12; ++i) {
+        figure.marks.emplace_back(line({-14, 1.1 * i}, {14, 1.1 * i}, {0.2, {0, 0, 0}, {}, false}));
+    }
+    figure.box = box_of(figure.marks);
+    LabelRequest& label = figure.labels.emplace_back();
+    label.text = one_piece("A");
+    label.anchor = {0, 0};
+    const std::size_t before = figure.marks.size();
+    constexpr Colour grey{0x12, 0x34, 0x56};
+    ASSERT_TRUE(place_labels(figure, fonts(), std::nullopt, Labelling::free, grey));
+    std::vector<const Path*> leader;
+    for (std::size_t i = before; i < figure.marks.size(); ++i)
+        if (const auto* path = std::get_if<Path>(&figure.marks[i])) leader.push_back(path);
+    ASSERT_EQ(leader.size(), 2u);
+    EXPECT_EQ(leader[0]->pen.colour, grey);
+    EXPECT_EQ(leader[1]->fill, grey);
+    EXPECT_TRUE(leader[0]->stroked);
+    EXPECT_LT(leader[0]->pen.width, 0.2);
+    EXPECT_TRUE(leader[1]->filled);
+    EXPECT_LT(length(box_of({*leader[1]}).middle()), 3);
+    std::vector<Mark> marks(figure.marks.begin(), figure.marks.begin() + static_cast<std::ptrdiff_t>(before) + 2);
+    drop_leader(marks, grey);
+    EXPECT_EQ(marks.size(), before);
+}
+
+TEST(DrawnAsInBooks, TablesOfReadingsSayWhatAMillimetreIsWorth) {
+    const auto pages = lay_out(example("four_bar"), {}, fonts());
+    EXPECT_TRUE(says(pages, "mm × 0.0"));
+}
+
+}  // namespace
