@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "constructions/moving.hpp"
 #include "constructions/solve.hpp"
-#include "engine/mechanism_reader.hpp"
+#include "engine/mechanism.hpp"
 #include "tests/command_line.hpp"
 #include "tests/files.hpp"
 
@@ -16,7 +18,7 @@ TEST(Sha256, OfKnownTexts) {
     EXPECT_EQ(render::sha256_base64(""), "47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
     EXPECT_EQ(render::sha256_base64("abc"), "ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
     EXPECT_EQ(render::sha256_base64("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-              "JI1qYdIGOLjlwCaTDD5gOaM85FlkFvnBtkx1+eYS6xk=");
+              "JI1qYdIGOLjlwCaTDD5gOaM85Flk/yFn9uzt1BnbBsE=");
 }
 
 TEST(Moving, APlanForEveryStretchAndNoneTwice) {
