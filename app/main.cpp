@@ -152,9 +152,10 @@ struct SolveWords {
 void add_outputs(CLI::App& command, SolveRequest& request) {
     command.add_option("FILE", request.file, "The mechanism file; - is standard input")->required();
     command
-        .add_option("-o,--output", request.outputs,
-                    "OUT.svg, .png, .pdf, .tex, .json or .html (the live page); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
-                    "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
+        .add_option(
+            "-o,--output", request.outputs,
+            "OUT.svg, .png, .pdf, .tex, .json or .html (the live page); may be given again. Further pages are OUT-2.svg, OUT-3.svg. "
+            "- is standard output and needs --format (of several SVG or PNG pages it carries the first)")
         ->allow_extra_args(false)
         ->type_name("OUT");
     command.add_option("--format", request.format, "What to write where the name of the output does not say it")

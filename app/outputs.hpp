@@ -26,7 +26,7 @@ struct Target {
     bool standard() const { return path == "-"; }
     bool is_drawn() const { return format != Format::json && format != Format::csv; }
     bool is_page() const { return format == Format::html; }  ///< live: laid out by itself
-    std::string path_of_page(std::size_t page) const;  ///< OUT.svg, OUT-2.svg, OUT-3.svg …
+    std::string path_of_page(std::size_t page) const;        ///< OUT.svg, OUT-2.svg, OUT-3.svg …
 };
 
 /// What is to be written, or why the command line cannot be meant so. Without `outputs` a stated `format` goes to standard

@@ -261,10 +261,10 @@ Words meaningless(const SolveRequest& request) {
 /// A live page is the whole worked solution, step by step.
 Words meaningless_on_page(const SolveRequest& request, const std::vector<Target>& targets) {
     if (std::none_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_page(); })) return {};
-    const char* const other = !request.figure.empty()                           ? "--figure"
-                              : request.steps                                   ? "--steps"
+    const char* const other = !request.figure.empty()                        ? "--figure"
+                              : request.steps                                ? "--steps"
                               : request.sheet != render::SheetKind::solution ? "--sheet"
-                                                                                : nullptr;
+                                                                             : nullptr;
     if (other == nullptr) return {};
     return {"{0} has no meaning for a live page, which has every figure and every step: ask for .html in a run of its own",
             "{0} non ha senso per una pagina viva, che ha ogni figura e ogni passo: chiedere .html in un comando a parte",

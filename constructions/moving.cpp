@@ -161,8 +161,8 @@ private:
             if (image.trial == 0) plan_.spots.push_back({figure(image.polygon), name_of(image.symbol), image.point});
         for (const InstantCentre& centre : solution_.centres)
             if (centre.at.element() != none)
-                plan_.spots.push_back({"", name_of(centre_symbol(solution_.mechanism, centre.first, centre.second, false)),
-                                       centre.at.element()});
+                plan_.spots.push_back(
+                    {"", name_of(centre_symbol(solution_.mechanism, centre.first, centre.second, false)), centre.at.element()});
     }
     void read_lines() {
         std::map<std::string, int> count;
@@ -207,7 +207,11 @@ private:
 class Courses {
 public:
     explicit Courses(const Solution& solution)
-        : solution_(solution), mechanism_(solution.mechanism), pose_(solution.pose), mover_(mechanism_, pose_), rules_(mechanism_, pose_) {}
+        : solution_(solution),
+          mechanism_(solution.mechanism),
+          pose_(solution.pose),
+          mover_(mechanism_, pose_),
+          rules_(mechanism_, pose_) {}
 
     std::optional<Moving> moving() {
         for (Column& column : columns_found(solution_)) moving_.columns.push_back(std::move(column));
@@ -336,7 +340,8 @@ private:
         std::vector<std::optional<double>> values;
         for (const Column& column : moving_.columns) {
             const Quantity& q = column.quantity;
-            const auto entry = std::find_if(entries.begin(), entries.end(), [&](const FoundValue& each) { return each.quantity == q; });
+            const auto entry =
+                std::find_if(entries.begin(), entries.end(), [&](const FoundValue& each) { return each.quantity == q; });
             std::optional<double>& value = values.emplace_back();
             if (entry == entries.end()) continue;
             if (column.kind == Column::Kind::along) {

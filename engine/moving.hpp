@@ -24,10 +24,10 @@ struct MovingGiven {
         normal,        ///< of joint `index`, times `factor` (−1: a contact that pushes against it)
         other_normal,  ///< the normal mirrored at the tangent
         tangent,
-        between,       ///< unit vector from `ends[0]` to `ends[1]`
-        spring,        ///< factor · (distance of the ends − offset), N
-        torsion,       ///< −factor · (offset + turn of bodies[0] − turn of bodies[1]), N m
-        rate,          ///< of a driver with a law
+        between,  ///< unit vector from `ends[0]` to `ends[1]`
+        spring,   ///< factor · (distance of the ends − offset), N
+        torsion,  ///< −factor · (offset + turn of bodies[0] − turn of bodies[1]), N m
+        rate,     ///< of a driver with a law
         acceleration
     } rule = Rule::place;
     int given = 0;  ///< index in Program::givens
@@ -37,7 +37,8 @@ struct MovingGiven {
     double factor = 1, offset = 0;
 };
 
-/// A construction that holds for a stretch: its program, and which elements are drawn, under names that are the same in all plans.
+/// A construction that holds for a stretch: its program, and which elements are drawn, under names that are the same in all
+/// plans.
 struct MovingPlan {
     Program program;
     std::vector<ValueOf<double>> givens;  ///< in the position where it was planned

@@ -78,9 +78,9 @@ public:
     struct JointRule {
         BodyIndex turns_with;  ///< the body of the guide or of the straight profile; none: there is none
         std::array<BodyIndex, 2> bodies;
-        VectorOf<double> guide, tangent, normal;      ///< as drawn
-        std::array<VectorOf<double>, 2> locals;       ///< guide: P on both; arc: P and C; profiles: their centres
-        std::array<double, 2> reaches{};  ///< profiles: of the centres along the drawn normal
+        VectorOf<double> guide, tangent, normal;  ///< as drawn
+        std::array<VectorOf<double>, 2> locals;   ///< guide: P on both; arc: P and C; profiles: their centres
+        std::array<double, 2> reaches{};          ///< profiles: of the centres along the drawn normal
         std::array<bool, 2> is_straight{};
         int first_circle = -1;  ///< profiles: the side whose centre gives the normal where none is straight
         PointIndex point;

@@ -108,6 +108,8 @@ class FigureView {
         this.unit = group.getAttribute('data-unit') ?? '';
         this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
         this.scale = this.drawnScale;
+        /** @type {Map<number, {vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}>} */
+        this.plans = new Map();
         this.isMechanism = info.name === 'mechanism' || info.name === 'centres';
         this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
         this.drawnOrigin = this.origin;
@@ -155,13 +157,29 @@ class FigureView {
     paper(at) {
         return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
     }
-    /** @param {number} plan */
-    vectorsOf(plan) {
-        const found = new Map();
-        for (const [figure, name, tail, tip] of this.motion.data.plans[plan]?.vectors ?? []) {
-            if (figure === this.id) found.set(name, [tail, tip]);
-        }
+    /**
+     * What a plan draws in this figure, by name.
+     * @param {number} plan
+     */
+    drawnBy(plan) {
+        let found = this.plans.get(plan);
+        if (found) return found;
+        const own = this.isMechanism ? '' : this.id, drawn = this.motion.data.plans[plan];
+        const vectors = drawn?.vectors ?? [], spots = drawn?.spots ?? [], lines = drawn?.lines ?? [];
+        found = {
+            vectors: new Map(vectors.filter(([figure]) => figure === this.id).map(([, name, tail, tip]) => [name, [tail, tip]])),
+            spots: new Map(spots.filter(([figure]) => figure === own).map(([, name, point]) => [name, point])),
+            lines: new Map(lines.filter(([figure]) => figure === own).map(([, name, , line, ...points]) => [name, {line, points}])),
+        };
+        this.plans.set(plan, found);
         return found;
+    }
+    /**
+     * Tail and tip of the vectors of a plan, by name.
+     * @param {number} plan
+     */
+    vectorsOf(plan) {
+        return this.drawnBy(plan).vectors;
     }
     /**
      * Tail and tip on paper, in the position where the mechanism is.
@@ -179,9 +197,8 @@ class FigureView {
      * @returns {Spot | null}
      */
     spot(name) {
-        const own = this.isMechanism ? '' : this.id;
-        const found = this.motion.data.plans[this.motion.plan]?.spots.find((each) => each[0] === own && each[1] === name);
-        const at = found ? this.motion.spot(found[2]) : null;
+        const element = this.drawnBy(this.motion.plan).spots.get(name);
+        const at = element === undefined ? null : this.motion.spot(element);
         return at && this.paper(at);
     }
     /**
@@ -190,11 +207,10 @@ class FigureView {
      * @returns {{points: Spot[], direction: Spot} | null}
      */
     line(name) {
-        const own = this.isMechanism ? '' : this.id, {motion} = this;
-        const found = motion.data.plans[motion.plan]?.lines.find((each) => each[0] === own && each[1] === name);
+        const {motion} = this, found = this.drawnBy(motion.plan).lines.get(name);
         if (!found) return null;
-        const points = found.slice(4).map((element) => motion.spot(Number(element))).filter((at) => at !== null);
-        const replay = motion.replays[motion.plan], element = found[3];
+        const points = found.points.map((element) => motion.spot(element)).filter((at) => at !== null);
+        const replay = motion.replays[motion.plan], element = found.line;
         const direction = {x: -replay.y(element), y: -replay.x(element)};  // y downwards
         if (points.length === 0 || (direction.x === 0 && direction.y === 0)) return null;
         return {points: points.map((at) => this.paper(/** @type {Spot} */ (at))), direction: unitOf(direction)};

@@ -96,8 +96,9 @@ private:
 };
 
 std::string_view name_of(MovingGiven::Rule rule) {
-    static constexpr std::array<std::string_view, 11> names{"place",   "guide",  "guide_unit", "normal", "other_normal", "tangent",
-                                                            "between", "spring", "torsion",    "rate",   "acceleration"};
+    static constexpr std::array<std::string_view, 11> names{"place",        "guide",   "guide_unit",  "normal",
+                                                            "other_normal", "tangent", "between",     "spring",
+                                                            "torsion",      "rate",    "acceleration"};
     return names[static_cast<std::size_t>(rule)];
 }
 std::string_view name_of(Column::Kind kind) {
@@ -161,7 +162,10 @@ private:
         json_.open('{').key("name").text(column.name).key("kind").text(name_of(column.kind)).key("unit").text(unit.symbol);
         json_.key("size").number(unit.si.to_double()).key("body").all(q.body).key("point").all(q.point);
         json_.key("joint").all(q.joint).key("component");
-        json_.text(q.component == Quantity::Component::y ? "y" : q.component == Quantity::Component::x ? "x" : "whole").close('}');
+        json_.text(q.component == Quantity::Component::y   ? "y"
+                   : q.component == Quantity::Component::x ? "x"
+                                                           : "whole")
+            .close('}');
     }
     void write(const MovingPlan& plan) {
         json_.open('{');
@@ -260,7 +264,8 @@ std::string names_json(const Solution& solution) {
     json.key("centres").open('{');
     for (const InstantCentre& centre : solution.centres)
         if (centre.at.element() != none)
-            json.key(id_of_centre(solution, centre)).text(kinegraph::name_of(centre_symbol(m, centre.first, centre.second, false)));
+            json.key(id_of_centre(solution, centre))
+                .text(kinegraph::name_of(centre_symbol(m, centre.first, centre.second, false)));
     return json.close('}').close('}').take();
 }
 
@@ -280,11 +285,19 @@ std::string figure_json(const AloneFigure& figure) {
 }
 
 std::string words_json() {
-    static constexpr auto keys = std::to_array<std::string_view>(
-        {"live play", "live pause", "live as drawn", "live driver", "live position", "live fit", "live previous", "live next",
-         "live all", "live language", "live theme", "live theme system", "live theme light", "live theme dark", "live print",
-         "live limit", "live change point", "live no construction", "live not followed", "live of drawn position", "live step",
-         "live drag", "live stops", "live out of reach", "live drawn"});
+    static constexpr auto keys = std::to_array<std::string_view>({"live play",         "live pause",
+                                                                  "live as drawn",     "live driver",
+                                                                  "live position",     "live fit",
+                                                                  "live previous",     "live next",
+                                                                  "live all",          "live language",
+                                                                  "live theme",        "live theme system",
+                                                                  "live theme light",  "live theme dark",
+                                                                  "live print",        "live limit",
+                                                                  "live change point", "live no construction",
+                                                                  "live not followed", "live of drawn position",
+                                                                  "live step",         "live drag",
+                                                                  "live stops",        "live out of reach",
+                                                                  "live drawn"});
     Json json;
     json.open('{');
     for (const Language language : {Language::en, Language::it}) {

@@ -100,6 +100,7 @@ public:
         root.remove_attribute("width");
         root.remove_attribute("height");
         root.append_attribute("data-width").set_value(width.c_str());
+        root.append_attribute("class").set_value("drawing");
         root.append_attribute("role").set_value("img");
         root.append_attribute("aria-label").set_value(label.c_str());
         tidy(root);
@@ -193,7 +194,8 @@ public:
         const Language first = options_.language, second = first == Language::en ? Language::it : Language::en;
         for (const Language language : {first, second}) {
             sheets += sheet(language);
-            figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") + figures_json_ + "]";
+            figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") +
+                       figures_json_ + "]";
         }
         const std::string style = style_of(options_.theme, dark), script = without_comments(live_script);
         std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
@@ -220,22 +222,25 @@ private:
     std::string controls(bool has_dark) const {
         std::string out = "<header id=\"controls\">\n";
         if (moving_) {
-            out += "<div class=\"row\" id=\"moving\"><label data-word-in=\"driver\"><span data-word=\"driver\"></span> <select "
-                   "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
-                   "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
-                   "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
-                   "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
-                   "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
+            out +=
+                "<div class=\"row\" id=\"moving\"><label data-word-in=\"driver\"><span data-word=\"driver\"></span> <select "
+                "id=\"driver\"></select></label>\n<button id=\"play\" type=\"button\" data-word=\"play\"></button>\n"
+                "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
+                "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
+                "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
+                "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
         }
-        out += "<div class=\"row\"><button id=\"previous\" type=\"button\" data-word=\"previous\"></button>\n"
-               "<button id=\"next\" type=\"button\" data-word=\"next\"></button>\n"
-               "<button id=\"all\" type=\"button\" data-word=\"all\"></button>\n<span id=\"step\"></span>\n"
-               "<label><span data-word=\"language\"></span> <select id=\"language\"><option value=\"en\">English</option>"
-               "<option value=\"it\">Italiano</option></select></label>\n";
+        out +=
+            "<div class=\"row\"><button id=\"previous\" type=\"button\" data-word=\"previous\"></button>\n"
+            "<button id=\"next\" type=\"button\" data-word=\"next\"></button>\n"
+            "<button id=\"all\" type=\"button\" data-word=\"all\"></button>\n<span id=\"step\"></span>\n"
+            "<label><span data-word=\"language\"></span> <select id=\"language\"><option value=\"en\">English</option>"
+            "<option value=\"it\">Italiano</option></select></label>\n";
         if (has_dark)
-            out += "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme system\"></option>"
-                   "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme dark\"></option>"
-                   "</select></label>\n";
+            out +=
+                "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme system\"></option>"
+                "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme dark\"></option>"
+                "</select></label>\n";
         return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n</header>\n";
     }
 
@@ -257,8 +262,7 @@ private:
             figures_json_ += (figures_json_.empty() ? "" : ",") + figure_json(figure);
             const std::string svg = drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption));
             std::string caption = html(figure.caption);
-            if (!figure.scale_in_words.empty())
-                caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
+            if (!figure.scale_in_words.empty()) caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
             out += element("figure", "data-figure-name=\"" + escaped(figure.name) + "\"",
                            svg + element("figcaption", "", caption) + "<p class=\"note\" data-word=\"not followed\" hidden></p>");
         }
@@ -307,8 +311,9 @@ private:
         const auto row = [&](const std::string& head, const std::string& cells) {
             return element("tr", "", element("th", "scope=\"row\"", head) + cells);
         };
-        return element("table", "class=\"equation\"", row("", terms) + row(word("magnitude", language), magnitudes) +
-                                                          row(word("direction", language), directions));
+        return element(
+            "table", "class=\"equation\"",
+            row("", terms) + row(word("magnitude", language), magnitudes) + row(word("direction", language), directions));
     }
 
     std::string equations(Language language) const {
@@ -324,11 +329,13 @@ private:
             const Unit unit = unit_of_column(column, solution_.mechanism.units);
             rows += element("tr", "",
                             element("th", "scope=\"row\"", escaped(column.name)) +
-                                element("td", "data-column=\"" + std::to_string(i) + "\"", "") + element("td", "", escaped(unit.symbol)));
+                                element("td", "data-column=\"" + std::to_string(i) + "\"", "") +
+                                element("td", "", escaped(unit.symbol)));
         }
-        const std::string head = element("tr", "", element("th", "scope=\"col\"", word("live column", language)) +
-                                                       element("th", "scope=\"col\"", word("live value", language)) +
-                                                       element("th", "scope=\"col\"", word("unit", language)));
+        const std::string head = element("tr", "",
+                                         element("th", "scope=\"col\"", word("live column", language)) +
+                                             element("th", "scope=\"col\"", word("live value", language)) +
+                                             element("th", "scope=\"col\"", word("unit", language)));
         return element("h2", "", word("live values", language)) +
                element("table", "class=\"values\"", element("thead", "", head) + element("tbody", "", rows));
     }

@@ -316,8 +316,10 @@ class Page {
         const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
         note.hidden = motion.isDrawn || canFollow;
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
-        view.restore();
-        if (motion.isDrawn || !canFollow) return this.sayScale(view, 1);
+        if (motion.isDrawn || !canFollow) {
+            view.restore();
+            return this.sayScale(view, 1);
+        }
         const fits = this.at('fit').checked && !view.isMechanism;
         const to = fits ? view.fitted() : undefined;
         view.follow(fits ? view.viewBox : this.roomOf(view), to);

@@ -109,7 +109,8 @@ std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const Shee
         if (!index || !wanted.list[*index].spare) add(each.name, each.draw(2 * format.measure + gap, tallest));
     }
     for (const std::string& name : contact_figure_names(solution, options, fonts))
-        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest})) add(name, *std::move(figure));
+        if (auto figure = contact_figure(solution, options, fonts, name, {format.measure, tallest}))
+            add(name, *std::move(figure));
     return all;
 }
 

@@ -38,7 +38,7 @@ const quiet = () => assert.deepEqual(browser.messages, []);
 
 const moved = [
     'four_bar', 'slider_crank', 'slider_crank_law', 'watt_six_bar', 'quick_return', 'exam_2001', 'geneva_wheel', 'cam_roller_follower',
-    'planetary_train', 'jansen_leg', 'five_bar', 'toggle_clamp', 'scotch_yoke', 'stephenson_1_driver_2', 'whitworth', 'lever_on_springs',
+    'planetary_train', 'jansen_leg', 'five_bar', 'peaucellier', 'scotch_yoke', 'stephenson_1_driver_2', 'whitworth', 'lever_on_springs',
     'elliptic_trammel', 'rack_and_pinion', 'disc_on_line', 'slider_crank_offset',
 ];
 for (const name of moved) {

@@ -36,7 +36,7 @@ export function differences(page, sweep, course = 0) {
             const value = motion.value(i);
             if (value === null) return void missing.push(`${at}: ${column.name}`);
             ++compared;
-            const share = Math.abs(value - row[indices[i]]) / Math.max(largest.get(kindOf(column)), 1e-9);
+            const share = Math.abs(value - row[indices[i]]) / Math.max(largest.get(kindOf(column)), 1e-3);  // less is nothing beside an example's values
             if (!(share <= worst.share)) Object.assign(worst, {share, column: column.name, at});
         });
     }

@@ -1,0 +1,79 @@
+// The live page as the program writes it. What it does in a browser: tests/live.
+#include "render/live/live_page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "constructions/moving.hpp"
+#include "constructions/solve.hpp"
+#include "engine/mechanism.hpp"
+#include "tests/command_line.hpp"
+#include "tests/files.hpp"
+
+namespace kinegraph::tests {
+namespace {
+
+TEST(Sha256, OfKnownTexts) {
+    EXPECT_EQ(render::sha256_base64(""), "47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
+    EXPECT_EQ(render::sha256_base64("abc"), "ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
+    EXPECT_EQ(render::sha256_base64("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "JI1qYdIGOLjlwCaTDD5gOaM85Flk/yFn9uzt1BnbBsE=");
+}
+
+TEST(Moving, APlanForEveryStretchAndNoneTwice) {
+    auto mechanism =
+        read_mechanism(contents(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "slider_crank.json"), "slider_crank.json");
+    ASSERT_TRUE(mechanism.has_value());
+    const auto solution = solve(*std::move(mechanism));
+    ASSERT_TRUE(solution.has_value());
+    const auto moving = moving_of(*solution);
+    ASSERT_TRUE(moving.has_value());
+    ASSERT_EQ(moving->courses.size(), 1U);
+    const MovingCourse& course = moving->courses.front();
+    EXPECT_GE(course.samples.size(), 73U);
+    for (const MovingCourse::Sample& sample : course.samples) {
+        EXPECT_TRUE(sample.plan >= 0 || !sample.values.empty()) << sample.at;
+        EXPECT_LT(sample.plan, static_cast<int>(moving->plans.size()));
+    }
+    // Every plan reads the same columns and is its own stretch's.
+    for (std::size_t i = 0; i < moving->plans.size(); ++i) {
+        EXPECT_EQ(moving->plans[i].sources.size(), moving->columns.size());
+        const auto serves = [&](const MovingCourse::Sample& sample) { return sample.plan == static_cast<int>(i); };
+        EXPECT_TRUE(std::any_of(course.samples.begin(), course.samples.end(), serves)) << i;
+    }
+}
+
+TEST(Moving, NothingMovesWithoutDriver) {
+    auto mechanism = read_mechanism(contents(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / "beam.json"), "beam.json");
+    ASSERT_TRUE(mechanism.has_value());
+    const auto solution = solve(*std::move(mechanism));
+    ASSERT_TRUE(solution.has_value());
+    EXPECT_FALSE(moving_of(*solution).has_value());
+}
+
+using LivePage = CommandLine;
+
+TEST_F(LivePage, StandsBesideOtherOutputsAndIsTheSameEveryTime) {
+    ASSERT_EQ(run("solve four_bar.json -o a.html -o a.json").status, 0);
+    ASSERT_EQ(run("solve four_bar.json -o b.html").status, 0);
+    const std::string page = contents(folder_ / "a.html");
+    EXPECT_EQ(page, contents(folder_ / "b.html"));
+    EXPECT_TRUE(fs::exists(folder_ / "a.json"));
+    EXPECT_LE(page.size(), 250000U);
+    EXPECT_EQ(page.find("http:"), std::string::npos);
+    EXPECT_EQ(page.find("https:"), std::string::npos);
+    EXPECT_EQ(page.find("eval("), std::string::npos);
+}
+
+TEST_F(LivePage, WhatHasNoMeaningForItIsRefused) {
+    for (const char* const other : {"--figure velocity", "--steps", "--sheet question"}) {
+        const Outcome said = run(std::string("solve four_bar.json -o a.html ") + other);
+        EXPECT_EQ(said.status, 2) << other;
+        EXPECT_NE(said.err.find("live page"), std::string::npos) << said.err;
+        EXPECT_FALSE(fs::exists(folder_ / "a.html"));
+    }
+}
+
+}  // namespace
+}  // namespace kinegraph::tests
