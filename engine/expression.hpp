@@ -62,7 +62,7 @@ struct NamedConstant {
     std::string name;  ///< empty: a quantity, which is called as it is written
     std::string written;
     Exact value;          ///< SI, angles in radians
-    Dimension dimension;  ///< without its angle: a radian is a number
+    Dimension dimension;  ///< in expressions its angle counts for nothing: a radian is a number
 };
 using NamedConstants = std::vector<NamedConstant>;
 

@@ -12,6 +12,7 @@
 #include "constructions/solve.hpp"
 #include "engine/algebra.hpp"
 #include "tests/problem_tests.hpp"
+#include "tests/schema_gate.hpp"
 
 namespace kinegraph {
 namespace {
@@ -136,6 +137,11 @@ TEST(PointMotion, ConstructionIsOnRecord) {
     // ρ a_n = v², exactly.
     EXPECT_EQ(dot(arm, foot), squared_length(found.velocity));
     EXPECT_GT(record.program.strokes.size(), 8u);
+}
+
+TEST(PointMotion, ExamplesFollowThePublishedSchema) {
+    for (const char* name : {"projectile", "spiral", "parabola", "accelerated_circle", "displacement", "three_positions"})
+        EXPECT_TRUE(refused_by_schema(tests::contents(tests::example_file(std::string("motion/") + name))).empty()) << name;
 }
 
 // ----- derivatives
