@@ -129,7 +129,7 @@ Figure moving_axes_figure(const DrawingContext& context, std::size_t index, doub
         Figure figure = sketch.finish(name, name, "m/s");
         figure.scale = velocity_scale;
         figure.has_scale = speed > 0;
-        if (acceleration > 0) figure.further_scale = "1 mm ≙ " + number(acceleration_scale, 4, context.language) + " m/s²";
+        if (acceleration > 0) figure.further_scale = "1 mm ≙ " + shortest(acceleration_scale, context.language) + " m/s²";
         figure.caption =
             one_piece(word("moving axes", context.language) + " " + solution.mechanism.body(motion.query.observer).name);
         sketch.close(figure, {room_x, room_y}, trial.last, trial.scale, solution.mechanism.units.length, trial.strict);

@@ -58,7 +58,7 @@ private:
                       "Terna mobile sul corpo {0}: origine {1}, x′ verso {2}, y′ ruotato di 90° in senso antiorario.", body(),
                       origin(), mechanism_.point(apart_.towards).name));
         set(equal(omega(), upright(amount_of(apart_.omega->to_double(), QuantityKind::angular_velocity))) + upright(",  ") +
-            equal(alpha(), upright(amount_of(apart_.alpha->to_double(), QuantityKind::angular_acceleration))));
+            equal(alpha(), upright(number(apart_.alpha->to_double(), 4, language_) + " rad/s²")));
         say({"Their unit vectors change by Poisson’s formulae:", "I versori variano secondo le formule di Poisson:"});
         const auto rate = [](const char* of) {
             return Formula::fraction(upright("d") + Formula::letter(of) + upright("′"), upright("d") + Formula::letter("t"));
