@@ -1141,7 +1141,8 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
         results.truss = drawing.finish(run);
         results.truss->whole = whole_of(model, rules.meets(), whole);
         for (const Unsolved& missing : drawing.unsolved()) results.unsolved.push_back(missing);
-        if (!drawing.has_plan()) results.remarks.push_back({Sentence::truss_without_plan, {}});
+        if (!drawing.has_plan())
+            results.remarks.push_back({Sentence::truss_without_plan, {Count{static_cast<int>(truss.bars.size())}}});
         return results;
     }
     board.rewind(before);
@@ -1152,7 +1153,7 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
     TrussDrawing bars(model, board, mechanism, truss, run);
     bars.read_off(run);
     results.truss = bars.finish(run);
-    results.remarks.push_back({Sentence::truss_without_order, {}});
+    results.remarks.push_back({Sentence::truss_without_order, {Count{static_cast<int>(truss.bars.size())}}});
     return results;
 }
 
