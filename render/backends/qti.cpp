@@ -59,13 +59,15 @@ std::string processing_of(const QuizItem& item) {
 std::string qti_file(const QuizItem& item) { return identifier_of(item) + ".xml"; }
 
 std::string qti_item(const QuizItem& item) {
-    return std::string(xml_declaration) +
-           "<assessmentItem xmlns=\"http://www.imsglobal.org/xsd/imsqti_v2p1\" "
-           "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
-           "xsi:schemaLocation=\"http://www.imsglobal.org/xsd/imsqti_v2p1 "
-           "http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd\" identifier=\"" +
-           identifier_of(item) + "\" title=\"" + name_html(item) + "\" adaptive=\"false\" timeDependent=\"false\" xml:lang=\"" +
-           item.language + "\">\n" + declarations(item) + body_of(item) + processing_of(item) +
+    std::string xml(xml_declaration);
+    xml +=
+        "<assessmentItem xmlns=\"http://www.imsglobal.org/xsd/imsqti_v2p1\" "
+        "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+        "xsi:schemaLocation=\"http://www.imsglobal.org/xsd/imsqti_v2p1 "
+        "http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd\" identifier=\"";
+    return xml + identifier_of(item) + "\" title=\"" + name_html(item) +
+           "\" adaptive=\"false\" timeDependent=\"false\" xml:lang=\"" + item.language + "\">\n" + declarations(item) +
+           body_of(item) + processing_of(item) +
            "<modalFeedback outcomeIdentifier=\"FEEDBACK\" identifier=\"SOLUTION\" showHide=\"show\">\n" +
            html_of(item.solution, true) + "</modalFeedback>\n</assessmentItem>\n";
 }

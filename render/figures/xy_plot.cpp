@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/mechanism/paper.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/page/shapes.hpp"
@@ -164,15 +165,46 @@ private:
         const BodyColour& colour = theme_.body(BodyIndex(mark.curve + 1));
         const Spot spot = at(mark.at);
         figure_.marks.emplace_back(disc(spot, 0.8, colour.line));
-        // Above its place, within the frame, on a ground that the grid does not cross.
         const ShapedLine words = context_.fonts.shape(mark.words, theme_.small);
-        const double left = std::clamp(spot.x - 2, frame_.min.x + 1, frame_.max.x - 1 - words.width), base = spot.y - 1.8;
-        figure_.marks.emplace_back(tinted(filled({{left - 0.4, base - words.ascent - 0.3},
-                                                  {left + words.width + 0.4, base - words.ascent - 0.3},
-                                                  {left + words.width + 0.4, base + 0.6},
-                                                  {left - 0.4, base + 0.6}},
-                                                 theme_.paper)));
-        set_text(figure_.marks, words, {left, base}, colour.letter, "label");
+        const Spot start = start_of(words, spot);
+        // On a ground that the grid does not cross.
+        const Box ground = ground_of(words, start);
+        figure_.marks.emplace_back(
+            tinted(filled({ground.min, {ground.max.x, ground.min.y}, ground.max, {ground.min.x, ground.max.y}}, theme_.paper)));
+        set_text(figure_.marks, words, start, colour.letter, "label");
+    }
+    static Box ground_of(const ShapedLine& words, Spot start) {
+        return rectangle(start.x - 0.4, start.y - words.ascent - 0.3, start.x + words.width + 0.4, start.y + 0.6);
+    }
+    /// Where a mark's words begin: above its place, or where the fewest curves pass.
+    Spot start_of(const ShapedLine& words, Spot spot) const {
+        const double above = spot.y - 1.8, below = spot.y + words.ascent + 1.8, level = spot.y + words.ascent / 2;
+        const double right = spot.x + 1.8, left = spot.x - 1.8 - words.width, over = spot.x - words.width / 2;
+        Spot best;
+        std::size_t fewest = ~std::size_t{0};
+        for (const Spot place : {Spot{spot.x - 2, above}, Spot{over, below}, Spot{right, level}, Spot{left, level},
+                                 Spot{right, above}, Spot{left, above}, Spot{right, below}, Spot{left, below}}) {
+            const Spot start{std::clamp(place.x, frame_.min.x + 1, frame_.max.x - 1 - words.width),
+                             std::clamp(place.y, frame_.min.y + words.ascent + 0.8, frame_.max.y - 0.8)};
+            const std::size_t count = lines_through(ground_of(words, start), spot);
+            if (count >= fewest) continue;
+            fewest = count;
+            best = start;
+        }
+        return best;
+    }
+    /// Pieces of curves and other marks' dots within a box; and the mark itself.
+    std::size_t lines_through(const Box& box, Spot own) const {
+        std::size_t count = contains(box, own) ? 4 : 0;
+        for (const XyCurve& curve : plot_.curves)
+            for (std::size_t i = 0; i + 1 < curve.values.size(); ++i) {
+                const Spot from = at(curve.values[i]), to = at(curve.values[i + 1]);
+                const Interval inside = within(box, from, to - from);
+                if (std::max(inside.from, 0.0) <= std::min(inside.to, 1.0)) ++count;
+            }
+        for (const XyMark& other : plot_.marks)
+            if (contains(box, at(other.at))) ++count;
+        return count;
     }
     /// Names in rows above the frame, each with its line: as many in a row as have room.
     void arrange_legend(double room) {

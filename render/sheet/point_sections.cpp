@@ -107,7 +107,8 @@ public:
                                       item.rows = table;
                                       Block whole;
                                       whole.width = measure;
-                                      for (const Block& line : equation_blocks(context, {item}, measure)) {
+                                      NaturalBlocks once;
+                                      for (const Block& line : equation_blocks(context, {&item, 1}, measure, once)) {
                                           set(whole.marks, line, {0, whole.height});
                                           whole.height += line.height;
                                       }

@@ -96,6 +96,23 @@ void draw_strip(std::vector<Mark>& marks, const DrawingContext& context, const S
              {room.min.x, room.max.y}, theme.secondary, "text");
 }
 
+/// Of a problem in place of joints: two that touch, one that is displaced, and a point is none.
+std::string count_of_bodies(const Mechanism& mechanism) {
+    if (!stands_for_joints(mechanism)) return std::to_string(mechanism.bodies.size());
+    if (std::holds_alternative<PointProblem>(mechanism.problem->of)) return "–";
+    return std::holds_alternative<PositionsProblem>(mechanism.problem->of) ? "1" : "2";
+}
+
+std::string units_of(const Solution& solution) {
+    const Units& units = solution.mechanism.units;
+    const std::string length = units.length.symbol, force = ", " + units.force.symbol;
+    if (!stands_for_joints(solution.mechanism))
+        return length + (has_motion(solution) || !has_forces(solution) ? ", s" : "") + (has_forces(solution) ? force : "");
+    const Problem& problem = *solution.mechanism.problem;
+    if (std::holds_alternative<PointProblem>(problem.of)) return length + ", s";
+    return std::holds_alternative<PositionsProblem>(problem.of) ? length : length + force;
+}
+
 }  // namespace
 
 std::string title_of(const Solution& solution, Language language) {
@@ -120,19 +137,14 @@ void draw_title_block(std::vector<Mark>& marks, const DrawingContext& context, c
         line({cells_left + 2 * cells_width, format.block.min.y}, {cells_left + 2 * cells_width, format.block.max.y}, inner_pen));
     marks.emplace_back(line({cells_left, half}, {format.block.max.x, half}, inner_pen));
 
-    const Units& units = solution.mechanism.units;
-    std::string units_text = units.length.symbol + (has_motion(solution) || !has_forces(solution) ? ", s" : "");
-    if (stands_for_joints(solution.mechanism)) units_text = units.length.symbol + ", " + units.force.symbol;
-    if (has_forces(solution)) units_text += ", " + units.force.symbol;
     const std::string scale = scale_of_mechanism ? ratio_words(*scale_of_mechanism, context.language) : "–";
     const std::array<std::pair<std::string, std::string>, 6> cells{
         std::pair{word("block scale", context.language), scale},
         {word("block size", context.language), format.name},
         {word("block sheet", context.language), std::to_string(index) + "/" + std::to_string(count)},
-        {word("block units", context.language), units_text},
+        {word("block units", context.language), units_of(solution)},
         {word("block readings", context.language), fixed(0.1, 1, context.language) + " mm"},
-        {word("block bodies", context.language),
-         std::to_string(stands_for_joints(solution.mechanism) ? 2 : solution.mechanism.bodies.size())}};
+        {word("block bodies", context.language), count_of_bodies(solution.mechanism)}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const double x = cells_left + static_cast<double>(i % 3) * cells_width + 1.6;
         const double top = i < 3 ? format.block.min.y : half;
