@@ -57,7 +57,8 @@ std::vector<Shown> bands_of(const std::vector<Page>& pages) {
             } else if (const auto* text = std::get_if<TextMark>(&mark); text && text->statement != none) {
                 EXPECT_TRUE(within("band")) << text->words;
                 bands.back().said.insert(text->statement);
-                if (is_number(text->words)) bands.back().numbers.push_back(std::stoi(text->words));
+                if (is_number(text->words) && text->words != "0")  // that of a bar without force, which a sentence says
+                    bands.back().numbers.push_back(std::stoi(text->words));
             }
             if (std::holds_alternative<GroupEnd>(mark)) groups.pop_back();
         }
@@ -132,7 +133,7 @@ TEST(Bands, FillTheirPages) {
     }
     ASSERT_GT(count, 0);
     EXPECT_GE(sum / count, 0.52) << count << " pages";
-    EXPECT_GE(least, 0.31) << emptiest;
+    EXPECT_GE(least, 0.30) << emptiest;
 }
 
 TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
@@ -161,8 +162,8 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
         expect_sentences_beside_their_figures(bands);
     }
     // 183 before there were bands, 186 with the arithmetic in the sentences; 23 more of examples that came later.
-    // 178 before text stood under and beside its figures.
-    EXPECT_LE(pages_in_all, 173);
+    // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame.
+    EXPECT_LE(pages_in_all, 185);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/command_line.hpp"
 #include "tests/random_mechanism.hpp"

@@ -19,11 +19,13 @@ using namespace kinegraph;
 using namespace kinegraph::render;
 using namespace kinegraph::tests;
 
-/// The examples whose files name loads or masses. Every start of the program asks for them, so none is solved for it.
+/// The examples whose files name loads or masses, but for trusses, whose bars are not cut free, and where virtual work alone is
+/// sought. Every start of the program asks for them, so none is solved for it.
 std::vector<std::string> loaded_examples() {
     std::vector<std::string> names;
     for (const std::string& name : example_names()) {
         const std::string text = contents(example_file(name));
+        if (name.starts_with("truss_") || text.find("\"find\": [\"virtual work\"]") != std::string::npos) continue;
         if (text.find("\"loads\"") != std::string::npos || text.find("\"mass\"") != std::string::npos) names.push_back(name);
     }
     return names;

@@ -138,22 +138,6 @@ std::map<std::string, int> said_by_labels(const Figure& figure) {
     return said;
 }
 
-TEST(PolygonFigure, DrawsAVectorWithinAnotherThatItLiesUpon) {
-    // At the dead point v_BA runs back along v_A.
-    const Solution solution = example("slider_crank_inner_dead_point");
-    const Theme theme;
-    const Figure figure = polygon_figure({solution, theme, fonts(), Language::en}, 0, 150, 130);
-    std::map<std::string, double> width;
-    std::string vector;
-    for (const Mark& mark : figure.marks) {
-        if (const auto* group = std::get_if<GroupBegin>(&mark)) vector = attribute(*group, "data-name");
-        const auto* path = std::get_if<Path>(&mark);
-        if (path && path->stroked && !vector.empty()) width[vector] = path->pen.width;
-        if (std::holds_alternative<GroupEnd>(mark)) vector.clear();
-    }
-    EXPECT_GT(width.at("v_A"), 2 * width.at("v_BA"));
-}
-
 TEST(PolygonDetail, IsLetteredOnFromThoseOfTheSheet) {
     const Solution solution = example("stephenson_3_driver_6");
     const Theme theme;

@@ -80,7 +80,7 @@ private:
             // A long name stands outside its circle.
             const ShapedLine name = context_.fonts.shape(one_piece(context_.solution.mechanism.bodies[b].name), theme_.derived);
             Spot middle = place(body);
-            if (name.width >= 3.7) {
+            if (std::hypot(name.width / 2, name.ascent / 2) > node - theme_.outline / 2 - 0.4) {
                 const Spot out = unit(middle);
                 marks.emplace_back(disc(middle, 0.8, colour.line));
                 middle = middle + (node + 1 + std::abs(out.x) * name.width / 2 + std::abs(out.y) * name.ascent / 2) * out;

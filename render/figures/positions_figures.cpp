@@ -206,7 +206,7 @@ private:
 Figure positions_question_figure(const DrawingContext& context, double room_x, double room_y) {
     return PositionsFigure(context, {room_x, room_y}).question();
 }
-Figure displacement_figure(const DrawingContext& context, std::size_t displacement, double room_x, double room_y) {
+Figure finite_displacement_figure(const DrawingContext& context, std::size_t displacement, double room_x, double room_y) {
     return PositionsFigure(context, {room_x, room_y}).displacement(displacement);
 }
 Figure pivots_figure(const DrawingContext& context, double room_x, double room_y) {

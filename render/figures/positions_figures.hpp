@@ -11,7 +11,7 @@ namespace kinegraph::render {
 
 /// The body in its positions alone.
 Figure positions_question_figure(const DrawingContext& context, double room_x, double room_y);
-Figure displacement_figure(const DrawingContext& context, std::size_t displacement, double room_x, double room_y);
+Figure finite_displacement_figure(const DrawingContext& context, std::size_t displacement, double room_x, double room_y);
 Figure pivots_figure(const DrawingContext& context, double room_x, double room_y);
 
 }  // namespace kinegraph::render

@@ -195,15 +195,15 @@ private:
     }
     /// Pieces of curves and other marks' dots within a box; and the mark itself.
     std::size_t lines_through(const Box& box, Spot own) const {
-        std::size_t count = contains(box, own) ? 4 : 0;
+        std::size_t count = drawing::contains(box, own) ? 4 : 0;
         for (const XyCurve& curve : plot_.curves)
             for (std::size_t i = 0; i + 1 < curve.values.size(); ++i) {
                 const Spot from = at(curve.values[i]), to = at(curve.values[i + 1]);
-                const Interval inside = within(box, from, to - from);
+                const drawing::Interval inside = drawing::within(box, from, to - from);
                 if (std::max(inside.from, 0.0) <= std::min(inside.to, 1.0)) ++count;
             }
         for (const XyMark& other : plot_.marks)
-            if (contains(box, at(other.at))) ++count;
+            if (drawing::contains(box, at(other.at))) ++count;
         return count;
     }
     /// Names in rows above the frame, each with its line: as many in a row as have room.

@@ -161,7 +161,7 @@ std::vector<ProblemSection> positions_sections(const DrawingContext& context) {
         const Displacement& each = found.displacements[i];
         const std::string from = std::to_string(each.from + 1), to = std::to_string(each.to + 1);
         ProblemFigure figure{"displacement-" + from + to,
-                             [&context, i](double x, double y) { return displacement_figure(context, i, x, y); },
+                             [&context, i](double x, double y) { return finite_displacement_figure(context, i, x, y); },
                              three ? 0.8 : 1.2};
         sections.push_back({"displacement-" + from + to,
                             {"Displacement {0} → {1}", "Spostamento {0} → {1}", from, to},
