@@ -286,9 +286,9 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
     }
     if (wants(request, "equations") && (!solution.equations || !solution.equations->why_not.empty()))
         remark({"no equations: {0}", "nessuna equazione: {0}",
-                solution.equations ? solution.equations->why_not
-                                   : Words("a problem in place of joints has no loops",
-                                           "un problema al posto delle coppie non ha maglie")});
+                solution.equations
+                    ? solution.equations->why_not
+                    : Words("a problem in place of joints has no loops", "un problema al posto delle coppie non ha maglie")});
     if (wants(request, "virtual work") && (!solution.displacements || !solution.displacements->why_not.empty()))
         remark({"no virtual work: {0}", "niente lavori virtuali: {0}",
                 solution.displacements ? solution.displacements->why_not

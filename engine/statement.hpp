@@ -203,7 +203,8 @@ enum class Sentence {
     check_differs,   ///< {0} name, {1} amount by the construction, {2} amount it misses the check by, {3} count of others
     check_stands_still,   ///< {0} body: moves by the construction, is not determined by the check
     check_moves,          ///< {0} body: moves by the check, is not determined by the construction
-    truss_without_order,  ///< {0} count of bars: no order of pins and no cut resolves the truss: bodies cut free, and trial values
+    truss_without_order,  ///< {0} count of bars: no order of pins and no cut resolves the truss: bodies cut free, and trial
+                          ///< values
     truss_without_plan,   ///< {0} count of bars: bars cross, or a force acts inside: there is no plan in one figure
     // From here on phrases, without a capital and a full stop. What is not determined:
     motion_of_body,        ///< {0} body
