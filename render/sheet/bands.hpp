@@ -100,7 +100,7 @@ private:
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
     std::vector<LineNumbers> lines_;  // of the polygons of motion
-    mutable NaturalBlocks natural_;  // of these, as they were set first
+    mutable NaturalBlocks natural_;   // of these, as they were set first
 };
 
 }  // namespace kinegraph::render
