@@ -64,7 +64,7 @@ private:
         Displacement displacement;
         displacement.from = from;
         displacement.to = to;
-        poles_.push_back(none);
+        poles_.emplace_back(none);
         const std::array<bool, 2> stay{stays(0, from, to), stays(1, from, to)};
         if (stay[0] && stay[1]) {
             displacement.kind = Displacement::Kind::rest;
@@ -112,7 +112,7 @@ private:
 
     void pivot(std::size_t point) {
         FixedPivot pivot;
-        pivots_.push_back(none);
+        pivots_.emplace_back(none);
         const std::array<bool, 3> same{stays(point, 0, 1), stays(point, 1, 2), stays(point, 0, 2)};
         if (same[0] && same[1]) {
             pivot.kind = FixedPivot::Kind::fixed;

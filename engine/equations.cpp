@@ -504,10 +504,8 @@ private:
             left.insert(left.end(), edge.sides.begin(), edge.sides.end());
             return;
         }
-        for (auto side = edge.sides.rbegin(); side != edge.sides.rend(); ++side) {
-            right.push_back(*side);
-            right.back().on_the_right = true;
-        }
+        const auto first = right.insert(right.end(), edge.sides.rbegin(), edge.sides.rend());
+        std::for_each(first, right.end(), [](Side& side) { side.on_the_right = true; });
     }
 
     // --- letters --------------------------------------------------------------------------------------------------------------
