@@ -453,9 +453,18 @@ std::vector<Group> ForceModel::hung_on_frame() const {
                 if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
             }
         std::sort(group.begin(), group.end());
-        if (held && group.size() > 1) found.push_back(std::move(group));
+        // A single body held by bars: cut free with them or without, the same lines act on it.
+        const auto bodies = std::count_if(group.begin(), group.end(), [&](MemberIndex member) { return !is_bar(member); });
+        if (held && group.size() > 1 && bodies != 1) found.push_back(std::move(group));
     }
     return found;
+}
+
+bool ForceModel::is_bar(MemberIndex member) const {
+    const std::vector<int>& held = bonds_of(member);
+    return held.size() == 2 &&
+           std::all_of(held.begin(), held.end(), [&](int b) { return bonds_[at(b)].kind == Bond::Kind::pin; }) &&
+           std::none_of(loads_.begin(), loads_.end(), [&](const Load& load) { return load.member == member; });
 }
 
 std::vector<int> ForceModel::outer_bonds(const Group& group) const {

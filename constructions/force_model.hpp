@@ -166,8 +166,10 @@ public:
     std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
     /// Members that hang together, and neither on the frame nor on an effort.
     std::vector<Group> floating() const;
-    /// Structures of more than one body that hang on the frame.
+    /// Structures of more than one body, bars not counted, that hang on the frame.
     std::vector<Group> hung_on_frame() const;
+    /// Held by two hinges and carrying nothing: two forces only act on it, along the line of the hinges.
+    bool is_bar(MemberIndex member) const;
     /// Bodies that no other body and no effort holds, but the frame: each with the pins on it.
     std::vector<Group> single_on_frame() const;
     /// Bonds between a group and the rest.
