@@ -439,22 +439,8 @@ std::vector<Group> ForceModel::hanging_together(bool on_frame) const {
 }
 
 std::vector<Group> ForceModel::hung_on_frame() const {
-    std::vector<Group> found;
-    std::set<MemberIndex> seen;
-    for (const MemberIndex first : moving_members()) {
-        if (!seen.insert(first).second) continue;
-        Group group{first};
-        bool held = false;
-        for (std::size_t next = 0; next < group.size(); ++next)
-            for (const int b : bonds_of(group[next])) {
-                const Bond& bond = bonds_[at(b)];
-                const MemberIndex other = bond.first == group[next] ? bond.second : bond.first;
-                held = held || other == member_of(frame);
-                if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
-            }
-        std::sort(group.begin(), group.end());
-        if (held && group.size() > 1 && !is_body_on_bars(group)) found.push_back(std::move(group));
-    }
+    std::vector<Group> found = hanging_together(true);
+    std::erase_if(found, [&](const Group& group) { return group.size() == 1 || is_body_on_bars(group); });
     return found;
 }
 

@@ -166,8 +166,8 @@ public:
     std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
     /// Members that hang together, and neither on the frame nor on an effort.
     std::vector<Group> floating() const;
-    /// Structures of more than one body that hang on the frame; not a single body held by bars: cut free with them or without,
-    /// the same lines act on it.
+    /// Structures of more than one body that hang on the frame and on no effort; not a single body held by bars: cut free with
+    /// them or without, the same lines act on it.
     std::vector<Group> hung_on_frame() const;
     /// Bodies that no other body and no effort holds, but the frame: each with the pins on it.
     std::vector<Group> single_on_frame() const;
