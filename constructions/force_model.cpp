@@ -453,18 +453,20 @@ std::vector<Group> ForceModel::hung_on_frame() const {
                 if (other != member_of(frame) && seen.insert(other).second) group.push_back(other);
             }
         std::sort(group.begin(), group.end());
-        // A single body held by bars: cut free with them or without, the same lines act on it.
-        const auto bodies = std::count_if(group.begin(), group.end(), [&](MemberIndex member) { return !is_bar(member); });
-        if (held && group.size() > 1 && bodies != 1) found.push_back(std::move(group));
+        if (held && group.size() > 1 && !is_body_on_bars(group)) found.push_back(std::move(group));
     }
     return found;
 }
 
-bool ForceModel::is_bar(MemberIndex member) const {
-    const std::vector<int>& held = bonds_of(member);
-    return held.size() == 2 &&
-           std::all_of(held.begin(), held.end(), [&](int b) { return bonds_[at(b)].kind == Bond::Kind::pin; }) &&
-           std::none_of(loads_.begin(), loads_.end(), [&](const Load& load) { return load.member == member; });
+bool ForceModel::is_body_on_bars(const Group& group) const {
+    const auto is_bar = [&](MemberIndex member) {
+        const std::vector<int>& held = bonds_of(member);
+        return held.size() == 2 &&
+               std::all_of(held.begin(), held.end(), [&](int b) { return bonds_[at(b)].kind == Bond::Kind::pin; }) &&
+               std::any_of(held.begin(), held.end(), [&](int b) { return is_on_frame(bonds_[at(b)]); }) &&
+               std::none_of(loads_.begin(), loads_.end(), [&](const Load& load) { return load.member == member; });
+    };
+    return std::count_if(group.begin(), group.end(), is_bar) + 1 == static_cast<std::ptrdiff_t>(group.size());
 }
 
 std::vector<int> ForceModel::outer_bonds(const Group& group) const {

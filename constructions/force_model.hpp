@@ -166,10 +166,9 @@ public:
     std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
     /// Members that hang together, and neither on the frame nor on an effort.
     std::vector<Group> floating() const;
-    /// Structures of more than one body, bars not counted, that hang on the frame.
+    /// Structures of more than one body that hang on the frame; not a single body held by bars: cut free with them or without,
+    /// the same lines act on it.
     std::vector<Group> hung_on_frame() const;
-    /// Held by two hinges and carrying nothing: two forces only act on it, along the line of the hinges.
-    bool is_bar(MemberIndex member) const;
     /// Bodies that no other body and no effort holds, but the frame: each with the pins on it.
     std::vector<Group> single_on_frame() const;
     /// Bonds between a group and the rest.
@@ -188,6 +187,9 @@ private:
     void add_said(const Load& load, Message message);
     void say_of_load(const Load& load, Message message, const char* source = "");
     void add_load(Load load);
+    static bool is_on_frame(const Bond& bond) { return bond.first == member_of(frame) || bond.second == member_of(frame); }
+    /// One body, and bars that hold it on the frame.
+    bool is_body_on_bars(const Group& group) const;
     void read_loads();
     void add_spring(int index, const SpringLoad& spring);
     /// At the centroid of its diagram; a couple where its halves cancel.
