@@ -1083,7 +1083,7 @@ private:
     std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
-/// Bars by which a truss hangs on the frame: alone at an unloaded hinge.
+/// Bars by which a truss hangs on the frame, alone at an unloaded hinge; and rollers, on which two forces only act.
 Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& truss) {
     Group hung;
     for (const TrussStructure::Pin& pin : truss.pins) {
@@ -1093,6 +1093,8 @@ Group hung_bars(const ForceModel& model, Board& board, const TrussStructure& tru
             std::any_of(model.loads().begin(), model.loads().end(), [&](const Load& load) { return load.place.element == here; });
         if (!loaded) hung.push_back(member_of(truss.bars[at(pin.bars.front())].body));
     }
+    for (const Bond& bond : model.bonds())
+        if (bond.kind == Bond::Kind::guide) hung.push_back(bond.first == member_of(frame) ? bond.second : bond.first);
     return hung;
 }
 

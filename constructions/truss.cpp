@@ -63,7 +63,7 @@ void TrussDrawing::collect_supports(const Run& whole) {
         support.known = true;
         for (const int b : support.bonds) {
             const Bond& bond = model_.bonds()[at(b)];
-            if (bond.kind == Bond::Kind::line) support.line = bond.direction;
+            if (bond.kind == Bond::Kind::line || bond.kind == Bond::Kind::guide) support.line = bond.direction;
             const Reaction& reaction = whole.reactions[at(b)];
             support.known = support.known && reaction.known;
             if (!reaction.known || !reaction.force) continue;

@@ -314,6 +314,14 @@ struct Mechanism {
     Indices<BodyIndex> bodies_after(BodyIndex body) const { return indices<BodyIndex>(bodies.size(), body.next()); }
     std::optional<PointIndex> point_named(std::string_view name) const;
     std::optional<BodyIndex> body_named(std::string_view name) const;
+
+    // Made, copied and ended in one place: in every file that holds one it would cost seconds of compiling.
+    Mechanism();
+    Mechanism(const Mechanism&);
+    Mechanism(Mechanism&&) noexcept;
+    Mechanism& operator=(const Mechanism&);
+    Mechanism& operator=(Mechanism&&) noexcept;
+    ~Mechanism();
 };
 
 /// A parameter's value in place of the file's: "r", "45 mm".

@@ -1,6 +1,13 @@
 #include "engine/solution.hpp"
 
 namespace kinegraph {
+
+Solution::Solution() = default;
+Solution::Solution(const Solution&) = default;
+Solution::Solution(Solution&&) noexcept = default;
+Solution& Solution::operator=(const Solution&) = default;
+Solution& Solution::operator=(Solution&&) noexcept = default;
+Solution::~Solution() = default;
 namespace {
 
 void read(const Value& from, Exact& value) { value = std::get<Exact>(from); }

@@ -343,6 +343,14 @@ struct Solution {
     std::vector<std::optional<double>> numeric_moduli;
     std::vector<Unsolved> unsolved;  ///< not empty: exit 3
     std::vector<Message> remarks;    ///< redundant constraints, points moved onto curves …
+
+    // Made, copied and ended in one place: in every file that holds one it would cost seconds of compiling.
+    Solution();
+    Solution(const Solution&);
+    Solution(Solution&&) noexcept;
+    Solution& operator=(const Solution&);
+    Solution& operator=(Solution&&) noexcept;
+    ~Solution();
 };
 
 /// Every element that the results name, with its value (Vector, Exact or ProjectivePoint): `see(ElementIndex& element, auto&

@@ -31,13 +31,14 @@ private:
                !mechanism_.inertia_forces && weightless;
     }
 
-    /// Hinges, and on the frame supports with a reaction along one line.
+    /// Hinges, and on the frame supports with a reaction along one line; a guide is one where a roller slides in it.
     bool read_joints() {
         for (const Joint& joint : mechanism_.joints) {
             const bool is_hinge = joint.pair().is_hinge();
-            const bool is_support = joint.connects(frame) && joint.bodies.size() == 2 && joint.pair().holds_normal &&
-                                    !joint.pair().holds_tangent && !joint.pair().holds_rotation;
+            const bool is_support =
+                joint.connects(frame) && joint.bodies.size() == 2 && joint.pair().holds_normal && !joint.pair().holds_tangent;
             if (!is_hinge && !is_support) return false;
+            if (joint.pair().holds_rotation) rollers_.insert(joint.other_than(frame));
             if (is_hinge)
                 for (const BodyIndex body : joint.bodies)
                     if (body != frame) ends_[at(body)].insert(joint.point);
@@ -53,6 +54,10 @@ private:
     bool read_bars() {
         for (const BodyIndex body : mechanism_.moving_bodies()) {
             const auto& ends = ends_[at(body)];
+            if (rollers_.count(body) > 0) {
+                if (!is_roller(body)) return false;
+                continue;
+            }
             if (ends.size() != 2 || mechanism_.body(body).circle) return false;
             const int bar = static_cast<int>(truss_.bars.size());
             truss_.bars.push_back({body, {pin_at_.at(*ends.begin()), pin_at_.at(*std::next(ends.begin()))}, {}});
@@ -69,6 +74,18 @@ private:
             (joint.pair().is_hinge() ? held.hinges : held.supports).push_back(mechanism_.index_of(joint));
         }
         return true;
+    }
+
+    /// Hinged to the bars at one point, where its one guide holds it.
+    bool is_roller(BodyIndex body) const {
+        const auto& ends = ends_[at(body)];
+        const auto holds = [&](const Joint& joint) { return joint.connects(body) && !joint.pair().is_hinge(); };
+        const auto guide = std::find_if(mechanism_.joints.begin(), mechanism_.joints.end(), holds);
+        return ends.size() == 1 && guide->point == *ends.begin() &&
+               std::count_if(mechanism_.joints.begin(), mechanism_.joints.end(), holds) == 1 &&
+               std::none_of(mechanism_.joints.begin(), mechanism_.joints.end(), [&](const Joint& joint) {
+                   return joint.connects(body) && joint.pair().is_hinge() && joint.connects(frame);
+               });
     }
 
     bool bears_at_pins() const {
@@ -114,6 +131,7 @@ private:
 
     const Mechanism& mechanism_;
     std::vector<std::set<PointIndex>> ends_;  ///< by body
+    std::set<BodyIndex> rollers_;             ///< bodies in a guide on the frame
     std::map<PointIndex, int> pin_at_;
     TrussStructure truss_;
 };

@@ -1,5 +1,6 @@
-// Trusses: bars pinned at both ends, loaded at their pins alone, held on the frame by hinges and by supports along a line. Which
-// mechanisms are such, what their bars are called, and what was found of one. Knows no construction; computes no force.
+// Trusses: bars pinned at both ends, loaded at their pins alone, held on the frame by hinges, by supports along a line and by
+// rollers (a body hinged to the bars at the point where a guide holds it). Which mechanisms are such, what their bars are called,
+// and what was found of one. Knows no construction; computes no force.
 #pragma once
 
 #include <array>

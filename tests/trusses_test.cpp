@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/solution.hpp"
+#include "tests/files.hpp"
 #include "tests/random_mechanism.hpp"
 #include "tests/solved.hpp"
 
@@ -207,6 +208,34 @@ TEST(Trusses, ARoofUnderWindOnAnInclinedRollerHasItsForces) {
         }
     EXPECT_TRUE(solution.truss->bars[at(solution.truss->structure.bar_named(solution.mechanism, "GD"))].idle_by_rule);
     EXPECT_TRUE(solution.free_bodies.empty()) << "its bars are not cut free one by one";
+}
+
+/// The simple truss with a body of its own at D, in a guide along the ground through `at`.
+Solution simple_on_roller_body(const std::string& at) {
+    std::string text = tests::contents(tests::example_file("truss_simple"));
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        const std::size_t place = text.find(from);
+        ASSERT_NE(place, std::string::npos) << from;
+        text.replace(place, from.size(), to);
+    };
+    replace(R"("10": ["C", "F"])", R"("10": ["C", "F"], "11": {"points": ["D"]})");
+    replace(R"("bodies": [4, 7]})", R"("bodies": [4, 7, 11]})");
+    replace(R"({"contact": "D", "bodies": [4, 1], "tangent": 0, "pushes": [0, 1]})",
+            R"({"prismatic": ")" + at + R"(", "bodies": [11, 1], "along": 0, "name": "roller"})");
+    replace(R"(, {"cut": ["BC", "CE", "EF"]})", "");
+    return solved(text);
+}
+
+TEST(Trusses, TheRollerMayBeABodyInAGuide) {
+    const Solution contact = example("truss_simple"), roller = simple_on_roller_body("D");
+    ASSERT_TRUE(roller.truss);
+    EXPECT_TRUE(roller.unsolved.empty());
+    EXPECT_TRUE(roller.free_bodies.empty());
+    ASSERT_EQ(roller.truss->bars.size(), contact.truss->bars.size());
+    for (std::size_t bar = 0; bar < contact.truss->bars.size(); ++bar)
+        EXPECT_EQ(*roller.truss->bars[bar].force, *contact.truss->bars[bar].force) << contact.truss->structure.bars[bar].name;
+    // Where the guide is not at the hinge, it could bear a couple.
+    EXPECT_FALSE(simple_on_roller_body("C").truss);
 }
 
 bool says(const Solution& solution, Sentence sentence) {

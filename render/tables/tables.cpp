@@ -42,9 +42,11 @@ struct Reading {
     int decimals = 0;
 };
 std::optional<Reading> reading_of(const ResultRow& row) {
-    if (!row.millimetres || !(*row.millimetres > 0) || !(row.drawing > 0)) return std::nullopt;
-    const double scale = row.drawing / *row.millimetres;
-    return Reading{std::round(*row.millimetres * 10) / 10 * scale,
+    if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) return std::nullopt;
+    // The sign is no length: compression, and turning clockwise.
+    const double sign = row.drawing < 0 ? -1 : 1;
+    const double scale = std::abs(row.drawing) / *row.millimetres;
+    return Reading{sign * std::round(*row.millimetres * 10) / 10 * scale,
                    std::clamp(static_cast<int>(-std::floor(std::log10(0.1 * scale) + 1e-9)), 0, 9)};
 }
 /// A scale, without zeros that say nothing: 0.005.
@@ -61,8 +63,8 @@ std::optional<double> scale_of(const std::vector<ResultRow>& rows) {
     constexpr double equal = 1e-4;
     std::optional<double> common;
     for (const ResultRow& row : rows) {
-        if (!row.millimetres || !(*row.millimetres > 0) || !(row.drawing > 0)) continue;
-        const double scale = row.drawing / *row.millimetres;
+        if (!row.millimetres || !(*row.millimetres > 0) || row.drawing == 0) continue;
+        const double scale = std::abs(row.drawing) / *row.millimetres;
         if (common && std::abs(scale - *common) > equal * *common) return std::nullopt;
         if (!common) common = scale;
     }

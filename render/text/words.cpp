@@ -873,8 +873,8 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"nothing driven", "Nothing is driven: the drawing shows the position and its centres.",
                "Nessun movente: il disegno mostra la configurazione e i centri."},
     // trusses
-    FixedWords{"truss", "truss: bars and spaces", "travatura: aste e spazi"},
-    FixedWords{"cremona", "Cremona diagram", "diagramma di Cremona"},
+    FixedWords{"truss", "Truss: bars and spaces", "Travatura: aste e spazi"},
+    FixedWords{"cremona", "Cremona diagram", "Diagramma di Cremona"},
     FixedWords{"bars", "Bars", "Aste"},
     FixedWords{"bar", "bar", "asta"},
     FixedWords{"spaces", "spaces", "spazi"},
