@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "render/page/shapes.hpp"
 
@@ -218,9 +219,9 @@ Block formula_block(const Formula& formula, const Fonts& fonts, double size, dou
         own = std::max(least * size, own * hair * measure / widest);
     }
     Block block;
-    for (const Typeset& box : lines) {
+    for (Typeset& box : lines) {
         const double baseline = block.height + box.ascent;
-        set(block.marks, {box.marks, box.width, 0}, {0, baseline});
+        set(block.marks, {std::move(box.marks), box.width, 0}, {0, baseline});
         block.width = std::max(block.width, box.width);
         block.height = baseline + box.descent + leading;
     }
@@ -229,9 +230,9 @@ Block formula_block(const Formula& formula, const Fonts& fonts, double size, dou
 }
 
 SetLine formula_line(const Formula& formula, const Fonts& fonts, double size, Colour colour) {
-    const Typeset typeset = Setter(fonts, colour).set(formula, size);
+    Typeset typeset = Setter(fonts, colour).set(formula, size);
     SetLine line{{{}, typeset.width, typeset.ascent + typeset.descent}, typeset.ascent};
-    set(line.block.marks, {typeset.marks, typeset.width, 0}, {0, typeset.ascent});
+    set(line.block.marks, {std::move(typeset.marks), typeset.width, 0}, {0, typeset.ascent});
     return line;
 }
 

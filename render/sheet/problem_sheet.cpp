@@ -8,9 +8,11 @@
 #include "engine/problem.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/block.hpp"
+#include "render/page/set_formula.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/problem_sections.hpp"
 #include "render/sheet/title_block.hpp"
+#include "render/tables/equation_block.hpp"
 #include "render/tables/prose.hpp"
 #include "render/text/formula.hpp"
 #include "render/text/utf8.hpp"
@@ -161,11 +163,11 @@ private:
         for (const ProblemFigure& figure : section.figures)
             all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
         const auto add_pieces = [&](std::size_t after) {
-            for (const ProblemPiece& piece : section.pieces) {
+            for (const PieceAfter& piece : section.pieces) {
                 // What announces a formula stays with it.
                 if (piece.after != after) continue;
                 if (!all.empty() && after > 0) all.back().holds_next = true;
-                all.push_back({fitted(piece.set(measure())), s, 0, false});
+                all.push_back({fitted(piece_block(piece.item, measure())), s, 0, false});
             }
         };
         add_pieces(0);
@@ -187,6 +189,25 @@ private:
         block.width = width;
         block.height = caption + figure.box.height() + below_figure;
         return block;
+    }
+    /// A formula under the sentence that announces it, or a table that stays together.
+    Block piece_block(const EquationItem& item, double width) const {
+        constexpr double indent = 5, air = 1.3;
+        if (item.kind == EquationItem::Kind::formula) {
+            Block alone =
+                formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent, context_.theme.text);
+            Block block{{}, width, alone.height + air};
+            set(block.marks, std::move(alone), {indent, 0});
+            return block;
+        }
+        Block whole{{}, width, 0};
+        NaturalBlocks once;
+        for (Block& line : equation_blocks(context_, {&item, 1}, width, once)) {
+            const double height = line.height;
+            set(whole.marks, std::move(line), {0, whole.height});
+            whole.height += height;
+        }
+        return whole;
     }
     /// Prose, and its equations on lines of their own.
     Block sentence(const Words& words, double width) const {
@@ -338,8 +359,8 @@ private:
             y += block.height;
         };
         const auto put_pieces = [&](std::size_t after, bool is_new) {
-            for (const ProblemPiece& piece : section.pieces)
-                if (piece.after == after) put(fitted(piece.set(measure())), is_new);
+            for (const PieceAfter& piece : section.pieces)
+                if (piece.after == after) put(fitted(piece_block(piece.item, measure())), is_new);
         };
         put_pieces(0, k == 0);
         for (std::size_t i = 0; i <= k; ++i) {

@@ -38,7 +38,7 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
             down = std::max(down, cell.block.height - cell.baseline);
         }
         for (std::size_t c = 0; c < cells[r].size(); ++c) {
-            set(line.marks, cells[r][c].block, {x, up - cells[r][c].baseline});
+            set(line.marks, std::move(cells[r][c].block), {x, up - cells[r][c].baseline});
             x += wide[c] + between;
         }
         line.width = whole;
@@ -80,9 +80,10 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
             return;
         }
         Block& before = blocks.back();
-        set(before.marks, block, {0, before.height});
-        before.width = std::max(before.width, block.width);
-        before.height += block.height;
+        const double width = block.width, height = block.height;
+        set(before.marks, std::move(block), {0, before.height});
+        before.width = std::max(before.width, width);
+        before.height += height;
     };
     for (const EquationItem& item : items) {
         switch (item.kind) {
@@ -95,12 +96,9 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
             case EquationItem::Kind::formula: {
                 const Block& wide = natural_of(context, item, natural).front();
                 const bool fits = wide.width <= measure - indent;
-                const Block broken = fits ? Block{} : formula_within(context, item.formula, measure - indent);
-                const Block& alone = fits ? wide : broken;
-                Block block;
-                set(block.marks, alone, {indent, 0});
-                block.width = measure;
-                block.height = alone.height + air;
+                Block alone = fits ? wide : formula_within(context, item.formula, measure - indent);
+                Block block{{}, measure, alone.height + air};
+                set(block.marks, std::move(alone), {indent, 0});
                 add(std::move(block));
                 break;
             }

@@ -1002,9 +1002,9 @@ std::vector<EquationItem> equation_items(const Solution& solution, Language lang
     return Text(solution, language).items();
 }
 
-std::string equations_as_text(const Solution& solution, Language language) {
+std::string as_text(std::span<const EquationItem> items) {
     std::string text;
-    for (const EquationItem& item : equation_items(solution, language)) {
+    for (const EquationItem& item : items) {
         if (item.kind == Kind::heading) text += (text.empty() ? "" : "\n") + item.words + "\n";
         if (item.kind == Kind::words) text += plain(formula(item.words)) + "\n";
         if (item.kind == Kind::formula) text += "  " + item.formula.plain() + "\n";
@@ -1026,7 +1026,7 @@ std::string equations_as_text(const Solution& solution, Language language) {
     return text;
 }
 
-std::string equations_as_latex(const Solution& solution, Language language) {
+std::string as_latex(std::span<const EquationItem> items) {
     const auto safe = [](const std::string& words) {
         std::string text;
         for (const char c : words) {
@@ -1036,7 +1036,7 @@ std::string equations_as_latex(const Solution& solution, Language language) {
         return text;
     };
     std::string text = "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
-    for (const EquationItem& item : equation_items(solution, language)) {
+    for (const EquationItem& item : items) {
         if (item.kind == Kind::heading) text += "\\section*{" + safe(item.words) + "}\n";
         if (item.kind == Kind::words) {
             for (const Piece& piece : formula(item.words))

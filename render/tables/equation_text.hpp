@@ -3,6 +3,7 @@
 // and from the solution what the polygons say beside them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,8 @@ struct EquationItem {
 std::vector<EquationItem> equation_items(const Solution& solution, Language language);
 
 /// For a terminal, a line a formula.
-std::string equations_as_text(const Solution& solution, Language language);
+std::string as_text(std::span<const EquationItem> items);
 /// A document of LaTeX (amsmath), a display a formula.
-std::string equations_as_latex(const Solution& solution, Language language);
+std::string as_latex(std::span<const EquationItem> items);
 
 }  // namespace kinegraph::render
