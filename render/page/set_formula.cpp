@@ -207,7 +207,7 @@ std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, doub
 
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour) {
     const Setter setter(fonts, colour);
-    constexpr double least = 0.6, leading = 0.5, hair = 0.995;
+    constexpr double least = 0.6, leading = 0.5, between = 1.2, hair = 0.995;
     constexpr int most_trials = 4;
     std::vector<Typeset> lines;
     double own = size;
@@ -223,7 +223,8 @@ Block formula_block(const Formula& formula, const Fonts& fonts, double size, dou
         const double baseline = block.height + box.ascent;
         set(block.marks, {std::move(box.marks), box.width, 0}, {0, baseline});
         block.width = std::max(block.width, box.width);
-        block.height = baseline + box.descent + leading;
+        const bool goes_on = &box != &lines.back();
+        block.height = baseline + box.descent + (goes_on ? between : leading);
     }
     if (const double factor = measure / block.width; factor < 1) block = scaled(std::move(block), factor);
     return block;

@@ -103,10 +103,8 @@ public:
         for (ProblemFigure& figure : given.figures)
             if (figure.as_question) figure.draw = figure.as_question;
         ProblemSection sought{"sought", {word("sought", Language::en), word("sought", Language::it)}, {}, {}};
-        const auto& asked = asked_of(context_.solution.mechanism);
         for (const ProblemValue& each : context_.solution.problem->values) {
-            const auto is_it = [&](const AskedResult& other) { return other.name == each.name.en; };
-            if (!asked.empty() && std::none_of(asked.begin(), asked.end(), is_it)) continue;
+            if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";
             sought.sentences.emplace_back("– " + symbol + "  " + each.name.en, "– " + symbol + "  " + each.name.it);
         }
@@ -114,6 +112,22 @@ public:
         constexpr double height = 86;
         std::vector<Item> all;
         for (std::size_t s = 0; s < sections_.size(); ++s) add(all, section(s, height));
+        return framed(flow(all, false));
+    }
+
+    /// The question's figure and what is sought, with its values.
+    std::vector<Page> answers() {
+        signature_.subtitle = word("subtitle answers", context_.language);
+        ProblemSection given = sections_.front();
+        given.sentences.clear();
+        given.pieces.clear();
+        for (ProblemFigure& figure : given.figures)
+            if (figure.as_question) figure.draw = figure.as_question;
+        sections_ = {std::move(given)};
+        constexpr double height = 86;
+        std::vector<Item> all = section(0, height);
+        add(all, answer_table(1));
+        add(all, remarks(1));
         return framed(flow(all, false));
     }
 
@@ -143,6 +157,13 @@ private:
     /// Type is set for the paper's size.
     Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
     double measure() const { return format_.measure / format_.text_size; }
+
+    /// Whether the file asks for it; all is sought where it asks for nothing by name.
+    bool is_sought(const ProblemValue& value) const {
+        const auto& asked = asked_of(context_.solution.mechanism);
+        const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
+        return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
+    }
 
     // --- what stands there
     // ------------------------------------------------------------------------------------------------------
@@ -268,6 +289,28 @@ private:
         all.push_back({fitted(std::move(table)), section, 0, false});
         return all;
     }
+    /// Symbol, name and value of what is sought.
+    std::vector<Item> answer_table(std::size_t section) const {
+        std::vector<std::vector<Formula>> rows{
+            {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
+        const Units& units = context_.solution.mechanism.units;
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            if (!is_sought(each)) continue;
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
+            Formula symbol;
+            symbol.kind = Formula::Kind::text;
+            symbol.text = symbol_of(each.symbol);
+            rows.push_back({std::move(symbol), Formula::upright(say(spoken(each))), Formula::upright(cells.found)});
+        }
+        const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
+        NaturalBlocks natural;
+        std::vector<Item> all{
+            {fitted(heading_block(context_, measure(), word("answers", context_.language))), section, between_sections, true}};
+        for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
+            all.push_back({fitted(std::move(line)), section, 0, false});
+        if (all.size() > 1) all[1].holds_next = true;
+        return all;
+    }
     std::vector<Item> remarks(std::size_t section) const {
         std::vector<Item> all;
         if (context_.solution.problem->remarks.empty()) return all;
@@ -383,7 +426,15 @@ private:
 
 std::vector<Page> lay_out_problem(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     ProblemSheet sheet(solution, options, fonts);
-    return options.kind == SheetKind::question ? sheet.question() : sheet.pages();
+    switch (options.kind) {
+        case SheetKind::question:
+            return sheet.question();
+        case SheetKind::answers:
+            return sheet.answers();
+        case SheetKind::solution:
+            break;
+    }
+    return sheet.pages();
 }
 std::vector<Page> lay_out_problem_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     return ProblemSheet(solution, options, fonts).steps();

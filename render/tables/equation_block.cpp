@@ -29,10 +29,12 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
     }
     double whole = -between;
     for (const double each : wide) whole += each + between;
+    // Lines of letters stand evenly, whether they have dots or indices or not; tall ones take what they need.
+    const double even_up = 0.9 * millimetres(context.theme.small), even_down = 0.25 * millimetres(context.theme.small);
     std::vector<Block> lines;
     for (std::size_t r = 0; r < cells.size(); ++r) {
         Block line;
-        double x = 0, up = 0, down = 0;
+        double x = 0, up = even_up, down = even_down;
         for (const SetLine& cell : cells[r]) {
             up = std::max(up, cell.baseline);
             down = std::max(down, cell.block.height - cell.baseline);

@@ -25,6 +25,9 @@ struct EquationItem {
 /// Nothing where there are no equations.
 std::vector<EquationItem> equation_items(const Solution& solution, Language language);
 
+/// What a key says of the equations: velocity ratios with their derivatives, dead points; nothing where there are none.
+std::vector<EquationItem> equation_answers(const Solution& solution, Language language);
+
 /// For a terminal, a line a formula.
 std::string as_text(std::span<const EquationItem> items);
 /// A document of LaTeX (amsmath), a display a formula.

@@ -69,8 +69,8 @@ public:
                                      .value /
                                  unit;
             Formula said = upright(number(value, 5, language_) + (order == 2 ? " 1/m" : ""));
-            add(section, equation(Formula::letter("y") + upright(order == 1 ? "′" : "″"),
-                                  with_value(expression(found_.of_path->by_order.at(k), "x"), said)));
+            add(section,
+                equation(Formula::primed("y", "", order), with_value(expression(found_.of_path->by_order.at(k), "x"), said)));
         }
         return section;
     }
