@@ -106,7 +106,7 @@ public:
         for (const ProblemValue& each : context_.solution.problem->values) {
             if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";
-            sought.sentences.emplace_back("– " + symbol + "  " + each.name.en, "– " + symbol + "  " + each.name.it);
+            sought.sentences.emplace_back("– " + symbol + "  " + spoken(each).en, "– " + symbol + "  " + spoken(each).it);
         }
         sections_ = {std::move(given), std::move(sought)};
         constexpr double height = 86;

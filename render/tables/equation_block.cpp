@@ -1,6 +1,7 @@
 #include "render/tables/equation_block.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "render/page/set_formula.hpp"
@@ -11,10 +12,11 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double between = 4;  // columns of a table, mm
+constexpr double widest_between = 4, least_between = 1.6;  // columns of a table, mm
 
 /// A table's lines, its columns as wide as what stands in them.
-std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows) {
+std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows,
+                            double between = widest_between) {
     constexpr double under_head = 1.4, under_line = 0.9;
     std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
@@ -69,6 +71,22 @@ const std::vector<Block>& natural_of(const DrawingContext& context, const Equati
     return found->second;
 }
 
+/// Columns closer, then all of it smaller, where the measure asks.
+void add_table(const DrawingContext& context, const EquationItem& item, double measure, NaturalBlocks& natural,
+               const std::function<void(Block)>& add) {
+    const std::vector<Block>& wide = natural_of(context, item, natural);
+    const double excess = wide.front().width - measure;
+    if (excess <= 0) {
+        for (const Block& line : wide) add(line);
+        return;
+    }
+    const auto gaps = static_cast<double>(std::max<std::size_t>(item.rows.front().size(), 2) - 1);
+    for (Block& line : lines_of(context, item.rows, std::max(least_between, widest_between - excess / gaps))) {
+        const double share = std::min(1.0, measure / line.width);
+        add(scaled(std::move(line), share));
+    }
+}
+
 }  // namespace
 
 std::vector<Block> equation_blocks(const DrawingContext& context, std::span<const EquationItem> items, double measure,
@@ -105,9 +123,7 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
                 break;
             }
             case EquationItem::Kind::table:
-                // All of it smaller where the measure asks.
-                for (const Block& line : natural_of(context, item, natural))
-                    add(scaled(line, std::min(1.0, measure / line.width)));
+                add_table(context, item, measure, natural, add);
                 break;
         }
     }

@@ -473,6 +473,9 @@ private:
                 if (own.sign != 0) shares.push_back(std::move(own));
             }
             set(equal(turning.term, joined(shares)));
+        } else if (constexpr std::size_t most_above_a_bar = 3; across.size() > most_above_a_bar) {
+            // A sum of many terms stands on lines, not above a bar.
+            set(equal(name(first.length) + turning.term, joined(across)));
         } else {
             set(equal(turning.term, Formula::fraction(joined(across), name(first.length))));
         }
@@ -628,11 +631,12 @@ private:
     void write_block(const Equations::Block& block, int dots) {
         if (block.unknowns.empty()) return;
         // A system of many unknowns has its matrix apart: J ẏ = …, and long right sides stand one under the other.
-        constexpr std::size_t most_in_line = 4;
+        constexpr std::size_t most_in_line = 4, most_letters = 60;
         const bool is_large = block.unknowns.size() > most_in_line;
         if (is_large && dots == 1) write_in_parts(block);
         Formula left = (is_large ? Formula::letter("J") : matrix(block, true)) + unknowns_column(block, dots);
-        if (const bool is_long = longest_right_side(block, dots) > most_in_line; !is_long)
+        if (const bool is_long = longest_right_side(block, dots) > most_in_line || widest_right_side(block, dots) > most_letters;
+            !is_long)
             set(equal(std::move(left), right_side(block, dots, true)));
         else
             write_long_right_side(block, dots, std::move(left));
@@ -656,6 +660,13 @@ private:
         for (const int r : block.rows) longest = std::max(longest, known_terms(block, at_index(r), dots).size());
         return longest;
     }
+    /// Characters of the longest row.
+    std::size_t widest_right_side(const Equations::Block& block, int dots) const {
+        std::size_t widest = 0;
+        for (const int r : block.rows)
+            widest = std::max(widest, character_count(joined(terms(known_terms(block, at_index(r), dots), -1)).plain()));
+        return widest;
+    }
     void write_long_right_side(const Equations::Block& block, int dots, Formula left) {
         std::vector<Formula> names;
         for (std::size_t i = 0; i < block.rows.size(); ++i) names.push_back(Formula::letter("r", std::to_string(i + 1)));
@@ -665,12 +676,20 @@ private:
     }
     /// J = [J_1 J_2 …], a few columns each.
     void write_in_parts(const Equations::Block& block) {
-        constexpr std::size_t most = 3;
+        constexpr std::size_t most = 3, most_letters = 56, between = 3;
         std::vector<Formula> names;
-        for (std::size_t first = 0; first < block.unknowns.size(); first += most) {
+        for (std::size_t first = 0; first < block.unknowns.size();) {
             Equations::Block part = block;
-            const auto begin = block.unknowns.begin() + static_cast<std::ptrdiff_t>(first);
-            part.unknowns.assign(begin, begin + static_cast<std::ptrdiff_t>(std::min(most, block.unknowns.size() - first)));
+            part.unknowns.clear();
+            for (std::size_t letters = 0; first < block.unknowns.size() && part.unknowns.size() < most; ++first) {
+                Equations::Block one = block;
+                one.unknowns = {block.unknowns[first]};
+                std::size_t widest = 0;
+                for (const Formula& entry : matrix(one, true).parts) widest = std::max(widest, character_count(entry.plain()));
+                letters += widest + between;
+                if (!part.unknowns.empty() && letters > most_letters) break;
+                part.unknowns.push_back(block.unknowns[first]);
+            }
             names.push_back(Formula::letter("J", std::to_string(names.size() + 1)));
             set(equal(names.back(), matrix(part, true)));
         }

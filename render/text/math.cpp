@@ -177,11 +177,10 @@ Formula Formula::primed(std::string_view name, const std::string& sub, int prime
     constexpr std::array<const char*, 3> marks{"", "′", "″"};
     const std::string mark = marks.at(static_cast<std::size_t>(primes));
     Formula made = letter(name, sub);
-    made.text.front().sup = mark;
-    made.text.front().sup_face = Face::regular;
+    made.text.front().text += mark;
     made.as_latex.pop_back();
     made.as_latex += std::string(static_cast<std::size_t>(primes), '\'') + " ";
-    made.as_plain = made.text.front().text + mark + (sub.empty() ? "" : "_" + sub);
+    made.as_plain = made.text.front().text + (sub.empty() ? "" : "_" + sub);
     return made;
 }
 
