@@ -39,7 +39,7 @@ void expect_within(const std::string& file, Language language, const std::string
     const DrawingContext context{*solution, *theme, tests::fonts(), language};
     const std::vector<EquationItem> items = equation_items(*solution, language);
     NaturalBlocks natural;
-    constexpr double narrow = 56, wide = 80, overhang = 0.6, ink_of_a_line = 0.3, hardly_legible = 4.8;
+    constexpr double narrow = 56, wide = 80, overhang = 0.6, ink_of_a_line = 0.3, hardly_legible = 4.5;
     for (const double measure : {narrow, wide})
         for (const Block& block : equation_blocks(context, items, measure, natural)) {
             EXPECT_GE(smallest_size(block), hardly_legible);
