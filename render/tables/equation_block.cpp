@@ -17,7 +17,7 @@ constexpr double widest_between = 4, least_between = 1.6;  // columns of a table
 /// A table's lines, its columns as wide as what stands in them.
 std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows,
                             double between = widest_between) {
-    constexpr double under_head = 1.4, under_line = 0.9;
+    constexpr double under_head = 1.4, under_line = 0.4;
     std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
     for (std::size_t r = 0; r < rows.size(); ++r) {
