@@ -553,8 +553,10 @@ void add_pairs(CLI::App& program, Action& action) {
 }
 
 void add_equations(CLI::App& program, Action& action) {
-    CLI::App* command = add_command(program, "equations",
-                                    "The closure equations in complex form, their Jacobian, velocity ratios, accelerations");
+    CLI::App* command =
+        add_command(program, "equations",
+                    "The closure equations in complex form, their Jacobian, velocity ratios, accelerations; of the motion of a "
+                    "point the derivatives of its laws");
     auto request = std::make_shared<EquationsRequest>();
     auto language = std::make_shared<std::string>("en");
     command->add_option("FILE", request->file, "The mechanism file; - is standard input")->required();

@@ -170,7 +170,7 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
 /// What a request asks that only a mechanism has; null where a problem in place of joints will do.
 const char* asked_of_mechanisms(const SolveRequest& request) {
     if (!request.at.empty()) return "solve --at";
-    if (request.sheet == render::SheetKind::answers || request.grid) return "solve --sheet";
+    if (request.grid) return "solve --grid";
     return request.detail == render::SolutionDetail::brief ? "solve --detail" : nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "constructions/cycle.hpp"
+#include "engine/displacements.hpp"
 #include "engine/problem.hpp"
 #include "engine/result_names.hpp"
 #include "engine/spelling.hpp"
@@ -65,6 +66,7 @@ public:
         }
         for (const FoundValue& each : found_)
             if (each.quantity.component == Quantity::Component::x) add_modulus(each);
+        add_efforts();
         if (solution_.problem)
             for (const ProblemValue& each : solution_.problem->values)
                 results_.push_back({{Column::Kind::named, {}, each.name.en, each.kind}, each.value, each.unit});
@@ -93,6 +95,16 @@ private:
         }
         if (q.component == Quantity::Component::whole) return found->scalar;
         return q.component == Quantity::Component::x ? found->vector.x : found->vector.y;
+    }
+    /// Those that virtual work found, where reactions do not.
+    void add_efforts() {
+        const std::vector<EffortValue> efforts = efforts_found(solution_);
+        for (std::size_t e = 0; e < efforts.size(); ++e) {
+            if (!efforts[e].value || (e < solution_.efforts.size() && solution_.efforts[e].value)) continue;
+            std::vector<Column> column;
+            add_columns({.kind = Kind::effort, .given = static_cast<int>(e)}, solution_.mechanism, {}, column);
+            results_.push_back({std::move(column.front()), efforts[e].value->to_double()});
+        }
     }
     void add_modulus(const FoundValue& each) {
         if (each.quantity.kind == Kind::sliding_velocity || each.quantity.kind == Kind::sliding_acceleration) return;

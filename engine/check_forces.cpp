@@ -523,6 +523,30 @@ private:
     }
 
     // --- answer ----------------------------------------------------------------------------------------------------------------
+    /// Of a joint whose unknowns begin at a column, which goes on behind them.
+    template <class Directions>
+    NumericForces::Action action_at(Index& column, JointIndex index, const Directions& along, const Solved& solved) const {
+        const auto known = [&](Index each) { return static_cast<bool>(solved.known[static_cast<std::size_t>(each)]); };
+        const Joint& joint = mechanism_.joint(index);
+        NumericForces::Action action;
+        action.joint = index;
+        const Index first = column;
+        action.force_known = true;
+        for (const Pair& direction : along) {
+            action.force_known = action.force_known && known(column);
+            action.force = action.force + unit_ * solved.values[column++] * direction;
+        }
+        action.couple_known = !carries_couple(joint) || known(column);
+        if (carries_couple(joint)) action.couple = unit_ * size_ * solved.values[column++];
+        action.known = action.force_known && action.couple_known;
+        if (const auto& common = solved.common[static_cast<std::size_t>(first)]; common && !action.force_known) {
+            action.along = common;
+            action.component = inner(action.force, *common);
+        }
+        if (!action.force_known) action.force = {};
+        if (!action.couple_known) action.couple = 0;
+        return action;
+    }
     NumericForces report(const Solved& solved, const std::vector<bool>& clockwise) const {
         NumericForces forces;
         forces.indeterminacy = solved.indeterminacy;
@@ -540,26 +564,7 @@ private:
             const Joint& joint = mechanism_.joints[i];
             const auto along = directions(joint, clockwise[i]);
             Index column = first_column_[i];
-            const auto next_action = [&] {
-                NumericForces::Action action;
-                action.joint = JointIndex(i);
-                const Index first = column;
-                action.force_known = true;
-                for (const Pair& direction : along) {
-                    action.force_known = action.force_known && known(column);
-                    action.force = action.force + unit_ * solved.values[column++] * direction;
-                }
-                action.couple_known = !carries_couple(joint) || known(column);
-                if (carries_couple(joint)) action.couple = unit_ * size_ * solved.values[column++];
-                action.known = action.force_known && action.couple_known;
-                if (const auto& common = solved.common[static_cast<std::size_t>(first)]; common && !action.force_known) {
-                    action.along = common;
-                    action.component = inner(action.force, *common);
-                }
-                if (!action.force_known) action.force = {};
-                if (!action.couple_known) action.couple = 0;
-                return action;
-            };
+            const auto next_action = [&] { return action_at(column, JointIndex(i), along, solved); };
             if (joint.has_own_node()) {
                 for (const BodyIndex body : joint.bodies) {
                     forces.actions.push_back(next_action());

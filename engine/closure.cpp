@@ -221,6 +221,28 @@ std::optional<std::array<ContactSide, 2>> sides_of(const Mechanism& mechanism, c
     return sides;
 }
 
+namespace {
+
+/// Calls `claim(point, body)` for the places of masses, loads, efforts and driven points, each with the body that bears it.
+template <class Claim>
+void claim_by_what_acts(const Mechanism& mechanism, const Claim& claim) {
+    for (const Mass& mass : mechanism.masses) claim(mass.centre, mass.body);
+    for (const Load& load : mechanism.loads) {
+        if (const auto* force = std::get_if<ForceLoad>(&load); force != nullptr && force->body != none)
+            claim(force->at, force->body);
+        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
+            for (const PointIndex end : {distributed->from, distributed->to}) claim(end, distributed->body);
+        if (const auto* spring = std::get_if<SpringLoad>(&load))
+            for (std::size_t i = 0; i < 2; ++i) claim(spring->between[i], spring->bodies[i]);
+    }
+    for (const Effort& effort : mechanism.efforts)
+        if (const auto* force = std::get_if<ForceEffort>(&effort)) claim(force->at, force->body);
+    for (const Driver& driver : mechanism.drivers)
+        if (const auto* point = std::get_if<PointDriver>(&driver)) claim(point->at, point->body);
+}
+
+}  // namespace
+
 Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
     std::vector<Carrier> carriers(mechanism.points.size());
     Errors errors;
@@ -262,19 +284,7 @@ Result<std::vector<Carrier>> carriers_of(const Mechanism& mechanism) {
     }
     for (std::size_t body = 0; body < mechanism.bodies.size(); ++body)
         for (const PointIndex point : mechanism.bodies[body].points) claim(point, BodyIndex(body), false);
-    for (const Mass& mass : mechanism.masses) claim(mass.centre, mass.body, false);
-    for (const Load& load : mechanism.loads) {
-        if (const auto* force = std::get_if<ForceLoad>(&load); force != nullptr && force->body != none)
-            claim(force->at, force->body, false);
-        if (const auto* distributed = std::get_if<DistributedLoad>(&load))
-            for (const PointIndex end : {distributed->from, distributed->to}) claim(end, distributed->body, false);
-        if (const auto* spring = std::get_if<SpringLoad>(&load))
-            for (std::size_t i = 0; i < 2; ++i) claim(spring->between[i], spring->bodies[i], false);
-    }
-    for (const Effort& effort : mechanism.efforts)
-        if (const auto* force = std::get_if<ForceEffort>(&effort)) claim(force->at, force->body, false);
-    for (const Driver& driver : mechanism.drivers)
-        if (const auto* point = std::get_if<PointDriver>(&driver)) claim(point->at, point->body, false);
+    claim_by_what_acts(mechanism, [&](PointIndex point, BodyIndex body) { claim(point, body, false); });
     for (const Body& body : mechanism.bodies)
         if (body.circle) claim(body.circle->centre, BodyIndex(&body - mechanism.bodies.data()), false);
     for (Carrier& carrier : carriers)

@@ -25,6 +25,19 @@ double dot(const Vector& a, const Pair& b) { return a.x.to_double() * b[0] + a.y
 
 }  // namespace
 
+std::vector<EffortValue> efforts_found(const Solution& solution) {
+    std::vector<EffortValue> efforts = solution.efforts;
+    if (!solution.displacements) return efforts;
+    if (efforts.empty())
+        for (const Effort& each : solution.mechanism.efforts)
+            efforts.push_back({std::visit([](const auto& effort) { return effort.name; }, each), std::nullopt});
+    for (const Displacements::Effort& each : solution.displacements->efforts) {
+        EffortValue& effort = efforts[at_index(each.given)];
+        if (!effort.value && each.value) effort.value = *each.value;
+    }
+    return efforts;
+}
+
 bool is_turn(const Driver& driver) { return std::holds_alternative<SpinDriver>(driver); }
 
 std::string coordinate_name(const Mechanism& mechanism, const Driver& driver) {

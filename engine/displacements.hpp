@@ -47,6 +47,10 @@ bool is_turn(const Driver& driver);
 std::optional<double> work_by_ratios(const Equations& equations, const VirtualWork::Entry& entry);
 std::optional<double> work_by_ratios(const Equations& equations, const Mechanism& mechanism, const Pose& pose, int effort);
 
+/// The efforts of a solution, those of the mechanism's in order: by its reactions, else by virtual work; without a value where
+/// neither finds it. Empty where neither was asked for.
+std::vector<EffortValue> efforts_found(const Solution& solution);
+
 /// The value of "virtual work" in the results file (docs/format.md).
 std::string displacements_json(const Mechanism& mechanism, const Displacements& displacements);
 

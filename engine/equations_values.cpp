@@ -551,20 +551,25 @@ private:
         return sum;
     }
 
+    /// The one side of what is known that varies, and its one letter that does; (−1, −1) where there is none, or more.
+    std::pair<int, LetterIndex> driving_side(const Equations::Loop& loop) const {
+        std::pair<int, LetterIndex> driving{-1, -1};
+        for (int i = 0; i < static_cast<int>(loop.sides.size()); ++i) {
+            if (i == loop.solved.first || i == loop.solved.second) continue;
+            const Varying own = varying(e_, loop.sides[at_index(i)]);
+            if (!own.length && own.turns.empty()) continue;
+            if (driving.first >= 0 || (own.length && !own.turns.empty()) || own.turns.size() > 1) return {-1, -1};
+            driving = {i, own.length ? loop.sides[at_index(i)].length : own.turns.front()};
+        }
+        return driving;
+    }
     /// Where one driven letter alone varies among what is known, in one side: the places where the dyad is stretched (two turns),
     /// its turning side stands square to the slide, or the slide's length vanishes.
     void find_dead_points(Equations::Loop& loop) const {
         Solved& solved = loop.solved;
-        int driving = -1;
-        LetterIndex driver = -1;
-        for (int i = 0; i < static_cast<int>(loop.sides.size()); ++i) {
-            if (i == solved.first || i == solved.second) continue;
-            const Varying own = varying(e_, loop.sides[at_index(i)]);
-            if (!own.length && own.turns.empty()) continue;
-            if (driving >= 0 || (own.length && !own.turns.empty()) || own.turns.size() > 1) return;
-            driving = i;
-            driver = own.length ? loop.sides[at_index(i)].length : own.turns.front();
-        }
+        const auto varying_side = driving_side(loop);
+        const int driving = varying_side.first;
+        const LetterIndex driver = varying_side.second;
         if (driving < 0 || e_.letter(driver).role != Letter::Role::free || solved.kind == Solved::Kind::two_slides) return;
         const Side& side = loop.sides[at_index(driving)];
         const bool same = side.on_the_right != loop.sides[at_index(solved.first)].on_the_right;

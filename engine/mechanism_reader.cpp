@@ -464,18 +464,8 @@ private:
             joints_known_ = false;
             return;
         }
-        const PlanePair* pair = nullptr;
-        for (const PlanePair& candidate : plane_pairs) {
-            if (!value[candidate.key]) continue;
-            if (pair != nullptr) {
-                fault(value[candidate.key], {"a joint is of one kind; this one is {0} already",
-                                             "una coppia è di un solo tipo; questa è già {0}", quoted(pair->key)});
-                joints_known_ = false;
-                return;
-            }
-            pair = &candidate;
-        }
-        if (pair == nullptr) return miss_kind(value);
+        const PlanePair* const pair = pair_of(value);
+        if (pair == nullptr) return;
         Joint joint;
         joint.kind = pair->kind;
         joint.where = value.pointer();
@@ -507,22 +497,41 @@ private:
         if (pair->has_common_point()) {
             for (const BodyIndex on : joint.bodies) carry(on, joint.point);
         }
-        if (pair->has_guide() && !joint.name.empty()) {
-            const auto [found, first] = sliding_keys_.emplace(joint.name, joint.where);
-            if (!first) {
-                fault(value, {"two sliding joints are called {0} (the other is {1}); give one of them a \"name\"",
-                              "due coppie con scorrimento si chiamano {0} (l’altra è {1}); dare a una un \"name\"",
-                              quoted(joint.name), found->second});
-            } else {
-                sliding_by_name_.emplace(joint.name, JointIndex(mechanism_.joints.size()));
-                sliding_names_.push_back(joint.named ? form["name"].text() : at.text());
-            }
-        }
+        if (pair->has_guide() && !joint.name.empty())
+            add_sliding_name(value, joint, joint.named ? form["name"].text() : at.text());
         if (!pair->has_guide() && !joint.name.empty()) other_joints_.emplace(joint.name, pair->key);
         if (pair->touches()) read_contact(form, joint, JointIndex(mechanism_.joints.size()));
         mechanism_.joints.push_back(std::move(joint));
     }
 
+    /// Null where there is none, or two, which has been said.
+    const PlanePair* pair_of(JsonValue value) {
+        const PlanePair* pair = nullptr;
+        for (const PlanePair& candidate : plane_pairs) {
+            if (!value[candidate.key]) continue;
+            if (pair != nullptr) {
+                fault(value[candidate.key], {"a joint is of one kind; this one is {0} already",
+                                             "una coppia è di un solo tipo; questa è già {0}", quoted(pair->key)});
+                joints_known_ = false;
+                return nullptr;
+            }
+            pair = &candidate;
+        }
+        if (pair == nullptr) miss_kind(value);
+        return pair;
+    }
+    /// Of the joint that is read next; results go by it, so it is given once.
+    void add_sliding_name(JsonValue value, const Joint& joint, std::string_view written) {
+        const auto [found, first] = sliding_keys_.emplace(joint.name, joint.where);
+        if (!first) {
+            fault(value, {"two sliding joints are called {0} (the other is {1}); give one of them a \"name\"",
+                          "due coppie con scorrimento si chiamano {0} (l’altra è {1}); dare a una un \"name\"",
+                          quoted(joint.name), found->second});
+            return;
+        }
+        sliding_by_name_.emplace(joint.name, JointIndex(mechanism_.joints.size()));
+        sliding_names_.push_back(written);
+    }
     /// The key that is meant to be the kind is misspelt, or there is none.
     void miss_kind(JsonValue value) {
         joints_known_ = false;
@@ -690,50 +699,54 @@ private:
 
     void read_driver(JsonValue value) {
         if (!expect(value, Kind::object, {"a driver", "un movente"})) return;
-        if (value["joint"]) {
-            const Members form = members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
-                                         {"a driver of a joint", "un movente di una coppia"});
-            SlideDriver driver;
-            driver.where = value.pointer();
-            driver.joint = sliding_joint(
-                form["joint"],
-                {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
-                 "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
-            if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
-                fault(form["joint"],
-                      {"the slot of {0} is curved; drive a \"body\" instead",
-                       "il glifo di {0} è curvo; comandare invece un corpo con \"body\"", quoted(form["joint"].text())});
-            }
-            driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
-            driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
-            driver.law = law(form, {"speed", "acceleration"});
-            add(std::move(driver));
+        if (value["joint"]) return read_slide_driver(value);
+        if (value["at"] || value["along"] || value["speed"] || value["acceleration"]) return read_point_driver(value);
+        read_spin_driver(value);
+    }
+    static Words nothing_drives_the_frame() {
+        return {"the frame does not move; drive another body", "il telaio non si muove; comandare un altro corpo"};
+    }
+    void read_slide_driver(JsonValue value) {
+        const Members form = members(value, {"joint", "speed", "acceleration", "law", "drawn at"},
+                                     {"a driver of a joint", "un movente di una coppia"});
+        SlideDriver driver;
+        driver.where = value.pointer();
+        driver.joint = sliding_joint(
+            form["joint"], {"a driver moves a prismatic joint or a straight pin-slot; drive a \"body\" here",
+                            "un movente muove una coppia prismatica o un glifo rettilineo; qui comandare un corpo con \"body\""});
+        if (driver.joint != none && mechanism_.joint(driver.joint).arc != none) {
+            fault(form["joint"],
+                  {"the slot of {0} is curved; drive a \"body\" instead",
+                   "il glifo di {0} è curvo; comandare invece un corpo con \"body\"", quoted(form["joint"].text())});
+        }
+        driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
+        driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
+        driver.law = law(form, {"speed", "acceleration"});
+        add(std::move(driver));
+    }
+    void read_point_driver(JsonValue value) {
+        const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "law", "drawn at", "joint"},
+                                     {"a driver of a point", "un movente di un punto"});
+        PointDriver driver;
+        driver.where = value.pointer();
+        if (form.has_or_misspells("joint")) return;
+        if (!form.has_or_misspells("body") && !form.has_or_misspells("at") && !form.has_or_misspells("along")) {
+            fault(value, {"what is driven is missing: \"joint\", or \"body\", \"at\" and \"along\"",
+                          "manca ciò che è comandato: \"joint\", oppure \"body\", \"at\" e \"along\""});
             return;
         }
-        const Words frame_rests("the frame does not move; drive another body",
-                                "il telaio non si muove; comandare un altro corpo");
-        if (value["at"] || value["along"] || value["speed"] || value["acceleration"]) {
-            const Members form = members(value, {"body", "at", "along", "speed", "acceleration", "law", "drawn at", "joint"},
-                                         {"a driver of a point", "un movente di un punto"});
-            PointDriver driver;
-            driver.where = value.pointer();
-            if (form.has_or_misspells("joint")) return;
-            if (!form.has_or_misspells("body") && !form.has_or_misspells("at") && !form.has_or_misspells("along")) {
-                fault(value, {"what is driven is missing: \"joint\", or \"body\", \"at\" and \"along\"",
-                              "manca ciò che è comandato: \"joint\", oppure \"body\", \"at\" e \"along\""});
-                return;
-            }
-            if (form["body"] && !form.has_or_misspells("at") && !form.has_or_misspells("along")) return turn_instead(form);
-            driver.body = moving_body(required(form, "body", {"the body that is driven", "il corpo comandato"}), frame_rests);
-            driver.at = point(required(form, "at", {"the point that is driven", "il punto comandato"}));
-            driver.along = bearing_or_default(
-                required(form, "along", {"the direction in which it is driven", "la direzione in cui è comandato"}));
-            driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
-            driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
-            driver.law = law(form, {"speed", "acceleration"});
-            add(std::move(driver));
-            return;
-        }
+        if (form["body"] && !form.has_or_misspells("at") && !form.has_or_misspells("along")) return turn_instead(form);
+        driver.body =
+            moving_body(required(form, "body", {"the body that is driven", "il corpo comandato"}), nothing_drives_the_frame());
+        driver.at = point(required(form, "at", {"the point that is driven", "il punto comandato"}));
+        driver.along = bearing_or_default(
+            required(form, "along", {"the direction in which it is driven", "la direzione in cui è comandato"}));
+        driver.speed = quantity_or_zero(form["speed"], QuantityKind::velocity);
+        driver.acceleration = quantity_or_zero(form["acceleration"], QuantityKind::acceleration);
+        driver.law = law(form, {"speed", "acceleration"});
+        add(std::move(driver));
+    }
+    void read_spin_driver(JsonValue value) {
         const Members form = members(
             value, {"body", "relative to", "omega", "alpha", "law", "drawn at", "joint", "at", "along", "speed", "acceleration"},
             {"a driver", "un movente"});
@@ -744,7 +757,7 @@ private:
         driver.where = value.pointer();
         driver.body = moving_body(
             required(form, "body", {"the body that is driven (or give \"joint\")", "il corpo comandato (o assegnare \"joint\")"}),
-            frame_rests);
+            nothing_drives_the_frame());
         if (const JsonValue base = form["relative to"]) {
             driver.relative_to = body(base);
             if (driver.relative_to > frame && driver.relative_to == driver.body)
@@ -1053,73 +1066,85 @@ private:
         return *pressure * not_negative(on, QuantityKind::area, {"an area", "un’area"});
     }
 
+    /// A name and where it stands.
+    struct Named {
+        std::string text{};
+        JsonValue at{};
+    };
+    Named effort_name(JsonValue given, const Words& wanted) {
+        return {given ? std::string(new_name(given, wanted)) : std::string(), given};
+    }
+    static Words nothing_moves_the_frame() {
+        return {"an effort on the frame balances nothing; name a body that moves",
+                "un’azione sul telaio non equilibra nulla; indicare un corpo che si muove"};
+    }
     void read_effort(JsonValue value) {
         if (!expect(value, Kind::object, {"an effort", "un’azione equilibrante"})) return;
-        const Words frame_rests("an effort on the frame balances nothing; name a body that moves",
-                                "un’azione sul telaio non equilibra nulla; indicare un corpo che si muove");
-        std::string name;
-        JsonValue name_value;
-        const auto take_name = [&](JsonValue given, const Words& wanted) {
-            name_value = given;
-            if (given) name = new_name(given, wanted);
-        };
-        if (value["couple"]) {
-            const Members form = members(value, {"couple", "body", "from", "force"},
-                                         {"a couple that balances", "una coppia di forze equilibrante"});
-            one_of(form, {"couple", "force"});
-            take_name(form["couple"], {"the couple's name", "il nome della coppia di forze"});
-            CoupleEffort couple;
-            couple.where = value.pointer();
-            couple.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
-            if (const JsonValue from = form["from"]) couple.from = body(from);
-            if (couple.body != none && couple.body == couple.from) {
-                fault(form["from"] ? form["from"] : form["body"],
-                      form["from"] ? Words("a couple from a body on itself balances nothing; name another",
-                                           "una coppia di forze da un corpo su se stesso non equilibra nulla; indicarne un altro")
-                                   : frame_rests);
-            }
-            couple.name = name;
-            mechanism_.efforts.emplace_back(std::move(couple));
-        } else if (value["joint"]) {
-            const Members form = members(value, {"force", "joint"}, {"an actuator", "un attuatore"});
-            take_name(required(form, "force", {"the force's name", "il nome della forza"}),
-                      {"the force's name", "il nome della forza"});
-            ActuatorEffort actuator;
-            actuator.where = value.pointer();
-            const Words remedy("an actuator works in a prismatic joint", "un attuatore agisce in una coppia prismatica");
-            actuator.joint = sliding_joint(form["joint"], remedy);
-            if (actuator.joint != none) {
-                const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
-                if (!pair.is_sleeve()) wrong_kind(form["joint"], pair.key, remedy);
-            }
-            actuator.name = name;
-            mechanism_.efforts.emplace_back(std::move(actuator));
-        } else {
-            const Members form = members(value, {"force", "body", "at", "along", "couple", "joint"},
-                                         {"a force that balances", "una forza equilibrante"});
-            if (form.has_or_misspells("couple") || form.has_or_misspells("joint")) return;
-            if (!form.has_or_misspells("force")) {
-                fault(value, {"the effort's name is missing: \"force\" or \"couple\"",
-                              "manca il nome dell’azione equilibrante: \"force\" o \"couple\""});
-                return;
-            }
-            take_name(form["force"], {"the force's name", "il nome della forza"});
-            ForceEffort force;
-            force.where = value.pointer();
-            force.body = moving_body(
-                required(form, "body",
-                         {"the body on which it acts (or give \"joint\")", "il corpo su cui agisce (o assegnare \"joint\")"}),
-                frame_rests);
-            force.at = point(required(form, "at", {"the point at which it acts", "il punto in cui agisce"}));
-            force.along = bearing_or_default(required(form, "along", {"the direction of the force", "la direzione della forza"}));
-            force.name = name;
-            mechanism_.efforts.emplace_back(std::move(force));
+        const Named name = value["couple"]  ? read_couple_effort(value)
+                           : value["joint"] ? read_actuator(value)
+                                            : read_force_effort(value);
+        if (!name.text.empty() && !effort_names_.insert(name.text).second) {
+            fault(name.at, {"two efforts are named {0}; results go by the name, so rename one",
+                            "due azioni equilibranti si chiamano {0}; i risultati vanno per nome, quindi rinominarne una",
+                            quoted(name.text)});
         }
-        if (!name.empty() && !effort_names_.insert(name).second) {
-            fault(name_value,
-                  {"two efforts are named {0}; results go by the name, so rename one",
-                   "due azioni equilibranti si chiamano {0}; i risultati vanno per nome, quindi rinominarne una", quoted(name)});
+    }
+    Named read_couple_effort(JsonValue value) {
+        const Members form =
+            members(value, {"couple", "body", "from", "force"}, {"a couple that balances", "una coppia di forze equilibrante"});
+        one_of(form, {"couple", "force"});
+        const Named name = effort_name(form["couple"], {"the couple's name", "il nome della coppia di forze"});
+        CoupleEffort couple;
+        couple.where = value.pointer();
+        couple.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
+        if (const JsonValue from = form["from"]) couple.from = body(from);
+        if (couple.body != none && couple.body == couple.from) {
+            fault(form["from"] ? form["from"] : form["body"],
+                  form["from"] ? Words("a couple from a body on itself balances nothing; name another",
+                                       "una coppia di forze da un corpo su se stesso non equilibra nulla; indicarne un altro")
+                               : nothing_moves_the_frame());
         }
+        couple.name = name.text;
+        mechanism_.efforts.emplace_back(std::move(couple));
+        return name;
+    }
+    Named read_actuator(JsonValue value) {
+        const Members form = members(value, {"force", "joint"}, {"an actuator", "un attuatore"});
+        const Named name = effort_name(required(form, "force", {"the force's name", "il nome della forza"}),
+                                       {"the force's name", "il nome della forza"});
+        ActuatorEffort actuator;
+        actuator.where = value.pointer();
+        const Words remedy("an actuator works in a prismatic joint", "un attuatore agisce in una coppia prismatica");
+        actuator.joint = sliding_joint(form["joint"], remedy);
+        if (actuator.joint != none) {
+            const PlanePair& pair = mechanism_.joint(actuator.joint).pair();
+            if (!pair.is_sleeve()) wrong_kind(form["joint"], pair.key, remedy);
+        }
+        actuator.name = name.text;
+        mechanism_.efforts.emplace_back(std::move(actuator));
+        return name;
+    }
+    Named read_force_effort(JsonValue value) {
+        const Members form = members(value, {"force", "body", "at", "along", "couple", "joint"},
+                                     {"a force that balances", "una forza equilibrante"});
+        if (form.has_or_misspells("couple") || form.has_or_misspells("joint")) return {};
+        if (!form.has_or_misspells("force")) {
+            fault(value, {"the effort's name is missing: \"force\" or \"couple\"",
+                          "manca il nome dell’azione equilibrante: \"force\" o \"couple\""});
+            return {};
+        }
+        const Named name = effort_name(form["force"], {"the force's name", "il nome della forza"});
+        ForceEffort force;
+        force.where = value.pointer();
+        force.body = moving_body(
+            required(form, "body",
+                     {"the body on which it acts (or give \"joint\")", "il corpo su cui agisce (o assegnare \"joint\")"}),
+            nothing_moves_the_frame());
+        force.at = point(required(form, "at", {"the point at which it acts", "il punto in cui agisce"}));
+        force.along = bearing_or_default(required(form, "along", {"the direction of the force", "la direzione della forza"}));
+        force.name = name.text;
+        mechanism_.efforts.emplace_back(std::move(force));
+        return name;
     }
 
     // ----- motion, wishes, scales

@@ -14,6 +14,8 @@
 
 namespace kinegraph {
 
+struct Solution;
+
 // ----- the motion of a point
 
 /// A law of the file and its place.
@@ -83,6 +85,9 @@ struct PointMotionSolution {
         ElementIndex tip_of_velocity = none, tip_of_acceleration = none, foot = none, reversed = none, centre = none;
     } elements;
 };
+
+/// The value of "motion" in the results file (docs/format.md), of a solution whose problem is the motion of a point.
+std::string motion_json(const Solution& solution);
 
 // ----- motions in the large
 

@@ -331,7 +331,7 @@ void ProblemReader::check_curvatures(const HertzProblem& problem, JsonValue bodi
 
 // ----- reye
 
-std::optional<ReyeProblem> ProblemReader::read_reye(JsonValue section) {
+std::optional<ReyeProblem::Kind> ProblemReader::read_kind_of_reye(JsonValue section) {
     constexpr std::array kinds{std::pair{std::string_view("pad"), ReyeProblem::Kind::pad},
                                std::pair{std::string_view("block"), ReyeProblem::Kind::block},
                                std::pair{std::string_view("disc"), ReyeProblem::Kind::disc},
@@ -350,8 +350,14 @@ std::optional<ReyeProblem> ProblemReader::read_reye(JsonValue section) {
         wrong(kind, wanted);
         return std::nullopt;
     }
+    return found->second;
+}
+
+std::optional<ReyeProblem> ProblemReader::read_reye(JsonValue section) {
+    const auto kind = read_kind_of_reye(section);
+    if (!kind) return std::nullopt;
     ReyeProblem problem;
-    problem.kind = found->second;
+    problem.kind = *kind;
     problem.where = section.pointer();
     const auto read = [&](std::initializer_list<std::string_view> own) {
         std::vector<std::string_view> keys{"kind", "force", "friction", "wear", "time"};

@@ -41,6 +41,7 @@ private:
     void read_material(const Members& form, HertzBody& body);
     void check_curvatures(const HertzProblem& problem, JsonValue bodies);
 
+    std::optional<ReyeProblem::Kind> read_kind_of_reye(JsonValue section);
     std::optional<ReyeProblem> read_reye(JsonValue section);
     void read_pad(const Members& form, ReyeProblem& problem);
     void read_disc(const Members& form, ReyeProblem& problem);

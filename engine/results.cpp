@@ -621,6 +621,38 @@ public:
         return text + "\n}\n";
     }
 
+    /// The value of "motion".
+    std::string json_of(const PointMotionSolution& found) const {
+        const auto& problem = std::get<PointProblem>(mechanism_.problem->of);
+        const auto if_defined = [](bool defined, const std::string& value) { return defined ? value : std::string("null"); };
+        Members members{{"point", quoted(problem.point)},
+                        {"at", number(problem.at)},
+                        {"position", pair(found.place)},
+                        {"velocity", pair(found.velocity)},
+                        {"acceleration", pair(found.acceleration)},
+                        {"way", number(found.way)},
+                        {"speed", number(found.speed)},
+                        {"tangential acceleration", if_defined(!found.rests, number(found.along))},
+                        {"normal acceleration", if_defined(!found.rests, number(found.across))},
+                        {"radius of curvature", if_defined(found.centre.has_value(), number(found.radius))},
+                        {"centre of curvature", found.centre ? pair(*found.centre) : "null"}};
+        const auto two = [](const std::array<double, 2>& of) { return pair(number(of[0]), number(of[1])); };
+        members.emplace_back("polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
+                                                                         {"velocity", two(found.polar_velocity)},
+                                                                         {"acceleration", two(found.polar_acceleration)}})));
+        Members derivatives;
+        const auto add_law = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
+            std::vector<std::string> orders;
+            for (const Expression& each : derived.by_order)
+                orders.push_back((orders.empty() ? "" : ", ") + quoted(written(each, problem.constants, variable)));
+            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol, "[" + orders[0] + orders[1] + orders[2] + "]");
+        };
+        for (std::size_t i = 0; i < found.laws.size(); ++i) add_law(problem.laws[i], found.laws[i], "t");
+        if (found.of_path) add_law(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
+        members.emplace_back("derivatives", object(derivatives));
+        return object_of_lines(members);
+    }
+
 private:
     void add(const ImpactSolution& found, Members& file) const {
         Members members{{"kind", "[" + quoted(found.central ? "central" : "eccentric") + ", " +
@@ -651,36 +683,7 @@ private:
         file.emplace_back("reye", object_of_lines(members));
     }
     void add(const HertzSolution&, Members& file) const { file.emplace_back("hertz", object_of_lines(values_of(found_))); }
-    void add(const PointMotionSolution& found, Members& file) const {
-        const auto& problem = std::get<PointProblem>(mechanism_.problem->of);
-        const auto if_defined = [](bool defined, const std::string& value) { return defined ? value : std::string("null"); };
-        Members members{{"point", quoted(problem.point)},
-                        {"at", number(problem.at)},
-                        {"position", pair(found.place)},
-                        {"velocity", pair(found.velocity)},
-                        {"acceleration", pair(found.acceleration)},
-                        {"way", number(found.way)},
-                        {"speed", number(found.speed)},
-                        {"tangential acceleration", if_defined(!found.rests, number(found.along))},
-                        {"normal acceleration", if_defined(!found.rests, number(found.across))},
-                        {"radius of curvature", if_defined(found.centre.has_value(), number(found.radius))},
-                        {"centre of curvature", found.centre ? pair(*found.centre) : "null"}};
-        const auto two = [](const std::array<double, 2>& of) { return pair(number(of[0]), number(of[1])); };
-        members.emplace_back("polar", if_defined(!found.at_pole, object({{"position", pair(number(found.r), number(found.theta))},
-                                                                         {"velocity", two(found.polar_velocity)},
-                                                                         {"acceleration", two(found.polar_acceleration)}})));
-        Members derivatives;
-        const auto add_law = [&](const StatedLaw& law, const Derived& derived, std::string_view variable) {
-            std::vector<std::string> orders;
-            for (const Expression& each : derived.by_order)
-                orders.push_back((orders.empty() ? "" : ", ") + quoted(written(each, problem.constants, variable)));
-            derivatives.emplace_back(law.symbol == "θ" ? "theta" : law.symbol, "[" + orders[0] + orders[1] + orders[2] + "]");
-        };
-        for (std::size_t i = 0; i < found.laws.size(); ++i) add_law(problem.laws[i], found.laws[i], "t");
-        if (found.of_path) add_law(std::get<GraphPath>(*problem.path).f, *found.of_path, "x");
-        members.emplace_back("derivatives", object(derivatives));
-        file.emplace_back("motion", object_of_lines(members));
-    }
+    void add(const PointMotionSolution& found, Members& file) const { file.emplace_back("motion", json_of(found)); }
     void add(const PositionsSolution& found, Members& file) const {
         const auto& problem = std::get<PositionsProblem>(mechanism_.problem->of);
         Members displacements, pivots;
@@ -868,6 +871,10 @@ std::string displacements_json(const Mechanism& mechanism, const Displacements& 
 }
 
 std::string equations_json(const Equations& equations) { return EquationResults(equations).json(); }
+
+std::string motion_json(const Solution& solution) {
+    return ProblemResults(solution, false).json_of(std::get<PointMotionSolution>(solution.problem->of));
+}
 
 std::string results_json(const Solution& solution, bool exact, const Teller& tell) {
     if (stands_for_joints(solution.mechanism)) return ProblemResults(solution, exact).json();

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, EquationSheet,
 
 /// Every known term is on the side, and has the sign, that the drawn position asks for.
 TEST(EquationText, ProjectsWithTheRightSigns) {
-    const auto text = [](const char* name) { return equations_as_text(with_equations(name), Language::en); };
+    const auto text = [](const char* name) { return as_text(equation_items(with_equations(name), Language::en)); };
     const auto has = [](const std::string& all, const char* line) {
         EXPECT_NE(all.find(std::string("  ") + line + "\n"), std::string::npos) << line << "\n" << all;
     };
@@ -90,7 +90,7 @@ TEST(EquationText, ProjectsWithTheRightSigns) {
 
 /// ω and α of the SCARA's forearm relative to the arm: the groups add up to what the polygons say.
 TEST(EquationText, PartsTheScarasAcceleration) {
-    const std::string text = equations_as_text(with_equations("scara"), Language::it);
+    const std::string text = as_text(equation_items(with_equations("scara"), Language::it));
     for (const char* const line :
          {"z_B = a e^{i α} + b e^{i (α + β)}", "v_rel = i b β̇ e^{i (α + β)}", "a_Cor = − 2 b α̇ β̇ e^{i (α + β)}"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;

@@ -1,13 +1,13 @@
 #!/bin/sh
-# katex_test.sh PROGRAM ROOT: the LaTeX of every example's closure equations, in Italian (commas, accents), is set by KaTeX, which throws at
-# what it cannot read; and the test itself sees a formula that is wrong.
+# katex_test.sh PROGRAM ROOT: the LaTeX of every example's closure equations and of every point's derivatives, in Italian (commas,
+# accents), is set by KaTeX, which throws at what it cannot read; and the test itself sees a formula that is wrong.
 set -u
 program=$1
 examples=$2/examples
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
-for file in "$examples"/*.json; do
+for file in "$examples"/*.json "$examples"/motion/*.json; do
     name=$(basename "$file" .json)
     for language in it; do
         "$program" equations "$file" --format latex --lang $language >"$work/$name-$language.tex" 2>/dev/null ||

@@ -318,7 +318,7 @@ private:
 
     std::string equations(Language language) const {
         if (!solution_.equations || !solution_.equations->why_not.empty()) return {};
-        return element("pre", "", escaped(equations_as_text(solution_, language)));
+        return element("pre", "", escaped(as_text(equation_items(solution_, language))));
     }
     /// The columns that follow the mechanism; the script fills them in.
     std::string values(Language language) const {

@@ -1,14 +1,15 @@
 // Blocks: see block.hpp.
 #include "render/page/block.hpp"
 
+#include <iterator>
+
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
 
-void set(std::vector<Mark>& marks, const Block& block, Spot at) {
-    std::vector<Mark> moved = block.marks;
-    move(moved, at.x, at.y);
-    marks.insert(marks.end(), moved.begin(), moved.end());
+void set(std::vector<Mark>& marks, Block block, Spot at) {
+    move(block.marks, at.x, at.y);
+    marks.insert(marks.end(), std::make_move_iterator(block.marks.begin()), std::make_move_iterator(block.marks.end()));
 }
 
 namespace {
@@ -28,6 +29,7 @@ void scale(Path& path, double factor) {
 }  // namespace
 
 Block scaled(Block block, double factor) {
+    if (factor == 1) return block;
     for (Mark& mark : block.marks) {
         if (auto* path = std::get_if<Path>(&mark)) scale(*path, factor);
         auto* text = std::get_if<TextMark>(&mark);

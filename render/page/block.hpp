@@ -13,7 +13,7 @@ struct Block {
     double width = 0, height = 0;
 };
 /// A block with its top left at a place.
-void set(std::vector<Mark>& marks, const Block& block, Spot at);
+void set(std::vector<Mark>& marks, Block block, Spot at);
 /// The same text smaller or larger; figures are never scaled.
 Block scaled(Block block, double factor);
 

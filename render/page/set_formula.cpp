@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "render/page/shapes.hpp"
 
@@ -206,7 +207,7 @@ std::vector<Typeset> lines_of(const Formula& formula, const Setter& setter, doub
 
 Block formula_block(const Formula& formula, const Fonts& fonts, double size, double measure, Colour colour) {
     const Setter setter(fonts, colour);
-    constexpr double least = 0.6, leading = 0.5, hair = 0.995;
+    constexpr double least = 0.6, leading = 0.5, between = 1.2, hair = 0.995;
     constexpr int most_trials = 4;
     std::vector<Typeset> lines;
     double own = size;
@@ -218,20 +219,21 @@ Block formula_block(const Formula& formula, const Fonts& fonts, double size, dou
         own = std::max(least * size, own * hair * measure / widest);
     }
     Block block;
-    for (const Typeset& box : lines) {
+    for (Typeset& box : lines) {
         const double baseline = block.height + box.ascent;
-        set(block.marks, {box.marks, box.width, 0}, {0, baseline});
+        set(block.marks, {std::move(box.marks), box.width, 0}, {0, baseline});
         block.width = std::max(block.width, box.width);
-        block.height = baseline + box.descent + leading;
+        const bool goes_on = &box != &lines.back();
+        block.height = baseline + box.descent + (goes_on ? between : leading);
     }
     if (const double factor = measure / block.width; factor < 1) block = scaled(std::move(block), factor);
     return block;
 }
 
 SetLine formula_line(const Formula& formula, const Fonts& fonts, double size, Colour colour) {
-    const Typeset typeset = Setter(fonts, colour).set(formula, size);
+    Typeset typeset = Setter(fonts, colour).set(formula, size);
     SetLine line{{{}, typeset.width, typeset.ascent + typeset.descent}, typeset.ascent};
-    set(line.block.marks, {typeset.marks, typeset.width, 0}, {0, typeset.ascent});
+    set(line.block.marks, {std::move(typeset.marks), typeset.width, 0}, {0, typeset.ascent});
     return line;
 }
 

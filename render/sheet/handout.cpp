@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "render/figures/caption.hpp"
 #include "render/page/shapes.hpp"
@@ -13,6 +14,7 @@
 #include "render/sheet/page_plan.hpp"
 #include "render/sheet/title_block.hpp"
 #include "render/tables/answers.hpp"
+#include "render/tables/equation_block.hpp"
 #include "render/tables/prose.hpp"
 
 namespace kinegraph::render {
@@ -132,10 +134,25 @@ private:
             group.push_back(each);
         }
         close();
+        add_equations(passages);
         std::vector<RichText> remarks{one_piece(word("tolerances", context_.language))};
         for (const Message& each : context_.solution.remarks) remarks.push_back(say(each, context_.language));
         passages.push_back(passage("remarks", remarks, ""));
         return passages;
+    }
+    /// Where the equations are sought: what they come to, a passage for each heading.
+    void add_equations(std::vector<Passage>& passages) const {
+        if (!context_.solution.mechanism.find.equations) return;
+        const std::vector<EquationItem> items = equation_answers(context_.solution, context_.language);
+        NaturalBlocks natural;
+        for (std::size_t first = 0; first < items.size();) {
+            std::size_t end = first + 1;
+            while (end < items.size() && items[end].kind != EquationItem::Kind::heading) ++end;
+            passages.push_back(passage_under(items[first].words, {}, ""));
+            passages.back().rows =
+                equation_blocks(context_, std::span(items).subspan(first + 1, end - first - 1), measure(), natural);
+            first = end;
+        }
     }
     /// Of the first page beside the figure, then under it; of a further one the whole columns.
     std::vector<Stretch> stretches(std::size_t page) const {

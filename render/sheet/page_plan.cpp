@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -18,6 +19,7 @@ constexpr double step = 4;       // mm: heights are multiples of it
 constexpr int least_height = 4;  // steps, of a band
 constexpr int gap_steps = static_cast<int>(row_gap / step);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double impossible = BandLayout::impossible, possible = 0.5 * impossible;
 constexpr double above_block = 4;
 
@@ -123,10 +125,11 @@ private:
     }
 
     double worth_of(std::size_t band, Width width, int height, const Notch& notch) {
-        const auto key = std::tuple(band, width, height, notch.left, notch.high);
-        const auto found = worth_.find(key);
-        if (found != worth_.end()) return found->second;
-        return worth_[key] = layouts_[band].in(width, height * step, notch).worth;
+        std::vector<double>& by_height = worth_[std::tuple(band, width, notch.left, notch.high)];
+        if (by_height.empty()) by_height.assign(at_index(std::max(steps_of(true), steps_of(false))) + 1, unknown);
+        double& worth = by_height[at_index(height)];
+        if (std::isnan(worth)) worth = layouts_[band].in(width, height * step, notch).worth;
+        return worth;
     }
     /// Of one band, or of two one under the other, with the height of the upper one then.
     std::pair<double, int> cell(std::size_t first, int count, Width width, int height, const Notch& notch) {
@@ -246,9 +249,9 @@ private:
     const std::vector<Band>& bands_;
     const SheetFormat& format_;
     double taken_by_block_;
-    std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
-    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
-    std::map<std::tuple<std::size_t, Width, int, double, double>, double> worth_;
+    std::array<std::vector<Split>, most_cells + 1> splits_;                                // by the number of cells
+    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;                         // by the number of bands
+    std::map<std::tuple<std::size_t, Width, double, double>, std::vector<double>> worth_;  // by height, once asked
     std::map<std::tuple<std::size_t, Width, int, double, double>, std::pair<double, int>> cells_;
     std::map<std::tuple<std::size_t, std::size_t, int, bool>, Row> rows_;
 };

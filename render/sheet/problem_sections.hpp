@@ -9,6 +9,7 @@
 #include "render/page/block.hpp"
 #include "render/page/figure.hpp"
 #include "render/scene/drawing_context.hpp"
+#include "render/tables/point_text.hpp"
 
 namespace kinegraph::render {
 
@@ -18,18 +19,13 @@ struct ProblemFigure {
     double height = 1;                                       ///< beside that of others
     std::function<Figure(double, double)> as_question = {};  ///< where a question keeps something of it back
 };
-/// A formula set in type, or a table, behind the first `after` sentences.
-struct ProblemPiece {
-    std::size_t after = 0;
-    std::function<Block(double measure)> set;
-};
 struct ProblemSection {
     std::string question;  ///< its data-question
     Words heading;
     std::vector<ProblemFigure> figures;
     std::vector<Words> sentences;  ///< as formula() reads them; a line break begins an equation on a line of its own
     std::size_t found = 0;         ///< of what is given: how many of the last sentences a question keeps back
-    std::vector<ProblemPiece> pieces = {};
+    std::vector<PieceAfter> pieces = {};  ///< formulas and tables among the sentences
 };
 /// In the order in which they are read, without the results and remarks, which all problems share.
 std::vector<ProblemSection> sections_of_problem(const DrawingContext& context);

@@ -8,9 +8,11 @@
 #include "engine/problem.hpp"
 #include "render/figures/caption.hpp"
 #include "render/page/block.hpp"
+#include "render/page/set_formula.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/problem_sections.hpp"
 #include "render/sheet/title_block.hpp"
+#include "render/tables/equation_block.hpp"
 #include "render/tables/prose.hpp"
 #include "render/text/formula.hpp"
 #include "render/text/utf8.hpp"
@@ -101,17 +103,31 @@ public:
         for (ProblemFigure& figure : given.figures)
             if (figure.as_question) figure.draw = figure.as_question;
         ProblemSection sought{"sought", {word("sought", Language::en), word("sought", Language::it)}, {}, {}};
-        const auto& asked = asked_of(context_.solution.mechanism);
         for (const ProblemValue& each : context_.solution.problem->values) {
-            const auto is_it = [&](const AskedResult& other) { return other.name == each.name.en; };
-            if (!asked.empty() && std::none_of(asked.begin(), asked.end(), is_it)) continue;
+            if (!is_sought(each)) continue;
             const std::string symbol = "{" + each.symbol + "}";
-            sought.sentences.emplace_back("– " + symbol + "  " + each.name.en, "– " + symbol + "  " + each.name.it);
+            sought.sentences.emplace_back("– " + symbol + "  " + spoken(each).en, "– " + symbol + "  " + spoken(each).it);
         }
         sections_ = {std::move(given), std::move(sought)};
         constexpr double height = 86;
         std::vector<Item> all;
         for (std::size_t s = 0; s < sections_.size(); ++s) add(all, section(s, height));
+        return framed(flow(all, false));
+    }
+
+    /// The question's figure and what is sought, with its values.
+    std::vector<Page> answers() {
+        signature_.subtitle = word("subtitle answers", context_.language);
+        ProblemSection given = sections_.front();
+        given.sentences.clear();
+        given.pieces.clear();
+        for (ProblemFigure& figure : given.figures)
+            if (figure.as_question) figure.draw = figure.as_question;
+        sections_ = {std::move(given)};
+        constexpr double height = 86;
+        std::vector<Item> all = section(0, height);
+        add(all, answer_table(1));
+        add(all, remarks(1));
         return framed(flow(all, false));
     }
 
@@ -142,6 +158,13 @@ private:
     Block fitted(Block block) const { return scaled(std::move(block), format_.text_size); }
     double measure() const { return format_.measure / format_.text_size; }
 
+    /// Whether the file asks for it; all is sought where it asks for nothing by name.
+    bool is_sought(const ProblemValue& value) const {
+        const auto& asked = asked_of(context_.solution.mechanism);
+        const auto is_it = [&](const AskedResult& other) { return other.name == value.name.en; };
+        return asked.empty() || std::any_of(asked.begin(), asked.end(), is_it);
+    }
+
     // --- what stands there
     // ------------------------------------------------------------------------------------------------------
     std::vector<Item> items(double figure_height) {
@@ -161,11 +184,11 @@ private:
         for (const ProblemFigure& figure : section.figures)
             all.push_back({figure_block(figure, format_.measure, figure_height * figure.height), s, 0, false});
         const auto add_pieces = [&](std::size_t after) {
-            for (const ProblemPiece& piece : section.pieces) {
+            for (const PieceAfter& piece : section.pieces) {
                 // What announces a formula stays with it.
                 if (piece.after != after) continue;
                 if (!all.empty() && after > 0) all.back().holds_next = true;
-                all.push_back({fitted(piece.set(measure())), s, 0, false});
+                all.push_back({fitted(piece_block(piece.item, measure())), s, 0, false});
             }
         };
         add_pieces(0);
@@ -187,6 +210,25 @@ private:
         block.width = width;
         block.height = caption + figure.box.height() + below_figure;
         return block;
+    }
+    /// A formula under the sentence that announces it, or a table that stays together.
+    Block piece_block(const EquationItem& item, double width) const {
+        constexpr double indent = 5, air = 1.3;
+        if (item.kind == EquationItem::Kind::formula) {
+            Block alone =
+                formula_block(item.formula, context_.fonts, context_.theme.derived, width - indent, context_.theme.text);
+            Block block{{}, width, alone.height + air};
+            set(block.marks, std::move(alone), {indent, 0});
+            return block;
+        }
+        Block whole{{}, width, 0};
+        NaturalBlocks once;
+        for (Block& line : equation_blocks(context_, {&item, 1}, width, once)) {
+            const double height = line.height;
+            set(whole.marks, std::move(line), {0, whole.height});
+            whole.height += height;
+        }
+        return whole;
     }
     /// Prose, and its equations on lines of their own.
     Block sentence(const Words& words, double width) const {
@@ -245,6 +287,28 @@ private:
         const Words heading("Results and numeric check", "Risultati e verifica numerica");
         all.push_back({fitted(heading_block(context_, width, say(heading))), section, between_sections, true, true});
         all.push_back({fitted(std::move(table)), section, 0, false});
+        return all;
+    }
+    /// Symbol, name and value of what is sought.
+    std::vector<Item> answer_table(std::size_t section) const {
+        std::vector<std::vector<Formula>> rows{
+            {Formula(), Formula::upright(say(head_of(0))), Formula::upright(word("value", context_.language))}};
+        const Units& units = context_.solution.mechanism.units;
+        for (const ProblemValue& each : context_.solution.problem->values) {
+            if (!is_sought(each)) continue;
+            const ResultCells cells = cells_of(each, context_.solution.problem->values, units, context_.language);
+            Formula symbol;
+            symbol.kind = Formula::Kind::text;
+            symbol.text = symbol_of(each.symbol);
+            rows.push_back({std::move(symbol), Formula::upright(say(spoken(each))), Formula::upright(cells.found)});
+        }
+        const EquationItem table{EquationItem::Kind::table, {}, {}, std::move(rows)};
+        NaturalBlocks natural;
+        std::vector<Item> all{
+            {fitted(heading_block(context_, measure(), word("answers", context_.language))), section, between_sections, true}};
+        for (Block& line : equation_blocks(context_, {&table, 1}, measure(), natural))
+            all.push_back({fitted(std::move(line)), section, 0, false});
+        if (all.size() > 1) all[1].holds_next = true;
         return all;
     }
     std::vector<Item> remarks(std::size_t section) const {
@@ -338,8 +402,8 @@ private:
             y += block.height;
         };
         const auto put_pieces = [&](std::size_t after, bool is_new) {
-            for (const ProblemPiece& piece : section.pieces)
-                if (piece.after == after) put(fitted(piece.set(measure())), is_new);
+            for (const PieceAfter& piece : section.pieces)
+                if (piece.after == after) put(fitted(piece_block(piece.item, measure())), is_new);
         };
         put_pieces(0, k == 0);
         for (std::size_t i = 0; i <= k; ++i) {
@@ -362,7 +426,15 @@ private:
 
 std::vector<Page> lay_out_problem(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     ProblemSheet sheet(solution, options, fonts);
-    return options.kind == SheetKind::question ? sheet.question() : sheet.pages();
+    switch (options.kind) {
+        case SheetKind::question:
+            return sheet.question();
+        case SheetKind::answers:
+            return sheet.answers();
+        case SheetKind::solution:
+            break;
+    }
+    return sheet.pages();
 }
 std::vector<Page> lay_out_problem_steps(const Solution& solution, const SheetOptions& options, const Fonts& fonts) {
     return ProblemSheet(solution, options, fonts).steps();

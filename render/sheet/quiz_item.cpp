@@ -120,14 +120,22 @@ private:
         item_.figure =
             page_of_figure(context_, (figure.as_question ? figure.as_question : figure.draw)(format_.measure, tallest));
         QuizSection data{in(given.heading, language()), {}};
-        for (std::size_t i = 0; i + given.found < given.sentences.size(); ++i)
-            data.paragraphs.push_back(said(given.sentences[i]));
+        const std::size_t told = given.sentences.size() - given.found;
+        add_paragraphs(data, given, 0, told);
         item_.question.push_back(std::move(data));
-        given.sentences.erase(given.sentences.begin(), given.sentences.end() - static_cast<std::ptrdiff_t>(given.found));
         for (const ProblemSection& section : sections) {
-            QuizSection told{in(section.heading, language()), {}};
-            for (const Words& each : section.sentences) told.paragraphs.push_back(said(each));
-            if (!told.paragraphs.empty()) item_.solution.push_back(std::move(told));
+            QuizSection solved{in(section.heading, language()), {}};
+            add_paragraphs(solved, section, &section == &given ? told : 0, section.sentences.size());
+            if (!solved.paragraphs.empty()) item_.solution.push_back(std::move(solved));
+        }
+    }
+    /// Sentences from `first` to before `end`, each with the formulas that it announces.
+    void add_paragraphs(QuizSection& to, const ProblemSection& of, std::size_t first, std::size_t end) const {
+        for (std::size_t i = first; i < end; ++i) {
+            to.paragraphs.push_back(said(of.sentences[i]));
+            for (const PieceAfter& piece : of.pieces)
+                if (piece.after == i + 1 && piece.item.kind == EquationItem::Kind::formula)
+                    to.paragraphs.push_back(with_powers(piece.item.formula.plain()));
         }
     }
     RichText said(const Words& words) const { return formula(in(words, language())); }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/displacements.hpp"
 #include "engine/problem.hpp"
 #include "render/page/shapes.hpp"
 #include "render/sheet/contact_pages.hpp"
@@ -185,10 +186,11 @@ private:
 
     std::string efforts() const {
         std::vector<Cells> rows{{word("effort", language_), "", ""}};
-        for (std::size_t e = 0; e < solution_.efforts.size(); ++e) {
+        const std::vector<EffortValue> efforts = efforts_found(solution_);
+        for (std::size_t e = 0; e < efforts.size(); ++e) {
             const bool couple = std::holds_alternative<CoupleEffort>(solution_.mechanism.efforts[e]);
             const Unit& unit = couple ? solution_.mechanism.units.moment : solution_.mechanism.units.force;
-            const EffortValue& effort = solution_.efforts[e];
+            const EffortValue& effort = efforts[e];
             rows.push_back({effort.name, effort.value ? value(*effort.value, unit) : "–", unit.symbol});
         }
         return table(word("efforts", language_), rows);

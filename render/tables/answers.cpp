@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/centre_symbol.hpp"
+#include "engine/displacements.hpp"
 #include "render/page/shapes.hpp"
 #include "render/tables/force_tables.hpp"
 #include "render/tables/tables.hpp"
@@ -46,6 +47,7 @@ public:
         if (with_centres) add_centres();
         for (const ResultRow& row : motion_) add_motion(row);
         for (const ResultRow& row : forces_) add_force(row);
+        add_efforts();
         return std::move(answers_);
     }
 
@@ -161,6 +163,19 @@ private:
                     if (external.joint == row.quantity.joint && !answer.direction) answer.direction = degrees_of(*external.force);
         }
         answers_.push_back(std::move(answer));
+    }
+    /// Those that virtual work found without reactions: positive along their lines, and calculated rather than read.
+    void add_efforts() {
+        const std::vector<EffortValue> efforts = efforts_found(solution_);
+        for (std::size_t e = 0; e < efforts.size(); ++e) {
+            if (!efforts[e].value || (e < solution_.efforts.size() && solution_.efforts[e].value)) continue;
+            const bool couple = std::holds_alternative<CoupleEffort>(mechanism_.efforts[e]);
+            const Unit& unit = couple ? mechanism_.units.moment : mechanism_.units.force;
+            Answer answer{Symbol{couple ? Symbol::Letter::M : Symbol::Letter::F, efforts[e].name, ""}, Topic::forces,
+                          efforts[e].value->to_double() / unit.si.to_double(), unit.symbol};
+            answer.quantity = {.kind = Kind::effort, .given = static_cast<int>(e)};
+            answers_.push_back(std::move(answer));
+        }
     }
     /// M = F·h with the largest force on the body: both are read.
     std::optional<double> tolerance_of_couple(const ResultRow& row) const {

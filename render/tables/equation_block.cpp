@@ -1,6 +1,7 @@
 #include "render/tables/equation_block.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "render/page/set_formula.hpp"
@@ -11,11 +12,12 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double between = 4;  // columns of a table, mm
+constexpr double widest_between = 4, least_between = 1.6;  // columns of a table, mm
 
 /// A table's lines, its columns as wide as what stands in them.
-std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows) {
-    constexpr double under_head = 1.4, under_line = 0.9;
+std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows,
+                            double between = widest_between) {
+    constexpr double under_head = 1.4, under_line = 0.4;
     std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -29,16 +31,18 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
     }
     double whole = -between;
     for (const double each : wide) whole += each + between;
+    // Lines of letters stand evenly, whether they have dots or indices or not; tall ones take what they need.
+    const double even_up = 0.9 * millimetres(context.theme.small), even_down = 0.25 * millimetres(context.theme.small);
     std::vector<Block> lines;
     for (std::size_t r = 0; r < cells.size(); ++r) {
         Block line;
-        double x = 0, up = 0, down = 0;
+        double x = 0, up = even_up, down = even_down;
         for (const SetLine& cell : cells[r]) {
             up = std::max(up, cell.baseline);
             down = std::max(down, cell.block.height - cell.baseline);
         }
         for (std::size_t c = 0; c < cells[r].size(); ++c) {
-            set(line.marks, cells[r][c].block, {x, up - cells[r][c].baseline});
+            set(line.marks, std::move(cells[r][c].block), {x, up - cells[r][c].baseline});
             x += wide[c] + between;
         }
         line.width = whole;
@@ -67,6 +71,22 @@ const std::vector<Block>& natural_of(const DrawingContext& context, const Equati
     return found->second;
 }
 
+/// Columns closer, then all of it smaller, where the measure asks.
+void add_table(const DrawingContext& context, const EquationItem& item, double measure, NaturalBlocks& natural,
+               const std::function<void(Block)>& add) {
+    const std::vector<Block>& wide = natural_of(context, item, natural);
+    const double excess = wide.front().width - measure;
+    if (excess <= 0) {
+        for (const Block& line : wide) add(line);
+        return;
+    }
+    const auto gaps = static_cast<double>(std::max<std::size_t>(item.rows.front().size(), 2) - 1);
+    for (Block& line : lines_of(context, item.rows, std::max(least_between, widest_between - excess / gaps))) {
+        const double share = std::min(1.0, measure / line.width);
+        add(scaled(std::move(line), share));
+    }
+}
+
 }  // namespace
 
 std::vector<Block> equation_blocks(const DrawingContext& context, std::span<const EquationItem> items, double measure,
@@ -80,9 +100,10 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
             return;
         }
         Block& before = blocks.back();
-        set(before.marks, block, {0, before.height});
-        before.width = std::max(before.width, block.width);
-        before.height += block.height;
+        const double width = block.width, height = block.height;
+        set(before.marks, std::move(block), {0, before.height});
+        before.width = std::max(before.width, width);
+        before.height += height;
     };
     for (const EquationItem& item : items) {
         switch (item.kind) {
@@ -95,19 +116,14 @@ std::vector<Block> equation_blocks(const DrawingContext& context, std::span<cons
             case EquationItem::Kind::formula: {
                 const Block& wide = natural_of(context, item, natural).front();
                 const bool fits = wide.width <= measure - indent;
-                const Block broken = fits ? Block{} : formula_within(context, item.formula, measure - indent);
-                const Block& alone = fits ? wide : broken;
-                Block block;
-                set(block.marks, alone, {indent, 0});
-                block.width = measure;
-                block.height = alone.height + air;
+                Block alone = fits ? wide : formula_within(context, item.formula, measure - indent);
+                Block block{{}, measure, alone.height + air};
+                set(block.marks, std::move(alone), {indent, 0});
                 add(std::move(block));
                 break;
             }
             case EquationItem::Kind::table:
-                // All of it smaller where the measure asks.
-                for (const Block& line : natural_of(context, item, natural))
-                    add(scaled(line, std::min(1.0, measure / line.width)));
+                add_table(context, item, measure, natural, add);
                 break;
         }
     }

@@ -1,6 +1,7 @@
 #include "render/tables/equation_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -79,6 +80,15 @@ public:
         write_dead_points();
         return std::move(items_);
     }
+    /// Without what leads there.
+    std::vector<EquationItem> answers() {
+        if (!e_.unknowns.empty() && !e_.free.empty()) {
+            write_ratios();
+            if (e_.by_tangent.empty() && e_.is_regular()) write_second_ratios();
+        }
+        write_dead_points();
+        return std::move(items_);
+    }
 
 private:
     // --- pieces ---------------------------------------------------------------------------------------------------------------
@@ -93,6 +103,14 @@ private:
     /// As sentences call it: in braces, which make a letter of it.
     std::string spoken(LetterIndex index) const {
         return "{" + unicode_letter(letter(index).symbol) + (letter(index).sub.empty() ? "" : "_" + letter(index).sub) + "}";
+    }
+    /// A name of a letter and digits as one letter, "O2" as O₂; others as they are.
+    static std::string as_letter(const std::string& name) {
+        const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+        const bool is_one = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+                            std::all_of(name.begin() + 1, name.end(), is_digit);
+        if (!is_one) return name;
+        return "{" + name.substr(0, 1) + (name.size() > 1 ? "_" + name.substr(1) : "") + "}";
     }
     Formula value(double number) const { return Formula::upright(trimmed(render::number(number, digits, language_))); }
     std::string amount_of(LetterIndex index, double si, int derived) const {
@@ -268,7 +286,8 @@ private:
             const Equations::Loop& loop = e_.loops[i];
             std::string through;
             for (std::size_t k = 0; k < loop.through.size(); ++k)
-                if (k == 0 || loop.through[k] != loop.through[k - 1]) through += (through.empty() ? "" : "–") + loop.through[k];
+                if (k == 0 || loop.through[k] != loop.through[k - 1])
+                    through += (through.empty() ? "" : "–") + as_letter(loop.through[k]);
             say(Words("Loop {0} ({1}), real and imaginary part:", "Maglia {0} ({1}), parte reale e immaginaria:",
                       std::to_string(i + 1), through));
             set(both_sides(loop, [&](const Side& each) { return side(each); }));
@@ -454,6 +473,9 @@ private:
                 if (own.sign != 0) shares.push_back(std::move(own));
             }
             set(equal(turning.term, joined(shares)));
+        } else if (constexpr std::size_t most_above_a_bar = 3; across.size() > most_above_a_bar) {
+            // A sum of many terms stands on lines, not above a bar.
+            set(equal(name(first.length) + turning.term, joined(across)));
         } else {
             set(equal(turning.term, Formula::fraction(joined(across), name(first.length))));
         }
@@ -609,11 +631,12 @@ private:
     void write_block(const Equations::Block& block, int dots) {
         if (block.unknowns.empty()) return;
         // A system of many unknowns has its matrix apart: J ẏ = …, and long right sides stand one under the other.
-        constexpr std::size_t most_in_line = 4;
+        constexpr std::size_t most_in_line = 4, most_letters = 60;
         const bool is_large = block.unknowns.size() > most_in_line;
         if (is_large && dots == 1) write_in_parts(block);
         Formula left = (is_large ? Formula::letter("J") : matrix(block, true)) + unknowns_column(block, dots);
-        if (const bool is_long = longest_right_side(block, dots) > most_in_line; !is_long)
+        if (const bool is_long = longest_right_side(block, dots) > most_in_line || widest_right_side(block, dots) > most_letters;
+            !is_long)
             set(equal(std::move(left), right_side(block, dots, true)));
         else
             write_long_right_side(block, dots, std::move(left));
@@ -637,6 +660,13 @@ private:
         for (const int r : block.rows) longest = std::max(longest, known_terms(block, at_index(r), dots).size());
         return longest;
     }
+    /// Characters of the longest row.
+    std::size_t widest_right_side(const Equations::Block& block, int dots) const {
+        std::size_t widest = 0;
+        for (const int r : block.rows)
+            widest = std::max(widest, character_count(joined(terms(known_terms(block, at_index(r), dots), -1)).plain()));
+        return widest;
+    }
     void write_long_right_side(const Equations::Block& block, int dots, Formula left) {
         std::vector<Formula> names;
         for (std::size_t i = 0; i < block.rows.size(); ++i) names.push_back(Formula::letter("r", std::to_string(i + 1)));
@@ -646,12 +676,20 @@ private:
     }
     /// J = [J_1 J_2 …], a few columns each.
     void write_in_parts(const Equations::Block& block) {
-        constexpr std::size_t most = 3;
+        constexpr std::size_t most = 3, most_letters = 56, between = 3;
         std::vector<Formula> names;
-        for (std::size_t first = 0; first < block.unknowns.size(); first += most) {
+        for (std::size_t first = 0; first < block.unknowns.size();) {
             Equations::Block part = block;
-            const auto begin = block.unknowns.begin() + static_cast<std::ptrdiff_t>(first);
-            part.unknowns.assign(begin, begin + static_cast<std::ptrdiff_t>(std::min(most, block.unknowns.size() - first)));
+            part.unknowns.clear();
+            for (std::size_t letters = 0; first < block.unknowns.size() && part.unknowns.size() < most; ++first) {
+                Equations::Block one = block;
+                one.unknowns = {block.unknowns[first]};
+                std::size_t widest = 0;
+                for (const Formula& entry : matrix(one, true).parts) widest = std::max(widest, character_count(entry.plain()));
+                letters += widest + between;
+                if (!part.unknowns.empty() && letters > most_letters) break;
+                part.unknowns.push_back(block.unknowns[first]);
+            }
             names.push_back(Formula::letter("J", std::to_string(names.size() + 1)));
             set(equal(names.back(), matrix(part, true)));
         }
@@ -757,13 +795,15 @@ private:
         say({"Differentiating once more; the matrix is the same:", "Derivando ancora; la matrice resta la stessa:"});
         for (const Equations::Loop& loop : e_.loops) set(derived(loop, true));
         for (const Equations::Block& block : e_.blocks) write_block(block, 2);
+        write_second_ratios();
+    }
+    void write_second_ratios() {
         for (std::size_t j = 0; j < e_.unknowns.size(); ++j)
             for (std::size_t k = 0; k < e_.free.size(); ++k) {
                 const LetterIndex of = e_.unknowns[j], by = e_.free[k];
-                set(equal(Formula::letter("Lambda", plain_sub(of)) + Formula::upright("′"), derivative(name(of), name(by), 2)) +
-                    Formula::sign("=") +
-                    Formula::upright(number(ratio_in_units(of, by, e_.second_ratios[j][k][k].value_or(0), 2), digits, language_) +
-                                     ratio_unit(of, by, 2)));
+                const double value = ratio_in_units(of, by, e_.second_ratios[j][k][k].value_or(0), 2);
+                set(equal(Formula::primed("Lambda", plain_sub(of), 1), derivative(name(of), name(by), 2)) + Formula::sign("=") +
+                    Formula::upright(trimmed(number(value, digits, language_)) + ratio_unit(of, by, 2)));
             }
     }
 
@@ -1002,11 +1042,32 @@ std::vector<EquationItem> equation_items(const Solution& solution, Language lang
     return Text(solution, language).items();
 }
 
-std::string equations_as_text(const Solution& solution, Language language) {
+std::vector<EquationItem> equation_answers(const Solution& solution, Language language) {
+    if (!solution.equations || !solution.equations->why_not.empty()) return {};
+    return Text(solution, language).answers();
+}
+
+namespace {
+
+/// For a terminal: "m/s²".
+std::string as_words(const RichText& text) {
+    std::string words;
+    for (const Piece& piece : text) {
+        const bool squared = piece.sup == "2";
+        Piece own = piece;
+        if (squared) own.sup.clear();
+        words += plain({own}) + (squared ? "²" : "");
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string as_text(std::span<const EquationItem> items) {
     std::string text;
-    for (const EquationItem& item : equation_items(solution, language)) {
+    for (const EquationItem& item : items) {
         if (item.kind == Kind::heading) text += (text.empty() ? "" : "\n") + item.words + "\n";
-        if (item.kind == Kind::words) text += plain(formula(item.words)) + "\n";
+        if (item.kind == Kind::words) text += as_words(formula(item.words)) + "\n";
         if (item.kind == Kind::formula) text += "  " + item.formula.plain() + "\n";
         std::vector<std::size_t> wide;
         for (const auto& row : item.rows)
@@ -1026,7 +1087,7 @@ std::string equations_as_text(const Solution& solution, Language language) {
     return text;
 }
 
-std::string equations_as_latex(const Solution& solution, Language language) {
+std::string as_latex(std::span<const EquationItem> items) {
     const auto safe = [](const std::string& words) {
         std::string text;
         for (const char c : words) {
@@ -1036,7 +1097,7 @@ std::string equations_as_latex(const Solution& solution, Language language) {
         return text;
     };
     std::string text = "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
-    for (const EquationItem& item : equation_items(solution, language)) {
+    for (const EquationItem& item : items) {
         if (item.kind == Kind::heading) text += "\\section*{" + safe(item.words) + "}\n";
         if (item.kind == Kind::words) {
             for (const Piece& piece : formula(item.words))

@@ -3,6 +3,7 @@
 // and from the solution what the polygons say beside them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,12 @@ struct EquationItem {
 /// Nothing where there are no equations.
 std::vector<EquationItem> equation_items(const Solution& solution, Language language);
 
+/// What a key says of the equations: velocity ratios with their derivatives, dead points; nothing where there are none.
+std::vector<EquationItem> equation_answers(const Solution& solution, Language language);
+
 /// For a terminal, a line a formula.
-std::string equations_as_text(const Solution& solution, Language language);
+std::string as_text(std::span<const EquationItem> items);
 /// A document of LaTeX (amsmath), a display a formula.
-std::string equations_as_latex(const Solution& solution, Language language);
+std::string as_latex(std::span<const EquationItem> items);
 
 }  // namespace kinegraph::render

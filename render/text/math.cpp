@@ -68,8 +68,14 @@ std::string latex_of_upright(std::string_view text) {
                                                      {"⁸", "8"},
                                                      {"⁹", "9"},
                                                      {"⁻", "-"}});
-    constexpr auto known = std::to_array<Spelling>(
-        {{"−", "-"}, {"°", "^{\\circ}"}, {"×", "\\times "}, {"·", "\\cdot "}, {"–", "\\text{--}"}, {"′", "'"}, {"µ", "\\mu "}});
+    constexpr auto known = std::to_array<Spelling>({{"−", "-"},
+                                                    {"°", "^{\\circ}"},
+                                                    {"×", "\\times "},
+                                                    {"·", "\\cdot "},
+                                                    {"–", "\\text{--}"},
+                                                    {"′", "'"},
+                                                    {"″", "''"},
+                                                    {"µ", "\\mu "}});
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     std::string words, exponent, out;
     const auto flush = [&] {
@@ -164,6 +170,17 @@ Formula Formula::letter(std::string_view name, const std::string& sub, int dots)
     // Combining dots above.
     constexpr std::array<const char*, 3> accents{"", "\u0307", "\u0308"};
     made.as_plain = piece.text + accents.at(static_cast<std::size_t>(dots)) + (sub.empty() ? "" : "_" + sub);
+    return made;
+}
+
+Formula Formula::primed(std::string_view name, const std::string& sub, int primes) {
+    constexpr std::array<const char*, 3> marks{"", "′", "″"};
+    const std::string mark = marks.at(static_cast<std::size_t>(primes));
+    Formula made = letter(name, sub);
+    made.text.front().text += mark;
+    made.as_latex.pop_back();
+    made.as_latex += std::string(static_cast<std::size_t>(primes), '\'') + " ";
+    made.as_plain = made.text.front().text + (sub.empty() ? "" : "_" + sub);
     return made;
 }
 

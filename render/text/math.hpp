@@ -32,6 +32,8 @@ public:
     Formula() = default;
     /// "beta" with dots and a subscript, in italics.
     static Formula letter(std::string_view name, const std::string& sub = "", int dots = 0);
+    /// The same with primes, before the subscript.
+    static Formula primed(std::string_view name, const std::string& sub, int primes);
     /// Upright: numbers with their units, names of functions, words.
     static Formula upright(const std::string& text);
     /// A function's name, which stands close to what follows: "cos".
