@@ -149,6 +149,7 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
             expect_true_and_clean(figure);
             std::size_t forces = 0;
             for (const AppliedForce& applied : solution.free_bodies[i].forces) forces += applied.force.is_zero() ? 0 : 1;
+            forces += solution.free_bodies[i].sums.size();
             const auto shown = std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
                 const auto* group = std::get_if<GroupBegin>(&mark);
                 return group && (group->cls == "vector" || group->cls == "sense");

@@ -95,6 +95,7 @@ struct Statics {
             case Sentence::triangle_at:
                 return "concurrent";
             case Sentence::parallel_forces:
+            case Sentence::funicular_parallel:
                 return "parallel";
             case Sentence::culmann:
             case Sentence::culmann_line:

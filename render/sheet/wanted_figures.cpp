@@ -6,6 +6,7 @@
 
 #include "render/figures/truss_figures.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
 #include "render/tables/truss_table.hpp"
 
 namespace kinegraph::render {
@@ -26,6 +27,10 @@ std::string name_of(const Solution& solution, const FreeBody& body) {
 
 std::string name_of(const Solution& solution, const Curvature& found) {
     return "curvature-" + solution.mechanism.body(found.body).name;
+}
+
+std::string name_of(const Solution& solution, const TakenTogether& together) {
+    return solution.protocol.polygons[at_index(together.polygon)].id;
 }
 
 namespace {
@@ -112,15 +117,8 @@ void WantedFigures::collect_forces(bool joukowsky) {
                            [this](double x, double y, std::optional<double> scale, bool fixed) {
                                return force_polygons_figure(context_, x, y, scale, fixed);
                            });
-    for (const FreeBody& body : s.free_bodies)
-        if (has_force_polygon(s, body)) {
-            const PolygonScene scene = polygon_scene(s, body.polygon);
-            add_force_polygons("forces", "forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1),
-                               rectangle(0, 0, scene.width(), scene.height()),
-                               [this, &body](double x, double y, std::optional<double> scale, bool fixed) {
-                                   return force_polygons_figure(context_, x, y, scale, fixed, false, &body);
-                               });
-        }
+    add_polygons_of_bodies(context_);
+    if (s.superposition) add_superposition();
     for (const int p : closed_polygons(s)) {
         const PolygonScene scene = polygon_scene(s, p);
         add_force_polygons("closure", scene.id, rectangle(0, 0, scene.width(), scene.height()),
@@ -138,6 +136,58 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.least = 40;
     lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
     add(std::move(lever));
+}
+
+/// One by one, then of those taken together.
+void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
+    const Solution& s = context.solution;
+    const auto add_polygon = [&](const std::string& name, int polygon) {
+        const PolygonScene scene = polygon_scene(s, polygon);
+        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()),
+                           [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
+                               return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
+                           });
+    };
+    for (const FreeBody& body : s.free_bodies)
+        if (has_force_polygon(s, body))
+            add_polygon("forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1), body.polygon);
+    for (const TakenTogether& together : s.taken_together) add_polygon(name_of(s, together), together.polygon);
+}
+
+/// The loads of each body alone, its lines and its polygons; then the sums.
+void WantedFigures::add_superposition() {
+    const Solution& s = context_.solution;
+    for (std::size_t i = 0; i < s.superposition->parts.size(); ++i) {
+        alone_.push_back(under_loads_alone(s, i));
+        const DrawingContext& alone = alone_contexts_.emplace_back(
+            DrawingContext{alone_.back(), context_.theme, context_.fonts, context_.language, context_.dimensions});
+        const std::string load = name_of(s.mechanism, s.superposition->parts[i]);
+        if (detail_ == SolutionDetail::full) {
+            Wanted lines = mechanism("lines-load-" + load, false);
+            lines.asked.reset();
+            lines.rim_x = 34;
+            lines.rim_y = 40;
+            lines.draw = [&alone, load](double x, double y) { return mechanism_with_forces(alone, x, y, load); };
+            add(std::move(lines));
+        }
+        if (!has_force_polygons(alone.solution)) continue;
+        add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
+                           [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
+                               Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
+                               figure.id = "forces-load-" + load;
+                               return figure;
+                           });
+    }
+    if (s.superposition->sums.empty()) return;
+    add_force_polygons("forces", "sums", extent_of_partial_sums(s),
+                       [this](double x, double y, std::optional<double> scale, bool fixed) {
+                           return partial_sums_figure(context_, x, y, scale, fixed);
+                       });
+}
+
+const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
+    const auto part = part_of(context_.solution, statement);
+    return part && *part < alone_contexts_.size() ? alone_contexts_[*part] : context_;
 }
 
 void WantedFigures::add_truss() {
