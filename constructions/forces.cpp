@@ -536,7 +536,7 @@ private:
         } else if (pins.size() == 1 && fixed.size() == 1) {
             done = line_and_pin(group, fixed[0], pins[0], known, loads, run);
         } else if (guides.size() == 1 && fixed.size() == 1) {
-            done = line_and_guide(group, fixed[0], guides[0], known, run);
+            done = line_and_guide(group, fixed[0], guides[0], known, loads, run);
         } else if (fixed.size() == 2) {
             done = two_lines(group, fixed[0], fixed[1], couples.empty() ? -1 : couples[0], known, loads, run);
         } else if (fixed.size() == 1 && couples.size() == 1) {
@@ -776,13 +776,23 @@ private:
         say_of(group, Sentence::no_force_along, std::move(arguments));
     }
 
+    /// Where the resultant of several known forces, which is said, meets a line; nothing: of one there is nothing to be added.
+    std::optional<PlaceOnDrawing> meet_of_resultant(const Group& group, const Action& line, const Wrench& known,
+                                                    const std::vector<Load>& loads, Run& run) {
+        if (trials_ > 0 || !known.force || actors_on(group, loads, run).size() < 2) return std::nullopt;
+        say_resultant(group, known, loads, run);
+        return board_.meet(model_.line_of(known), line.line);
+    }
     /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
-    bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, Run& run) {
+    bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads, Run& run) {
         const Action given = *run.reactions[at(line)].action;
         const DirectionHandle normal = model_.bonds()[at(guide)].direction;
         if (board_.parallel(given.direction, normal)) return false;
         if (is_along(known, given)) {
             say_no_force_along(group, guide, line, board_.is_zero(model_.moment(known, given.place)));
+        } else if (const auto met = meet_of_resultant(group, given, known, loads, run)) {
+            const std::string letter = meet_name(group, *met);
+            say_of(group, Sentence::triangle_at, {PointName{letter}, symbol_on(line, group), symbol_on(guide, group)});
         } else {
             say_of(group, Sentence::triangle, {symbol_on(line, group), symbol_on(guide, group)});
         }

@@ -254,7 +254,8 @@ private:
     }
     /// What was added first comes first, so that the sums are diagonals from the polygon's first corner.
     void put_in_order(std::vector<Side>& sides, const std::vector<const Added*>& leading) {
-        if (leading.empty()) return sort_round(sides);
+        sort_round(sides);
+        if (leading.empty()) return;
         const auto rank = [&](const Side& side) {
             return std::find_if(leading.begin(), leading.end(),
                                 [&](const Added* added) {

@@ -197,7 +197,7 @@ TEST(Funicular, HasStringsParallelToItsRays) {
     const Vector closing = *found.vertices.front() - *found.vertices.back();
     EXPECT_TRUE(cross(closing, *found.dividing - *found.pole).is_zero());
     // The closing line parts the known force into the reactions.
-    EXPECT_EQ(*found.dividing - *found.corners.back(), (Vector{0, 240}));
+    EXPECT_EQ(*found.dividing - *found.corners.back(), (Vector{0, -240}));
     EXPECT_EQ(*found.corners.front() - *found.dividing, (Vector{0, 840}));
 }
 

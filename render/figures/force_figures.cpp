@@ -260,6 +260,25 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     return text;
 }
 
+/// From the place about which a moment is taken to the line of a force: thin, with its length.
+void draw_arm(Sketch& sketch, const FreeBody::Arm& arm, std::vector<Bar>& drawn) {
+    const Spot about = sketch.spot(arm.about), foot = sketch.spot(arm.foot);
+    const Box view = grown(sketch.mechanism_box(), line_overshoot + 3);
+    if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
+    const auto same = [&](const Bar& other) { return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05; };
+    if (std::any_of(drawn.begin(), drawn.end(), same)) return;
+    drawn.push_back({about, foot});
+    sketch.over_bodies.emplace_back(line(about, foot, sketch.thin()));
+    belong(sketch.over_bodies, sketch.over_bodies.size() - 1, arm.statement);
+    if (!name_of_point_at(sketch, about) && !arm.name.empty()) draw_meet(sketch, arm.name, about, arm.statement);
+    const Unit& unit = sketch.mechanism.units.length;
+    RichText text = one_piece(arm.is_shift ? "d" : "b", Face::italic);
+    append(text,
+           with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch.context.language) +
+                       " " + unit.symbol));
+    sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size = sketch.theme.small;
+}
+
 /// A resultant acts on nothing: its shaft is broken.
 const std::vector<double>& shaft_of(const AppliedForce& applied, const BodyColour& colour) {
     return applied.kind == AppliedForce::Kind::resultant ? dashes() : colour.dashes;
@@ -308,7 +327,7 @@ public:
             if (!applied.force.is_zero()) draw_force(applied);
         }
         for (const AppliedForce& sum : body_.sums) draw_force(sum);
-        for (const FreeBody::Arm& arm : body_.arms) draw_arm(arm);
+        for (const FreeBody::Arm& arm : body_.arms) draw_arm(sketch_, arm, arms_);
         if (body_.funicular) draw_strings(*body_.funicular);
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
@@ -416,29 +435,16 @@ private:
             action.marks.push_back(foot);
             action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
         }
+        // To where it is added to another.
+        for (const AppliedForce& sum : body_.sums)
+            if (const Spot at = sketch_.spot(sum.at); &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
+                                                      contains(sketch_.mechanism_box(), at) && length(at - action.at) > 1) {
+                action.marks.push_back(at);
+                action.statement =
+                    action.statement == none ? sum.force_statement : std::min(action.statement, sum.force_statement);
+            }
         const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
-    }
-
-    /// From the place about which a moment is taken to the line of a force: thin, with its length.
-    void draw_arm(const FreeBody::Arm& arm) {
-        const Spot about = sketch_.spot(arm.about), foot = sketch_.spot(arm.foot);
-        const Box view = grown(sketch_.mechanism_box(), line_overshoot + 3);
-        if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
-        const auto same = [&](const Bar& other) { return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05; };
-        if (std::any_of(arms_.begin(), arms_.end(), same)) return;
-        arms_.push_back({about, foot});
-        sketch_.over_bodies.emplace_back(line(about, foot, sketch_.thin()));
-        belong(sketch_.over_bodies, sketch_.over_bodies.size() - 1, arm.statement);
-        if (!name_of_point_at(sketch_, about) && !arm.name.empty()) draw_meet(sketch_, arm.name, about, arm.statement);
-        const Unit& unit = sketch_.mechanism.units.length;
-        RichText text = one_piece(arm.is_shift ? "d" : "b", Face::italic);
-        append(text,
-               with_powers(" = " +
-                           number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch_.context.language) +
-                           " " + unit.symbol));
-        sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size =
-            sketch_.theme.small;
     }
 
     /// The strings, numbered as the rays are, the closing line broken; each string ends on the lines of its two forces.
@@ -533,9 +539,12 @@ RichText caption_of(const DrawingContext& context, const FreeBody& body, const s
 
 // --- the mechanism with its forces -------------------------------------------------------------------------------------------
 
-/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once.
-bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied) {
-    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != frame;
+/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once. `alone`: of the loads of one
+/// body alone; what two forces hold has no figure of its own then.
+bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bool alone) {
+    const auto forces =
+        std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); });
+    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != frame && !(alone && forces == 2);
     const bool again = applied.kind == AppliedForce::Kind::effort && applied.from > frame && applied.from < body.body;
     return !inner_reaction && !again;
 }
@@ -676,11 +685,15 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4));
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
-                if (is_shown_on_mechanism(body, applied))
+                if (is_shown_on_mechanism(body, applied, !load.empty()))
                     draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement);
         for (const TakenTogether& together : solution.taken_together)
             for (const AppliedForce& sum : together.sums)
                 draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement);
+        std::vector<Bar> arms;
+        for (const FreeBody& body : solution.free_bodies)
+            for (const FreeBody::Arm& arm : body.arms)
+                if (!arm.is_shift) draw_arm(sketch, arm, arms);
         Figure figure = sketch.finish("mechanism", load.empty() ? "mechanism" : legal_id("lines-load-" + load), "m");
         figure.caption = caption_of_lines(context, load);
         sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length);

@@ -166,7 +166,11 @@ private:
         PolygonImage image;
         image.at = pole;
         image.name = "pole";
-        image.text = one_piece("O", Face::italic);
+        // No point of the file has its letter.
+        for (const char* letter : {"O", "Ω", "S", "P"}) {
+            image.text = one_piece(letter, Face::italic);
+            if (!context_.solution.mechanism.point_named(letter)) break;
+        }
         image.statement = funicular_->statement;
         parts.images.push_back(std::move(image));
     }

@@ -49,6 +49,15 @@ bool has_velocities(const Solution& solution) {
     });
 }
 
+/// Those of three forces and more: two equal and opposite ones make none, the steps say so.
+std::size_t polygons_of(const Solution& solution) {
+    const auto& polygons = solution.protocol.polygons;
+    const auto count = std::count_if(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& body) {
+        return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2;
+    });
+    return static_cast<std::size_t>(count) + solution.taken_together.size();
+}
+
 /// Whether an effort was found by virtual work: then the lever is its construction.
 bool found_by_works(const Solution& solution) {
     return std::any_of(solution.virtual_motions.begin(), solution.virtual_motions.end(), [&](const VirtualMotion& motion) {
@@ -148,9 +157,12 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
                                return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
                            });
     };
-    for (const FreeBody& body : s.free_bodies)
-        if (has_force_polygon(s, body))
-            add_polygon("forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1), body.polygon);
+    for (const FreeBody& body : s.free_bodies) {
+        if (!has_force_polygon(s, body)) continue;
+        add_polygon("forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1), body.polygon);
+        // The pole of the rays stands as far aside as the forces are long.
+        if (body.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
+    }
     for (const TakenTogether& together : s.taken_together) add_polygon(name_of(s, together), together.polygon);
 }
 
@@ -170,19 +182,29 @@ void WantedFigures::add_superposition() {
             lines.draw = [&alone, load](double x, double y) { return mechanism_with_forces(alone, x, y, load); };
             add(std::move(lines));
         }
-        if (!has_force_polygons(alone.solution)) continue;
+        const std::size_t count = polygons_of(alone.solution);
+        if (count == 0) continue;
         add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
                            [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
                                Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
                                figure.id = "forces-load-" + load;
                                return figure;
                            });
+        leave_room_for(count);
     }
     if (s.superposition->sums.empty()) return;
     add_force_polygons("forces", "sums", extent_of_partial_sums(s),
                        [this](double x, double y, std::optional<double> scale, bool fixed) {
                            return partial_sums_figure(context_, x, y, scale, fixed);
                        });
+    leave_room_for(s.superposition->sums.size());
+}
+/// Polygons beside one another in one figure: each has its name and its letters.
+void WantedFigures::leave_room_for(std::size_t polygons) {
+    constexpr double each_x = 24, each_y = 38;
+    list.back().rim_x = each_x * static_cast<double>(polygons);
+    list.back().rim_y = each_y;
+    list.back().least = 36;  // or all force polygons would follow it into a room too small
 }
 
 const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
