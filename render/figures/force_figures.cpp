@@ -326,7 +326,7 @@ public:
                             applied.couple.sign() > 0, colour_, applied.force_statement);
             if (!applied.force.is_zero()) draw_force(applied);
         }
-        for (const AppliedForce& sum : body_.sums) draw_force(sum);
+        for (const AppliedForce& sum : body_.sums) draw_force(beside_body(sum));
         for (const FreeBody::Arm& arm : body_.arms) draw_arm(sketch_, arm, arms_);
         if (body_.funicular) draw_strings(*body_.funicular);
         lines_.draw_meets(meets_);
@@ -334,6 +334,15 @@ public:
     }
 
 private:
+    /// A resultant stands on its line where that passes the body, if what is added meets elsewhere.
+    AppliedForce beside_body(AppliedForce sum) const {
+        const std::vector<PointIndex> points = points_of(sketch_.mechanism, body_);
+        if (points.empty() || contains(grown(sketch_.mechanism_box(), 3), sketch_.spot(sum.at))) return sum;
+        const Vector away = sketch_.subject.solution.pose.at(points.front()) - sum.at;
+        const Exact share = dot(away, sum.force) / dot(sum.force, sum.force);
+        sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
+        return sum;
+    }
     void draw_force(const AppliedForce& applied) {
         const double value = kinegraph::length(Vector{applied.force.x / unit_.si, applied.force.y / unit_.si});
         // Too small for its own arrowhead, a force shows its sense by a thin arrow and says its size.
