@@ -206,7 +206,7 @@ constexpr std::array
             "Il poligono delle forze del corpo {0} si chiude e dà {1} e {2}."},
         Row{Sentence::polygon_at,
             "On body {0} the resultant of the known forces and the line of {2} meet in {1}; {3} passes there too, and the polygon gives both.",
-            "Sul corpo {0} la risultante delle forze note incontra {2} in {1}: vi passa anche {3}, e il poligono dà entrambe."},
+            "Sul corpo {0} la risultante delle forze note, {2} e {3} concorrono in {1}: il poligono dà le due incognite."},
         Row{Sentence::parallel_forces, "The forces on body {0} are parallel: moments give {1}, the sum gives {2}.",
             "Le forze sul corpo {0} sono parallele: i momenti danno {1}, la somma {2}."},
         Row{Sentence::culmann,
