@@ -1070,7 +1070,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"action and reaction", "acts from body {0} on body {1}.", "è l’azione del corpo {0} sul corpo {1}."},
     FixedWords{"internal sides", "Dashed sides are internal: equal and opposite on two bodies, they cancel.",
                "I lati tratteggiati sono interni: uguali e opposti su due corpi, si elidono."},
-    FixedWords{"passes outside", "passes outside: it tilts", "passa all’esterno: si impunta"},
+    FixedWords{"passes outside", "passes outside: it tilts", "passa fuori: si impunta"},
     FixedWords{"passes beside", "from", "da"},
     FixedWords{"lever", "Joukowsky’s lever", "Leva di Joukowsky"},
     FixedWords{"lever arm", "arm", "braccio"},
