@@ -120,7 +120,7 @@ private:
             const Reaction& reaction = part.run.reactions[b];
             if (reaction.force)
                 sides.push_back({marked(symbol, model_.member_name(part.loaded)), turned(*reaction.force), static_cast<int>(b),
-                                 true, Quantity{}});
+                                 true, quantity_on(b, reversed)});
             if (reaction.couple) couples.parts.push_back(Recorded<Exact>::at(turned_couple(*reaction.couple).element));
         }
         const Reaction& total = run.reactions[b];
@@ -139,10 +139,21 @@ private:
             face.corners.push_back(here.element);
             here = next;
         }
-        if (total.force) draw_side(polygon, {symbol, turned(*total.force), static_cast<int>(b), true, {}}, on, start, here);
+        if (total.force)
+            draw_side(polygon, {symbol, turned(*total.force), static_cast<int>(b), true, quantity_on(b, reversed)}, on, start,
+                      here);
         face.corners.push_back(here.element);
         board_.add_face(polygon, std::move(face));
         found.sums.push_back({symbol, model_.body_of(on), polygon});
+    }
+    /// Of a bond, on its first member or, reversed, on its second.
+    Quantity quantity_on(std::size_t b, bool reversed) const {
+        const Bond& bond = model_.bonds()[b];
+        if (bond.effort >= 0) return {.kind = Quantity::Kind::effort, .given = bond.effort};
+        return {.kind = Quantity::Kind::force,
+                .body = model_.body_of(reversed ? bond.second : bond.first),
+                .other = model_.body_of(reversed ? bond.first : bond.second),
+                .joint = bond.joint};
     }
     static Recorded<Exact> found_couple(ScalarHandle couple) { return Recorded<Exact>::at(couple.element); }
 
@@ -154,7 +165,9 @@ private:
             std::vector<std::pair<MemberIndex, Side>> sides;
             for (const Load& load : *loads_)
                 if (load.force && in(balanced.group, load.member))
-                    sides.push_back({load.member, {load.symbol, *load.force, -1, true, {}}});
+                    sides.push_back(
+                        {load.member,
+                         {load.symbol, *load.force, -1, true, quantity_of(empty_body(load.member), applied_load(load))}});
             for (const bool sought : {false, true})
                 for (const int b : outer) {
                     const bool is_sought = std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();

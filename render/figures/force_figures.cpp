@@ -326,7 +326,12 @@ public:
                             applied.couple.sign() > 0, colour_, applied.force_statement);
             if (!applied.force.is_zero()) draw_force(applied);
         }
-        for (const AppliedForce& sum : body_.sums) draw_force(beside_body(sum));
+        // In a narrow room the line must do: the polygon has the force.
+        for (const AppliedForce& sum : body_.sums)
+            if (scale_.says_values)
+                draw_force(beside_body(sum));
+            else
+                add_line_of(sum);
         for (const FreeBody::Arm& arm : body_.arms) draw_arm(sketch_, arm, arms_);
         if (body_.funicular) draw_strings(*body_.funicular);
         lines_.draw_meets(meets_);

@@ -401,7 +401,7 @@ private:
             names = cited(step.statements);
             const std::set<std::string> found = Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
             segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
-            if (found.empty() && segments.empty()) names.merge(groups_spoken_of(step.statements));
+            if (found.empty() && segments.empty()) names.merge(groups_shown(step));
             names.insert(found.begin(), found.end());
         }
         std::vector<Mark> marks = placed.caption;
@@ -449,6 +449,15 @@ private:
                     line(a + pin * along, b - pin * along, {context_.theme.link, context_.theme.accent, {}, false}));
             }
         return marks;
+    }
+    /// The same as a figure has them that shows the loads of one body alone.
+    std::set<std::string> groups_shown(const Step& step) const {
+        std::set<std::string> groups = groups_spoken_of(step.statements);
+        const std::string load = step.statements.empty() ? "" : load_at(step.statements.front());
+        if (load.empty()) return groups;
+        std::set<std::string> alone;
+        for (const std::string& group : groups) alone.insert(legal_id(load.substr(1)) + "-" + group);
+        return alone;
     }
     /// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
     std::set<std::string> groups_spoken_of(const std::vector<StatementIndex>& indices) const {
