@@ -9,6 +9,11 @@ namespace kinegraph::statics {
 
 bool in(const Group& group, MemberIndex member) { return std::find(group.begin(), group.end(), member) != group.end(); }
 
+Symbol marked(Symbol symbol, const std::string& mark) {
+    if (!mark.empty()) symbol.term += (symbol.term.empty() ? "(" : ",(") + mark + ")";
+    return symbol;
+}
+
 ForceModel::ForceModel(Structure& structure, Board& board, const Motion& motion)
     : structure_(structure),
       board_(board),
@@ -299,10 +304,22 @@ void ForceModel::add_inertia(int index) {
     const BodyName body{mechanism_.bodies[at(mass.body)].name};
     const std::string& label = structure_.node(centre).label;
     add_said(load, {Sentence::inertia_force, {body, load.symbol, Symbol{Symbol::Letter::a, label, {}}, PointName{label}}});
+    const Load force = load;
     load.force.reset();
     load.symbol.letter = Symbol::Letter::M;
     load.couple = board_.opposite(board_.product(board_.inertia(index), track.spin(mass.body)));
     add_said(load, {Sentence::inertia_couple, {body, load.symbol, Symbol{Symbol::Letter::alpha, body.name, {}}}});
+    move_inertia(force, load);
+}
+
+void ForceModel::move_inertia(const Load& force, const Load& couple) {
+    if (force.member == member_of(frame) || board_.is_zero(*force.force) || board_.is_zero(*couple.couple)) return;
+    Added one{{force.member}, force.symbol, *force.force, {}, {}, none};
+    one.place = board_.carry(force.place, board_.arm(*couple.couple, *force.force));
+    one.statement = say_of_load(
+        force, {Sentence::inertia_moved, {BodyName{member_name(force.member)}, force.symbol, couple.symbol}}, "d’Alembert");
+    shifts_.push_back({force.member, force.place, *force.force, one.place, one.statement, true});
+    moved_.push_back(std::move(one));
 }
 
 void ForceModel::add_said(const Load& load, Message message) {
@@ -311,13 +328,13 @@ void ForceModel::add_said(const Load& load, Message message) {
     if (loads_.size() > before) say_of_load(load, std::move(message), "d’Alembert");
 }
 
-void ForceModel::say_of_load(const Load& load, Message message, const char* source) {
+StatementIndex ForceModel::say_of_load(const Load& load, Message message, const char* source) {
     Statement statement;
     statement.message = std::move(message);
     statement.section = Topic::forces;
     statement.source = source;
     if (!is_pin(load.member)) statement.bodies = {body_of(load.member)};
-    board_.state(std::move(statement));
+    return board_.state(std::move(statement));
 }
 
 Action ForceModel::action(PlaceOnDrawing place, DirectionHandle direction) {

@@ -106,14 +106,68 @@ struct Released {
     StatementIndex statement = none;
 };
 
+/// What was added up on the way: it acts on nothing, but its line and its size lead on.
+struct Added {
+    Group group;  ///< on which what is added acts
+    Symbol symbol;
+    Force force;
+    PlaceOnDrawing place;
+    std::vector<int> bonds;  ///< whose forces are among what is added, with all loads
+    StatementIndex statement = none;
+};
+/// The arm of a couple of two forces, about a place on the line of the one.
+struct Lever {
+    MemberIndex member;
+    PlaceOnDrawing about;
+    Force force;  ///< the other
+    PlaceOnDrawing place;
+    StatementIndex statement = none;
+    bool is_shift = false;  ///< by which a force with a couple is moved aside
+};
+/// Members that were balanced as one.
+struct Balanced {
+    Group group;
+    std::vector<int> sought;  ///< bonds
+    StatementIndex statement = none;
+};
+/// Pole, rays and strings of a funicular polygon.
+struct Strings {
+    MemberIndex member;
+    Symbol first, second;
+    std::vector<Symbol> known;
+    std::vector<PointOn<Plane::force>> corners;
+    PointOn<Plane::force> pole, dividing;
+    std::vector<PlaceOnDrawing> vertices;
+    std::optional<PlaceOnDrawing> resultant;
+    StatementIndex statement = none;
+};
+
+struct PartRun;
 struct Run {
     std::vector<Reaction> reactions;  ///< by bond
     std::vector<Resolved> order;
     std::vector<Released> released;
-    Group redundant;  ///< members of which equilibrium leaves something open, though there is an equilibrium
+    std::vector<Added> added;
+    std::vector<Lever> levers;
+    std::vector<Balanced> balanced;
+    std::vector<Strings> strings;
+    std::vector<PartRun> parts;    ///< whose sum it is; empty: it is none
+    StatementIndex summed = none;  ///< by which they are added
+    Group redundant;               ///< members of which equilibrium leaves something open, though there is an equilibrium
     bool complete = false;
-    bool in_parts = false;  ///< a sum of parts found apart, or of trials
+    std::size_t beyond_members = 0;  ///< > 0: so many members at most are taken together, and redundant constraints hold more
+    bool in_parts = false;           ///< a sum of parts found apart, or of trials
 };
+
+/// The loads of one member alone.
+struct PartRun {
+    MemberIndex loaded;
+    std::vector<Load> loads;
+    Run run;
+    StatementIndex first = none, end = none;  ///< its sentences
+};
+/// Of what the loads of one member cause: F_12^(3).
+Symbol marked(Symbol symbol, const std::string& mark);
 
 /// True where a member belongs to a group of them.
 bool in(const Group& group, MemberIndex member);
@@ -132,6 +186,9 @@ public:
     /// How many bonds joints and efforts make; the components of hinges come after them.
     std::size_t joint_bonds() const { return joint_bonds_; }
     const std::vector<Load>& loads() const { return loads_; }
+    /// Inertia forces moved aside so that they carry their couples, and by what.
+    const std::vector<Added>& moved() const { return moved_; }
+    const std::vector<Lever>& shifts() const { return shifts_; }
     /// The point of a pin member.
     PointIndex pin_point(MemberIndex member) const { return pins_[at(member) - mechanism_.bodies.size()]; }
 
@@ -185,7 +242,8 @@ private:
     int material_side(JointIndex index);
     /// With the sentence that finds it, where it does not vanish.
     void add_said(const Load& load, Message message);
-    void say_of_load(const Load& load, Message message, const char* source = "");
+    StatementIndex say_of_load(const Load& load, Message message, const char* source = "");
+    void move_inertia(const Load& force, const Load& couple);
     void add_load(Load load);
     static bool is_on_frame(const Bond& bond) { return bond.first == member_of(frame) || bond.second == member_of(frame); }
     /// One body, and bars that hold it on the frame.
@@ -211,6 +269,8 @@ private:
     std::size_t joint_bonds_ = 0;
     std::vector<std::vector<int>> bonds_of_;
     std::vector<Load> loads_;
+    std::vector<Added> moved_;
+    std::vector<Lever> shifts_;
     std::set<JointIndex> mirrored_gears_;
     std::vector<Unsolved> missing_;
 };

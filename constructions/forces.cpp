@@ -45,6 +45,7 @@ public:
 
     /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame.
     Run whole(const Group& hung) {
+        of_truss_ = true;
         Run run = fresh();
         const Board::Mark before = board_.mark();
         for (const MemberIndex member : hung) lines({member}, model_.loads(), run, false);
@@ -135,7 +136,8 @@ private:
                    leads_on([&] { return lines(group, loads, run, false); });
         };
         const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
-        while (!all_known(run) && (any(direct) || any(beside_couples))) {
+        const auto past_pins = [&](const auto& group) { return leads_on([&] { return through_pin(group, loads, run); }); };
+        while (!all_known(run) && (any(direct) || any(beside_couples) || any(past_pins))) {
         }
         run.complete = all_known(run);
     }
@@ -196,7 +198,7 @@ private:
             names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
         else
             for (const MemberIndex member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
-        arguments.insert(arguments.begin(), BodyName{names});
+        arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
         say(sentence, std::move(arguments), source, group);
     }
     /// Pins come after the bodies.
@@ -234,7 +236,7 @@ private:
     /// The force of a bond as it acts on a group.
     Symbol symbol_on(int b, const Group& group) const {
         const Bond& bond = model_.bonds()[at(b)];
-        return in(group, bond.first) ? bond.symbol : bond.reverse;
+        return marked(in(group, bond.first) ? bond.symbol : bond.reverse, mark_);
     }
 
     // --- lines of action ------------------------------------------------------------------------------------------------------
@@ -367,6 +369,84 @@ private:
         return true;
     }
 
+    /// What is known on a body passes its pin: moments about that leave none to the guide, so its reaction passes there too.
+    bool through_pin(const Group& group, const std::vector<Load>& loads, Run& run) {
+        const auto [pins, guides, fixed, couples, clamps] = sorted(unknown_of(group, run), run);
+        if (pins.size() != 1 || guides.size() != 1 || !fixed.empty() || !couples.empty() || !clamps.empty()) return false;
+        const Wrench known = model_.known_on(group, loads, run);
+        const PlaceOnDrawing pin = model_.bonds()[at(pins[0])].place;
+        if (!known.force || !board_.on_line(pin, model_.line_of(known))) return false;
+        say_of(group, Sentence::through_pin, {place_name(pins[0]), symbol_on(guides[0], group)});
+        settle_line(guides[0], model_.action(pin, model_.bonds()[at(guides[0])].direction), run);
+        return true;
+    }
+
+    // --- what is added up, and its arms --------------------------------------------------------------------------------------
+    /// A force or couple that is known on a group.
+    struct Actor {
+        Symbol symbol;
+        std::optional<Force> force;
+        PlaceOnDrawing place;
+        int bond = -1;
+    };
+    std::vector<Actor> actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
+        std::vector<Actor> actors;
+        for (const Load& load : loads)
+            if (in(group, load.member)) actors.push_back({load.symbol, load.force, load.place, -1});
+        for (const int b : model_.outer_bonds(group)) {
+            const Bond& bond = model_.bonds()[at(b)];
+            const Reaction& reaction = run.reactions[at(b)];
+            if (!reaction.known || (!reaction.force && !reaction.couple)) continue;
+            const MemberIndex member = in(group, bond.first) ? bond.first : bond.second;
+            const Wrench wrench = model_.wrench_of(bond, reaction, member);
+            Symbol symbol = symbol_on(b, group);
+            if (!wrench.force && bond.effort < 0) symbol.letter = Symbol::Letter::M;
+            actors.push_back({std::move(symbol), wrench.force, wrench.place, b});
+        }
+        return actors;
+    }
+    std::string names_of(const Group& group) const {
+        std::string names;
+        for (const MemberIndex member : group)
+            if (!model_.is_pin(member) || group.size() == 1) names += (names.empty() ? "" : ",") + model_.member_name(member);
+        return names;
+    }
+    /// Several known forces are one first: its line is what meets the others.
+    void say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
+        constexpr std::size_t most = 6;
+        if (trials_ > 0 || !known.force) return;
+        const std::vector<Actor> actors = actors_on(group, loads, run);
+        if (actors.size() < 2 || actors.size() > most) return;
+        Added added{group, {}, *known.force, known.place, {}, none};
+        added.symbol = marked({Symbol::Letter::F, "R" + names_of(group), {}}, mark_);
+        Symbols symbols;
+        for (const Actor& actor : actors) {
+            symbols.push_back(actor.symbol);
+            if (actor.bond >= 0) added.bonds.push_back(actor.bond);
+        }
+        say_of(group, Sentence::known_resultant, {std::move(symbols), added.symbol});
+        added.statement = statement_;
+        run.added.push_back(std::move(added));
+    }
+    /// What the known force and the first of three lines make together acts along Culmann's line.
+    void note_culmann(const Group& group, int one, const std::string& names, Force force, PlaceOnDrawing met,
+                      const std::vector<Load>& loads, Run& run) {
+        if (trials_ > 0 || board_.is_zero(force)) return;
+        Added added{group, marked({Symbol::Letter::F, names, {}}, mark_), force, met, {one}, statement_};
+        for (const Actor& actor : actors_on(group, loads, run))
+            if (actor.bond >= 0) added.bonds.push_back(actor.bond);
+        run.added.push_back(std::move(added));
+    }
+    /// Of the one known force, or of the resultant that was said.
+    Symbol symbol_of_known(const Group& group, const std::vector<Load>& loads, const Run& run) {
+        const std::vector<Actor> actors = actors_on(group, loads, run);
+        return actors.size() == 1 ? actors.front().symbol : marked({Symbol::Letter::F, "R" + names_of(group), {}}, mark_);
+    }
+    void note_lever(const Group& group, PlaceOnDrawing about, Force force, PlaceOnDrawing place, Run& run) {
+        if (trials_ > 0 || group.size() > 1 || model_.is_pin(group.front())) return;
+        run.levers.push_back({group.front(), about, force, place, statement_, false});
+    }
+
     // --- magnitudes
     // -------------------------------------------------------------------------------------------------------------
     void settle(int b, Force force_on_group, PlaceOnDrawing place, const Group& group, Run& run) {
@@ -435,6 +515,7 @@ private:
         for (const auto& [group, index] : unsaid_meets_) {
             NamedMeet& meet = named_meets_[static_cast<std::size_t>(index)];
             if (meet.statement == none) meet.statement = statement_;
+            meet.used = statement_;
             for (const MemberIndex member : group) meets_[member].push_back(meet);
         }
         unsaid_meets_.clear();
@@ -449,21 +530,22 @@ private:
         const Wrench known = model_.known_on(group, loads, run);
         bool done = false;
         if (unknown.size() == 1) {
-            done = single(group, unknown[0], known, run);
+            done = single(group, unknown[0], known, loads, run);
         } else if (pins.size() == 1 && couples.size() == 1) {
-            done = force_and_couple(group, pins[0], couples[0], known, run);
+            done = force_and_couple(group, pins[0], couples[0], known, loads, run);
         } else if (pins.size() == 1 && fixed.size() == 1) {
-            done = line_and_pin(group, fixed[0], pins[0], known, run);
+            done = line_and_pin(group, fixed[0], pins[0], known, loads, run);
         } else if (guides.size() == 1 && fixed.size() == 1) {
-            done = line_and_guide(group, fixed[0], guides[0], known, run);
+            done = line_and_guide(group, fixed[0], guides[0], known, loads, run);
         } else if (fixed.size() == 2) {
-            done = two_lines(group, fixed[0], fixed[1], couples.empty() ? -1 : couples[0], known, run);
+            done = two_lines(group, fixed[0], fixed[1], couples.empty() ? -1 : couples[0], known, loads, run);
         } else if (fixed.size() == 1 && couples.size() == 1) {
-            done = force_and_couple(group, fixed[0], couples[0], known, run);
+            done = force_and_couple(group, fixed[0], couples[0], known, loads, run);
         } else if (fixed.size() == 3) {
-            done = three_lines(group, fixed, known, run);
+            done = three_lines(group, fixed, known, loads, run);
         }
         if (done) note(group, run);
+        if (done && group.size() > 1 && trials_ == 0) run.balanced.push_back({group, unknown, statement_});
         return done;
     }
 
@@ -477,12 +559,13 @@ private:
     }
 
     /// What is left balances the rest.
-    bool single(const Group& group, int b, const Wrench& known, Run& run) {
+    bool single(const Group& group, int b, const Wrench& known, const std::vector<Load>& loads, Run& run) {
         const Shape of = shape(b, run);
         Symbol symbol = symbol_on(b, group);
         if (known.vanishes() && of == Shape::couple) symbol.letter = Symbol::Letter::M;
         say_of(group, known.vanishes() ? Sentence::no_force : Sentence::single_reaction, {symbol});
         if (of == Shape::couple) {
+            note_couple_of_two(group, known, loads, run);
             settle_couple(b, board_.opposite(model_.moment(known, model_.bonds()[at(b)].place)), group, run);
             return true;
         }
@@ -511,6 +594,14 @@ private:
         return true;
     }
 
+    /// A couple of two forces has their distance for its arm.
+    void note_couple_of_two(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
+        if (!known.couple || trials_ > 0) return;
+        const std::vector<Actor> actors = actors_on(group, loads, run);
+        if (actors.size() == 2 && actors[0].force && actors[1].force)
+            note_lever(group, actors[0].place, *actors[1].force, actors[1].place, run);
+    }
+
     /// A place on a bond's line, or its own.
     PlaceOnDrawing place_of(int b, const Run& run) const {
         const Reaction& reaction = run.reactions[at(b)];
@@ -518,10 +609,13 @@ private:
     }
 
     /// A force through a point and a couple: the force is the rest turned round, the couple their arm times it.
-    bool force_and_couple(const Group& group, int force, int couple, const Wrench& known, Run& run) {
+    bool force_and_couple(const Group& group, int force, int couple, const Wrench& known, const std::vector<Load>& loads,
+                          Run& run) {
         const PlaceOnDrawing place = place_of(force, run);
+        say_resultant(group, known, loads, run);
         say_of(group, Sentence::force_and_couple, {symbol_on(force, group), symbol_on(couple, group)});
         const ScalarHandle balancing = board_.opposite(model_.moment(known, place));
+        if (known.force && !board_.is_zero(balancing)) note_lever(group, place, *known.force, known.place, run);
         if (known.force) {
             const auto& line = run.reactions[at(force)].action;
             settle(force, line ? opposite_along(known, line->direction) : opposite(known), place, group, run);
@@ -549,7 +643,77 @@ private:
         return {board_.vector(end, *corner), board_.vector(*corner, start)};
     }
 
-    bool line_and_pin(const Group& group, int line, int pin, const Wrench& known, Run& run) {
+    // --- the funicular polygon -----------------------------------------------------------------------------------------------
+    /// Known forces along the line on which they are told: as far as that is a choice, from the place to the line.
+    void sort_along(std::vector<Actor>& actors, PlaceOnDrawing from, PlaceOnDrawing to) {
+        const auto axis = board_.vector(from, to);
+        std::stable_sort(actors.begin(), actors.end(), [&](const Actor& a, const Actor& b) {
+            return board_.choose_along(axis, board_.vector(a.place, b.place)) > 0;
+        });
+    }
+    /// Forces along a line and at a place off it that balance known ones: pole, rays and strings. Nothing: not for a drawing of
+    /// one body, or a string would not meet its line.
+    std::optional<Strings> strings(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
+                                   PlaceOnDrawing place) {
+        constexpr std::size_t most = 6;
+        const bool drawn = trials_ == 0 && group.size() == 1 && !model_.is_pin(group.front());
+        if (!drawn || actors.empty() || actors.size() > most) return std::nullopt;
+        if (!std::all_of(actors.begin(), actors.end(), [](const Actor& actor) { return actor.force.has_value(); }))
+            return std::nullopt;
+        sort_along(actors, place, line.place);
+        Strings found;
+        found.member = group.front();
+        found.corners = {board_.pole<Plane::force>()};
+        for (const Actor& actor : actors) {
+            found.known.push_back(actor.symbol);
+            found.corners.push_back(board_.carry(found.corners.back(), *actor.force));
+        }
+        // As far from the forces as they are long: the strings are then a quarter as deep as they are wide, at most.
+        const Force half = board_.scale<Plane::force>(board_.number(Exact(1) / 2), sum);
+        found.pole = board_.carry(board_.carry(found.corners.front(), half), board_.turn(sum));
+        found.vertices = {place};
+        std::optional<LineOn<drawing>> outer;
+        for (std::size_t i = 0; i <= actors.size(); ++i) {
+            const auto ray = board_.direction(board_.vector(found.pole, found.corners[i]));
+            const LineOn<drawing> string = board_.through(found.vertices.back(), ray);
+            const LineOn<drawing> next =
+                i < actors.size() ? board_.through(actors[i].place, board_.direction(*actors[i].force)) : line.line;
+            if (board_.parallel(string, next)) return std::nullopt;
+            if (!outer) outer = string;
+            if (i == actors.size() && i > 1 && !board_.parallel(*outer, string)) found.resultant = board_.meet(*outer, string);
+            found.vertices.push_back(*board_.meet(string, next));
+        }
+        const auto closing = board_.direction(board_.vector(found.vertices.back(), found.vertices.front()));
+        const auto dividing =
+            board_.meet(board_.through(found.corners.back(), line.direction), board_.through(found.pole, closing));
+        KG_ASSERT(dividing && !board_.is_at_infinity(*dividing), "the closing line joins a place to a line that misses it");
+        found.dividing = *dividing;
+        return found;
+    }
+    /// Both reactions, and the strings of the sentence said last.
+    std::pair<Force, Force> by_strings(Strings found, int line, int pin, Force sum, const Group& group, Run& run) {
+        found.statement = statement_;
+        found.first = symbol_on(line, group);
+        found.second = symbol_on(pin, group);
+        if (found.resultant)
+            run.added.push_back(
+                {group, marked({Symbol::Letter::F, "R" + names_of(group), {}}, mark_), sum, *found.resultant, {}, statement_});
+        const Force first = board_.vector(found.corners.back(), found.dividing);
+        const Force second = board_.vector(found.dividing, found.corners.front());
+        run.strings.push_back(std::move(found));
+        return {first, second};
+    }
+    /// So far away that nobody draws to it.
+    bool is_far(PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two) {
+        constexpr int times = 12;
+        const auto away = board_.vector(place, met);
+        for (const PlaceOnDrawing near : {one, two})
+            if (!board_.choose_longer(away, board_.scale<drawing>(board_.number(times), board_.vector(place, near))))
+                return false;
+        return true;
+    }
+
+    bool line_and_pin(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads, Run& run) {
         const Action given = *run.reactions[at(line)].action;
         const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
         if (board_.on_line(place, given.line)) return false;  // the moment about the pin says nothing of it
@@ -562,6 +726,16 @@ private:
         if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
             const auto met = board_.meet(model_.line_of(known), given.line);
             if (board_.coincide(*met, place)) return false;
+            say_resultant(group, known, loads, run);
+            if (is_far(*met, place, known.place, given.place))
+                if (auto found = strings(group, {{symbol_of_known(group, loads, run), known.force, known.place, -1}},
+                                         *known.force, given, place)) {
+                    say_of(group, Sentence::funicular_far, {symbol_on(line, group), symbol_on(pin, group)}, "Culmann");
+                    const auto [along, at_pin] = by_strings(*std::move(found), line, pin, *known.force, group, run);
+                    settle(line, along, given.place, group, run);
+                    settle(pin, at_pin, place, group, run);
+                    return true;
+                }
             const std::string letter = meet_name(group, *met);
             say_of(group, Sentence::triangle_at, {PointName{letter}, symbol_on(line, group), symbol_on(pin, group)}, "Culmann");
             const DirectionHandle through_meet = board_.direction(board_.vector(place, *met));
@@ -571,6 +745,14 @@ private:
             settle(pin, at_pin, place, group, run);
             return true;
         }
+        if (known.force)
+            if (auto found = strings(group, actors_on(group, loads, run), *known.force, given, place)) {
+                say_of(group, Sentence::funicular_parallel, {symbol_on(line, group), symbol_on(pin, group)}, "Culmann");
+                const auto [first, second] = by_strings(*std::move(found), line, pin, *known.force, group, run);
+                settle(line, first, given.place, group, run);
+                settle(pin, second, place, group, run);
+                return true;
+            }
         const auto along = by_moments(given, place, known);
         if (!along) return false;
         say_of(group, Sentence::parallel_forces, {symbol_on(line, group), symbol_on(pin, group)}, "Ritter");
@@ -594,13 +776,23 @@ private:
         say_of(group, Sentence::no_force_along, std::move(arguments));
     }
 
+    /// Where the resultant of several known forces, which is said, meets a line; nothing: of one there is nothing to be added.
+    std::optional<PlaceOnDrawing> meet_of_resultant(const Group& group, const Action& line, const Wrench& known,
+                                                    const std::vector<Load>& loads, Run& run) {
+        if (trials_ > 0 || !known.force || actors_on(group, loads, run).size() < 2) return std::nullopt;
+        say_resultant(group, known, loads, run);
+        return board_.meet(model_.line_of(known), line.line);
+    }
     /// A guide takes its force at any place: directions give the triangle, the guide's couple the rest.
-    bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, Run& run) {
+    bool line_and_guide(const Group& group, int line, int guide, const Wrench& known, const std::vector<Load>& loads, Run& run) {
         const Action given = *run.reactions[at(line)].action;
         const DirectionHandle normal = model_.bonds()[at(guide)].direction;
         if (board_.parallel(given.direction, normal)) return false;
         if (is_along(known, given)) {
             say_no_force_along(group, guide, line, board_.is_zero(model_.moment(known, given.place)));
+        } else if (const auto met = meet_of_resultant(group, given, known, loads, run)) {
+            const std::string letter = meet_name(group, *met);
+            say_of(group, Sentence::triangle_at, {PointName{letter}, symbol_on(line, group), symbol_on(guide, group)});
         } else {
             say_of(group, Sentence::triangle, {symbol_on(line, group), symbol_on(guide, group)});
         }
@@ -624,7 +816,8 @@ private:
         settle_with_couple(guide, across, board_.opposite(model_.moment(rest, model_.bonds()[at(guide)].place)), group, run);
     }
 
-    bool two_lines(const Group& group, int one, int two, int couple, const Wrench& known, Run& run) {
+    bool two_lines(const Group& group, int one, int two, int couple, const Wrench& known, const std::vector<Load>& loads,
+                   Run& run) {
         const Action first = *run.reactions[at(one)].action, second = *run.reactions[at(two)].action;
         if (!board_.parallel(first.direction, second.direction)) {
             if (is_along(known, first))
@@ -643,6 +836,14 @@ private:
             return true;
         }
         if (couple >= 0) return false;
+        if (is_along(known, first) && !board_.on_line(second.place, first.line))
+            if (auto found = strings(group, actors_on(group, loads, run), *known.force, first, second.place)) {
+                say_of(group, Sentence::funicular_parallel, {symbol_on(one, group), symbol_on(two, group)}, "Culmann");
+                const auto [x, y] = by_strings(*std::move(found), one, two, *known.force, group, run);
+                settle(one, x, first.place, group, run);
+                settle(two, y, second.place, group, run);
+                return true;
+            }
         const auto x = by_moments(first, second.place, known);
         if (!x) return false;
         say_of(group, Sentence::parallel_forces, {symbol_on(one, group), symbol_on(two, group)}, "Ritter");
@@ -657,7 +858,8 @@ private:
 
     /// Culmann: three lines that neither meet in one point nor are all parallel. The line through the meet of two pairs carries
     /// the sum of each pair.
-    bool three_lines(const Group& group, const std::vector<int>& fixed, const Wrench& known, Run& run) {
+    bool three_lines(const Group& group, const std::vector<int>& fixed, const Wrench& known, const std::vector<Load>& loads,
+                     Run& run) {
         for (std::size_t i = 0; i < 3; ++i) {
             const int one = fixed[i], two = fixed[(i + 1) % 3], three = fixed[(i + 2) % 3];
             const Action a = *run.reactions[at(one)].action, b = *run.reactions[at(two)].action,
@@ -665,7 +867,7 @@ private:
             if (board_.parallel(b.direction, c.direction)) continue;
             const PlaceOnDrawing pivot = *board_.meet(b.line, c.line);
             if (board_.on_line(pivot, a.line)) return false;  // concurrent: only a force through that point is held
-            const auto [first, rest] = known_and_one(group, known, one, two, three, pivot, run);
+            const auto [first, rest] = known_and_one(group, known, one, two, three, pivot, loads, run);
             settle(one, first, a.place, group, run);
             const auto [x, y] = triangle(rest, b.direction, c.direction);
             settle(two, x, b.place, group, run);
@@ -678,19 +880,22 @@ private:
     /// The force of the first of three lines, and what it makes with the known one: along Culmann's line where the two meet, by
     /// moments about the pivot of the other two where they are parallel, or a couple.
     std::pair<Force, Wrench> known_and_one(const Group& group, const Wrench& known, int one, int two, int three,
-                                           PlaceOnDrawing pivot, const Run& run) {
+                                           PlaceOnDrawing pivot, const std::vector<Load>& loads, Run& run) {
         const Action a = *run.reactions[at(one)].action;
         Wrench rest;
         rest.place = pivot;
         if (known.force && !board_.parallel(board_.direction(*known.force), a.direction)) {
             const PlaceOnDrawing met = *board_.meet(model_.line_of(known), a.line);
             if (!board_.coincide(met, pivot)) {
+                say_resultant(group, known, loads, run);
+                const std::string one_meet = meet_name(group, met), other_meet = meet_name(group, pivot);
                 say_of(group, Sentence::culmann_line,
-                       {PointName{meet_name(group, met)}, PointName{meet_name(group, pivot)}, symbol_on(one, group),
-                        symbol_on(two, group), symbol_on(three, group)},
+                       {PointName{one_meet}, PointName{other_meet}, symbol_on(one, group), symbol_on(two, group),
+                        symbol_on(three, group)},
                        "Culmann");
                 const auto [first, pair] = triangle(known, a.direction, board_.direction(board_.vector(met, pivot)));
                 if (!board_.is_zero(pair)) rest.force = board_.negate(pair);
+                if (rest.force) note_culmann(group, one, one_meet + other_meet, *rest.force, met, loads, run);
                 return {first, rest};
             }
         }
@@ -720,31 +925,41 @@ private:
             close_by_trial(loads, run, 0);
             return run.complete ? run : direct;
         }
-        std::vector<Run> parts;
+        std::vector<PartRun> parts;
         for (const MemberIndex member : loaded) {
             std::vector<Load> own;
             std::copy_if(loads.begin(), loads.end(), std::back_inserter(own),
                          [&](const Load& load) { return load.member == member; });
-            say(Sentence::superposition, {BodyName{model_.member_name(member)}});
-            Run part = fresh();
-            advance(own, part);
-            if (!part.complete) close_by_trial(own, part, 0);
-            if (!part.complete) return direct;  // what the rules found without trials holds whatever the rest is
+            mark_ = model_.member_name(member);
+            say(Sentence::superposition, {BodyName{mark_}});
+            PartRun part{member, own, fresh(), statement_, none};
+            advance(own, part.run);
+            if (!part.run.complete) close_by_trial(own, part.run, 0);
+            mark_.clear();
+            if (!part.run.complete) return direct;  // what the rules found without trials holds whatever the rest is
+            if (!parts.empty()) parts.back().end = part.first;
             parts.push_back(std::move(part));
         }
         say(Sentence::superposition_sum, {});
-        return add_up(parts);
+        parts.back().end = statement_;
+        return add_up(std::move(parts));
     }
 
-    Run add_up(const std::vector<Run>& parts) {
-        Run total = parts.front();
+    Run add_up(std::vector<PartRun> parts) {
+        Run total = fresh();
         fit(total);
-        for (std::size_t p = 1; p < parts.size(); ++p) {
-            Run part = parts[p];
-            fit(part);
-            add_to(total, part, std::nullopt);
+        for (Reaction& reaction : total.reactions) {
+            reaction = {};
+            reaction.known = true;
         }
+        for (PartRun& part : parts) {
+            fit(part.run);
+            add_to(total, part.run, std::nullopt);
+        }
+        total.complete = true;
         found_in_parts(total);
+        total.parts = std::move(parts);
+        total.summed = statement_;
         return total;
     }
     /// The sentence said last gives all at once.
@@ -812,7 +1027,7 @@ private:
 
     /// A force along the bond's own line, or its couple.
     bool try_value(const std::vector<Load>& loads, Run& run, int b, int depth) {
-        say(Sentence::trial, {model_.bonds()[at(b)].symbol}, "");
+        say(Sentence::trial, {marked(model_.bonds()[at(b)].symbol, mark_)}, "");
         Run first = run, second = run;
         // Primes, others at each depth: trial values that cancelled each other would look like a body without forces.
         static constexpr int sizes[][2] = {{2, 3}, {5, 7}, {11, 13}, {17, 19}, {23, 29}, {31, 37}, {41, 43}, {47, 53}, {59, 61}};
@@ -899,7 +1114,10 @@ private:
     Run in_every_equilibrium(const std::vector<Load>& loads, Run run) {
         while (!run.complete && settle_alike(loads, run)) advance(loads, run);
         for (const Group& group : groups_in_question(model_, run)) {
-            if (group.size() > Equilibria::most_members) continue;
+            if (group.size() > Equilibria::most_members) {
+                run.beyond_members = Equilibria::most_members;
+                continue;
+            }
             Equilibria all = equilibria(group, loads, run);
             if (!all.exist()) continue;
             run.redundant.insert(run.redundant.end(), group.begin(), group.end());
@@ -1055,6 +1273,11 @@ private:
 
     /// The components of a hinge that was tried by them are its force again.
     void gather_components(Run& run) {
+        for (PartRun& part : run.parts) gather(part.run);
+        gather(run);
+        model_.drop_components();
+    }
+    void gather(Run& run) {
         fit(run);
         for (std::size_t b = model_.joint_bonds(); b < model_.bonds().size(); ++b) {
             Reaction& hinge = run.reactions[at(model_.bonds()[b].part_of)];
@@ -1064,7 +1287,6 @@ private:
             if (hinge.force && board_.is_zero(*hinge.force)) hinge.force.reset();
             part.force.reset();
         }
-        model_.drop_components();
         run.reactions.resize(model_.joint_bonds());
     }
 
@@ -1077,6 +1299,8 @@ private:
     std::vector<Group> wholes_;           ///< structures hung on the frame, which no effort moves: cut free whole first
     long attempts_left_ = 500'000;        ///< of rules in trials: nobody draws on a system that large
     int trials_ = 0;                      ///< trials under way, one in the other
+    bool of_truss_ = false;               ///< what is cut free whole is a truss
+    std::string mark_;                    ///< of the member whose loads act alone just now
     StatementIndex statement_ = none;     ///< said last
     NamedMeets meets_;                    ///< by member
     std::vector<NamedMeet> named_meets_;  ///< all, each with its letter

@@ -27,6 +27,8 @@ struct ForceResults {
     std::vector<Resultant> resultants;  ///< of bodies that nothing holds
     std::optional<Truss> truss;         ///< where the mechanism is one; its bars are not cut free one by one then
     std::vector<VirtualMotion> virtual_motions;
+    std::vector<TakenTogether> together;
+    std::optional<Superposition> superposition;
 };
 
 /// Draws the forces of a loaded mechanism. `motion` gives the accelerations where the file includes inertia.

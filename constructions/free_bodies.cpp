@@ -30,7 +30,8 @@ public:
           mobility_(mobility),
           meets_(meets),
           loose_(loose),
-          one_by_one_(one_by_one) {}
+          one_by_one_(one_by_one),
+          loads_(&model.loads()) {}
 
     ForceResults cut(const Run& run) {
         collect(run);
@@ -53,6 +54,8 @@ private:
         if (one_by_one_) draw_bodies(run);
         for (const Released& released : run.released) virtual_motion(released);
         if (complete && one_by_one_) join_polygons();
+        if (one_by_one_) cut_together(run);
+        if (complete && one_by_one_ && !run.parts.empty()) superpose(run);
         remark_lift_off(run);
     }
     void draw_bodies(const Run& run) {
@@ -69,6 +72,225 @@ private:
     bool is_whole(MemberIndex member, const Run& run) const {
         const auto& bonds = model_.bonds_of(member);
         return std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
+    }
+
+    // --- loads that act alone, and bodies taken together ---------------------------------------------------------------------
+    void superpose(const Run& run) {
+        Superposition found;
+        found.statement = run.summed;
+        for (const PartRun& part : run.parts) {
+            FreeBodies alone(model_, board_, mechanism_, mobility_, meets_, loose_, true);
+            auto cut = alone.cut_part(part);
+            if (!cut) return;
+            found.parts.push_back(*std::move(cut));
+        }
+        for (std::size_t b = 0; b < model_.joint_bonds(); ++b) sum_parts(b, run, found);
+        results_.superposition = std::move(found);
+    }
+    /// Nothing: what acts alone is not in equilibrium by itself.
+    std::optional<Superposition::Part> cut_part(const PartRun& part) {
+        loads_ = &part.loads;
+        mark_ = model_.member_name(part.loaded);
+        first_ = part.first;
+        end_ = part.end;
+        if (!out_of_equilibrium(part.run).empty()) return std::nullopt;
+        draw_bodies(part.run);
+        cut_together(part.run);
+        Superposition::Part cut;
+        cut.body = model_.body_of(part.loaded);
+        if (model_.is_pin(part.loaded)) cut.pin = model_.pin_point(part.loaded);
+        cut.first = part.first;
+        cut.end = part.end;
+        cut.bodies = std::move(results_.bodies);
+        cut.together = std::move(results_.together);
+        return cut;
+    }
+    /// Of one action, on a body that moves: forces tip to tail, and couples.
+    void sum_parts(std::size_t b, const Run& run, Superposition& found) {
+        const Bond& bond = model_.bonds()[b];
+        const bool reversed = bond.first == member_of(frame);
+        const MemberIndex on = reversed ? bond.second : bond.first;
+        const Symbol symbol = reversed ? bond.reverse : bond.symbol;
+        const auto turned = [&](Force force) { return reversed ? board_.negate(force) : force; };
+        const auto turned_couple = [&](ScalarHandle couple) { return reversed ? board_.opposite(couple) : couple; };
+        std::vector<Side> sides;
+        Superposition::CoupleSum couples{symbol, {}, {}};
+        couples.symbol.letter = Symbol::Letter::M;
+        for (const PartRun& part : run.parts) {
+            const Reaction& reaction = part.run.reactions[b];
+            if (reaction.force)
+                sides.push_back({marked(symbol, model_.member_name(part.loaded)), turned(*reaction.force), static_cast<int>(b),
+                                 true, quantity_on(b, reversed)});
+            if (reaction.couple) couples.parts.push_back(Recorded<Exact>::at(turned_couple(*reaction.couple).element));
+        }
+        const Reaction& total = run.reactions[b];
+        if (couples.parts.size() > 1) {
+            couples.total = total.couple ? found_couple(turned_couple(*total.couple)) : Recorded<Exact>::zero();
+            found.couples.push_back(std::move(couples));
+        }
+        if (sides.size() < 2) return;
+        const int polygon = add_force_polygon(Polygon::Kind::body_forces, "sum-" + name_of(symbol));
+        const Corner start = board_.pole<Plane::force>();
+        Corner here = start;
+        Face face;
+        for (const Side& side : sides) {
+            const Corner next = board_.carry(here, side.force);
+            draw_side(polygon, side, on, here, next);
+            face.corners.push_back(here.element);
+            here = next;
+        }
+        if (total.force)
+            draw_side(polygon, {symbol, turned(*total.force), static_cast<int>(b), true, quantity_on(b, reversed)}, on, start,
+                      here);
+        face.corners.push_back(here.element);
+        board_.add_face(polygon, std::move(face));
+        found.sums.push_back({symbol, model_.body_of(on), polygon});
+    }
+    /// Of a bond, on its first member or, reversed, on its second.
+    Quantity quantity_on(std::size_t b, bool reversed) const {
+        const Bond& bond = model_.bonds()[b];
+        if (bond.effort >= 0) return {.kind = Quantity::Kind::effort, .given = bond.effort};
+        return {.kind = Quantity::Kind::force,
+                .body = model_.body_of(reversed ? bond.second : bond.first),
+                .other = model_.body_of(reversed ? bond.first : bond.second),
+                .joint = bond.joint};
+    }
+    static Recorded<Exact> found_couple(ScalarHandle couple) { return Recorded<Exact>::at(couple.element); }
+
+    /// Of bodies that were balanced as one: what acts on them from outside, first what was known.
+    void cut_together(const Run& run) {
+        for (const Balanced& balanced : run.balanced) {
+            const std::vector<int> outer = model_.outer_bonds(balanced.group);
+            if (!std::all_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; })) continue;
+            std::vector<std::pair<MemberIndex, Side>> sides;
+            for (const Load& load : *loads_)
+                if (load.force && in(balanced.group, load.member))
+                    sides.push_back(
+                        {load.member,
+                         {load.symbol, *load.force, -1, true, quantity_of(empty_body(load.member), applied_load(load))}});
+            for (const bool sought : {false, true})
+                for (const int b : outer) {
+                    const bool is_sought = std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+                    const Reaction& reaction = run.reactions[at(b)];
+                    if (is_sought != sought || !reaction.force) continue;
+                    const Bond& bond = model_.bonds()[at(b)];
+                    const bool on_first = in(balanced.group, bond.first);
+                    sides.push_back({on_first ? bond.first : bond.second,
+                                     {marked(on_first ? bond.symbol : bond.reverse, mark_),
+                                      on_first ? *reaction.force : board_.negate(*reaction.force),
+                                      b,
+                                      true,
+                                      {}}});
+                }
+            if (sides.size() > 2) draw_together(balanced, sides, run);
+        }
+    }
+    void draw_together(const Balanced& balanced, const std::vector<std::pair<MemberIndex, Side>>& sides, const Run& run) {
+        TakenTogether together;
+        together.statement = balanced.statement;
+        std::string id = "forces";
+        for (const MemberIndex member : balanced.group) {
+            if (model_.is_pin(member)) continue;
+            together.bodies.push_back(model_.body_of(member));
+            id += "-" + model_.member_name(member);
+        }
+        for (const Added& added : run.added)
+            if (added.group == balanced.group) together.sums.push_back(applied_sum(added));
+        together.polygon = add_force_polygon(Polygon::Kind::body_forces, id + suffix());
+        Face face;
+        Corner here = board_.pole<Plane::force>();
+        const Corner start = here;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const Corner next = i + 1 == sides.size() ? start : board_.carry(here, sides[i].second.force);
+            draw_side(together.polygon, sides[i].second, sides[i].first, here, next);
+            face.corners.push_back(here.element);
+            here = next;
+        }
+        board_.add_face(together.polygon, std::move(face));
+        results_.together.push_back(std::move(together));
+    }
+    std::string suffix() const { return mark_.empty() ? "" : "-load-" + mark_; }
+
+    // --- what was added up on the way ----------------------------------------------------------------------------------------
+    static AppliedForce applied_sum(const Added& added) {
+        AppliedForce applied;
+        applied.symbol = added.symbol;
+        applied.kind = AppliedForce::Kind::resultant;
+        applied.elements.force = added.force.element;
+        applied.elements.at = added.place.element;
+        applied.line_by_construction = true;
+        applied.line_statement = applied.force_statement = added.statement;
+        return applied;
+    }
+    bool bears_load(MemberIndex member) const {
+        return std::any_of(loads_->begin(), loads_->end(), [&](const Load& load) { return load.member == member; });
+    }
+    /// Sums, arms and strings of a member; what leads the order of its polygon.
+    std::vector<const Added*> add_way(MemberIndex member, const Run& run, FreeBody& body) {
+        const Group alone{member};
+        if (bears_load(member)) {
+            for (const Added& moved : model_.moved())
+                if (moved.group == alone) body.sums.push_back(applied_sum(moved));
+            for (const Lever& shift : model_.shifts())
+                if (shift.member == member) add_lever(shift, body);
+        }
+        std::vector<const Added*> leading;
+        for (const Added& added : run.added)
+            if (added.group == alone) {
+                body.sums.push_back(applied_sum(added));
+                leading.push_back(&added);
+            }
+        for (const Lever& lever : run.levers)
+            if (lever.member == member) add_lever(lever, body);
+        for (const Strings& strings : run.strings)
+            if (strings.member == member) body.funicular = funicular(strings);
+        return leading;
+    }
+    void add_lever(const Lever& lever, FreeBody& body) {
+        if (board_.on_line(lever.about, board_.through(lever.place, board_.direction(lever.force)))) return;
+        FreeBody::Arm arm = arm_about(lever.about, lever.force, lever.place, lever.statement, false);
+        arm.is_shift = lever.is_shift;
+        body.arms.push_back(std::move(arm));
+    }
+    static FreeBody::Funicular funicular(const Strings& strings) {
+        FreeBody::Funicular found;
+        found.statement = strings.statement;
+        found.first = strings.first;
+        found.second = strings.second;
+        found.known = strings.known;
+        for (const Corner& corner : strings.corners) found.corners.push_back(Recorded<Vector>::at(corner.element));
+        for (const PlaceOnDrawing& place : strings.vertices) found.vertices.push_back(Recorded<Vector>::at(place.element));
+        found.pole = Recorded<Vector>::at(strings.pole.element);
+        found.dividing = Recorded<Vector>::at(strings.dividing.element);
+        if (strings.resultant) found.resultant = Recorded<Vector>::at(strings.resultant->element);
+        return found;
+    }
+    /// What was added first comes first, so that the sums are diagonals from the polygon's first corner.
+    void put_in_order(std::vector<Side>& sides, const std::vector<const Added*>& leading) {
+        sort_round(sides);
+        if (leading.empty()) return;
+        const auto rank = [&](const Side& side) {
+            return std::find_if(leading.begin(), leading.end(),
+                                [&](const Added* added) {
+                                    return side.bond < 0 ||
+                                           std::find(added->bonds.begin(), added->bonds.end(), side.bond) != added->bonds.end();
+                                }) -
+                   leading.begin();
+        };
+        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return rank(a) < rank(b); });
+    }
+
+    /// As the corners of its rays have them: what is known, the force of the line, that of the place.
+    static void put_in_order(std::vector<Side>& sides, const FreeBody::Funicular& funicular) {
+        Symbols order = funicular.known;
+        order.push_back(funicular.first);
+        order.push_back(funicular.second);
+        // What is known was one resultant: its parts come before all.
+        const auto rank = [&](const Side& side) {
+            const auto found = std::find(order.begin(), order.end(), side.symbol);
+            return found == order.end() ? -1 : found - order.begin();
+        };
+        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return rank(a) < rank(b); });
     }
 
     // --- bodies that nothing holds ---------------------------------------------------------------------------------------------
@@ -346,7 +568,7 @@ private:
         for (const MemberIndex member : model_.moving_members()) {
             const auto& bonds = model_.bonds_of(member);
             const bool all_known = std::all_of(bonds.begin(), bonds.end(), [&](int b) { return run.reactions[at(b)].known; });
-            if (all_known && !model_.known_on({member}, model_.loads(), run).vanishes()) found.push_back(member);
+            if (all_known && !model_.known_on({member}, *loads_, run).vanishes()) found.push_back(member);
         }
         std::set<MemberIndex> open(found.begin(), found.end());
         for (std::size_t next = 0; next < found.size(); ++next) {
@@ -369,7 +591,9 @@ private:
     }
 
     /// Why the forces are not determined; `open`: which ones, where some are.
-    Message reason(Symbols open) const {
+    Message reason(const Run& run, Symbols open) const {
+        if (run.beyond_members > 0)
+            return {Sentence::beyond_members, {Count{static_cast<int>(run.beyond_members)}, std::move(open)}};
         const auto efforts = static_cast<int>(mechanism_.efforts.size());
         const Count freedoms{mobility_.effective};
         if (efforts < mobility_.effective) return {Sentence::unbalanced, {freedoms, Count{efforts}, std::move(open)}};
@@ -390,7 +614,7 @@ private:
             for (Symbol& symbol : open_symbols(model_.bonds()[b], run.reactions[b], model_.bonds()[b].first == member_of(frame)))
                 open.push_back(std::move(symbol));
         }
-        results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(std::move(open))});
+        results_.unsolved.push_back({{Sentence::all_forces, {}}, reason(run, std::move(open))});
     }
 
     static Recorded<Vector> found(const std::optional<Force>& force) {
@@ -458,7 +682,7 @@ private:
             }
             if (applied.elements.force != none || applied.elements.couple != none) body.forces.push_back(std::move(applied));
         };
-        for (const Load& load : model_.loads()) {
+        for (const Load& load : *loads_) {
             if (load.member != member) continue;
             apply(applied_load(load), load.force, -1);
         }
@@ -469,7 +693,7 @@ private:
             for (Symbol& symbol : open_symbols(bond, reaction, reversed)) body.open.push_back(std::move(symbol));
             if (!reaction.known && reaction.alike == Reaction::Alike::nothing && !reaction.couple_alike) continue;
             AppliedForce applied;
-            applied.symbol = reversed ? bond.reverse : bond.symbol;
+            applied.symbol = marked(reversed ? bond.reverse : bond.symbol, mark_);
             applied.is_component = !reaction.known;
             if (reaction.alike == Reaction::Alike::component && !reaction.known)
                 applied.symbol.term += (applied.symbol.term.empty() ? "" : ",") + std::string(reaction.axis);
@@ -496,10 +720,12 @@ private:
             apply(std::move(applied), force, b);
         }
         list_meets(member, body);
+        const std::vector<const Added*> leading = add_way(member, run, body);
         const bool whole = is_whole(member, run);
         if (!whole) body.statement = none;  // no one sentence closes it
         if (!sides.empty() && whole) {
-            sort_round(sides);
+            put_in_order(sides, leading);
+            if (body.funicular) put_in_order(sides, *body.funicular);
             body.polygon = draw_polygon(member, sides);
             sides_.emplace_back(member, std::move(sides));
         }
@@ -513,7 +739,9 @@ private:
         for (const NamedMeet& meet : meets->second) {
             const bool listed =
                 std::any_of(body.meets.begin(), body.meets.end(), [&](const auto& m) { return m.name == meet.name; });
-            if (!listed) body.meets.push_back({meet.name, {}, meet.statement, meet.place.element});
+            const bool alone = first_ != none;  // these loads, by the sentences that speak of them
+            if (listed || (alone && (meet.used < first_ || !(meet.used < end_)))) continue;
+            body.meets.push_back({meet.name, {}, alone ? meet.used : meet.statement, meet.place.element});
         }
     }
 
@@ -553,7 +781,7 @@ private:
 
     /// Tip to tail: the forces of a body in equilibrium close.
     int draw_polygon(MemberIndex member, const std::vector<Side>& sides) {
-        const int polygon = add_force_polygon(Polygon::Kind::body_forces, "forces-" + model_.member_name(member));
+        const int polygon = add_force_polygon(Polygon::Kind::body_forces, "forces-" + model_.member_name(member) + suffix());
         place_sides(polygon, member, sides, 0, board_.pole<Plane::force>(), -1);
         return polygon;
     }
@@ -628,6 +856,9 @@ private:
     const NamedMeets& meets_;
     const std::vector<Loose>& loose_;
     bool one_by_one_;
+    const std::vector<Load>* loads_;                                ///< all, or those that act alone
+    std::string mark_;                                              ///< of the member that bears these; empty: all act
+    StatementIndex first_ = none, end_ = none;                      ///< and its sentences
     std::vector<std::pair<MemberIndex, std::vector<Side>>> sides_;  ///< by member, in the order resolved
     std::set<MemberIndex> unbalanced_;                              ///< floating, and what is given on them does not balance
     ForceResults results_;

@@ -18,6 +18,7 @@ struct NamedMeet {
     std::string name;
     PlaceOnDrawing place;
     StatementIndex statement = none;  ///< that names it first
+    StatementIndex used = none;       ///< that needs it on the member
 };
 using NamedMeets = std::map<MemberIndex, std::vector<NamedMeet>>;
 

@@ -165,6 +165,9 @@ private:
         read_values(solution_, protocol.values);
         forget_noise(solution_);
         statics::note_first_use_of_lines(solution_.free_bodies, solution_.pose);
+        if (solution_.superposition)
+            for (Superposition::Part& part : solution_.superposition->parts)
+                statics::note_first_use_of_lines(part.bodies, solution_.pose);
         say_projections();
         add_workings(solution_);
     }
@@ -376,6 +379,8 @@ private:
         solution_.resultants = std::move(forces.resultants);
         solution_.truss = std::move(forces.truss);
         solution_.virtual_motions = std::move(forces.virtual_motions);
+        solution_.taken_together = std::move(forces.together);
+        solution_.superposition = std::move(forces.superposition);
         for (Unsolved& missing : forces.unsolved) solution_.unsolved.push_back(std::move(missing));
         for (Message& remark : forces.remarks) solution_.remarks.push_back(std::move(remark));
         // What an effort that is not known gives would be missing.

@@ -23,6 +23,11 @@ public:
         for (const SecondWay& way : solution_.second_way) carried_over(way);
         for (const Curvature& curvature : solution_.curvature) of_curvature(curvature);
         for (const Resultant& resultant : solution_.resultants) left_over(resultant);
+        if (solution_.truss)
+            for (const Truss::Cut& cut : solution_.truss->cuts) by_ritter(cut);
+        for (const FreeBody& body : solution_.free_bodies) added_up(body);
+        for (const TakenTogether& together : solution_.taken_together) added_up(together);
+        if (solution_.superposition) superposed(*solution_.superposition);
         for (const StatementIndex each : indices_of(protocol_.statements)) stretched(each);
         for (const VirtualMotion& motion : solution_.virtual_motions) by_virtual_work(motion);
     }
@@ -84,15 +89,23 @@ private:
         for (Statement& statement : protocol_.statements) {
             Sentence& sentence = statement.message.sentence;
             if (sentence != Sentence::triangle && sentence != Sentence::triangle_at) continue;
-            if (forces_on(statement.bodies) > 3)
+            const auto index = StatementIndex(static_cast<int>(&statement - protocol_.statements.data()));
+            if (forces_on(statement.bodies, bodies_at(index)) > 3)
                 sentence = sentence == Sentence::triangle ? Sentence::polygon : Sentence::polygon_at;
         }
     }
+    /// As a sentence has them: under all loads, or under those of which it speaks.
+    const std::vector<FreeBody>& bodies_at(StatementIndex statement) const {
+        if (solution_.superposition)
+            for (const Superposition::Part& part : solution_.superposition->parts)
+                if (!(statement < part.first) && statement < part.end) return part.bodies;
+        return solution_.free_bodies;
+    }
     /// From outside on bodies taken together.
-    int forces_on(const std::vector<BodyIndex>& bodies) const {
+    static int forces_on(const std::vector<BodyIndex>& bodies, const std::vector<FreeBody>& cut_free) {
         const auto among = [&](BodyIndex body) { return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
         int count = 0;
-        for (const FreeBody& body : solution_.free_bodies) {
+        for (const FreeBody& body : cut_free) {
             if (!among(body.body)) continue;
             for (const AppliedForce& applied : body.forces)
                 if (!applied.force.is_zero() && !(applied.from != none && among(applied.from))) ++count;
@@ -205,9 +218,64 @@ private:
             if (quantity.kind == Quantity::Kind::omega) turning_found(statement, quantity, Symbol::Letter::omega);
             if (quantity.kind == Quantity::Kind::alpha) turning_found(statement, quantity, Symbol::Letter::alpha);
         }
-        for (const FreeBody& body : solution_.free_bodies)
+        const std::vector<FreeBody>& bodies = bodies_at(statement);
+        for (const FreeBody& body : bodies)
             for (const AppliedForce& applied : body.forces)
-                if (applied.force_statement == statement) force_found(statement, body, applied);
+                if (applied.force_statement == statement)
+                    force_found(statement, body, applied, &bodies == &solution_.free_bodies);
+    }
+
+    // --- what is added up on the way -----------------------------------------------------------------------------------------
+    void resultant_found(const AppliedForce& sum) {
+        if (message(sum.force_statement).sentence == Sentence::known_resultant)
+            tell(sum.force_statement, sum.symbol, {}, std::nullopt, in(length(sum.force), units_.force), units_.force);
+    }
+    void added_up(const TakenTogether& together) {
+        for (const AppliedForce& sum : together.sums) resultant_found(sum);
+    }
+    /// Resultants, and by how much an inertia force is moved aside: d = M/F.
+    void added_up(const FreeBody& body) {
+        for (const AppliedForce& sum : body.sums) {
+            resultant_found(sum);
+            for (const FreeBody::Arm& arm : body.arms)
+                if (arm.is_shift && arm.statement == sum.force_statement) {
+                    const double aside = in(distance(arm.about, arm.foot), units_.length),
+                                 force = in(length(sum.force), units_.force);
+                    tell(arm.statement, {Symbol::Letter::length, "d", {}}, {{aside * force}}, force, aside, units_.length);
+                }
+        }
+    }
+    /// Of a cut: the moment of what acts on one side, and F = M/b.
+    void by_ritter(const Truss::Cut& cut) {
+        const Message& said = message(cut.statement);
+        if (said.sentence != Sentence::truss_cut_moment || !solution_.truss->bars[at_index(cut.found)].force) return;
+        const double moment = cut.moment->to_double();
+        const double arm = solution_.truss->numbers_of(cut, solution_.pose.points).arm;
+        const double force = solution_.truss->tension(at_index(cut.found), solution_.pose.points);
+        const Symbol of = std::get<Symbol>(said.arguments[1]);
+        tell(cut.statement, {Symbol::Letter::M, cut.pivot_name, {}}, {}, std::nullopt, in(moment, units_.moment), units_.moment);
+        tell(cut.statement, of, {{in(force, units_.force) * in(arm, units_.length)}}, in(arm, units_.length),
+             in(force, units_.force), units_.force);
+    }
+    /// Each by its part, then the sums: F = its magnitude, M = M_2 + M_3.
+    void superposed(const Superposition& superposition) {
+        for (const Superposition::Part& part : superposition.parts) {
+            for (const FreeBody& body : part.bodies) added_up(body);
+            for (const TakenTogether& together : part.together) added_up(together);
+        }
+        for (const Superposition::Sum& sum : superposition.sums)
+            for (const int index : protocol_.polygons[at_index(sum.polygon)].vectors) {
+                const DrawnVector& vector = protocol_.vectors[at_index(index)];
+                if (vector.symbol == sum.symbol)
+                    tell(superposition.statement, sum.symbol, {}, std::nullopt,
+                         in(length(protocol_.value_of(vector)), units_.force), units_.force);
+            }
+        for (const Superposition::CoupleSum& couple : superposition.couples) {
+            Working working{
+                couple.symbol, {}, std::nullopt, {in(couple.total->to_double(), units_.moment), units_.moment.symbol}};
+            for (const Recorded<Exact>& part : couple.parts) working.summands.push_back(in(part->to_double(), units_.moment));
+            message(superposition.statement).workings.push_back(std::move(working));
+        }
     }
 
     /// ω = v/r, α = a^t/r of two points of the body.
@@ -241,7 +309,8 @@ private:
         return from && to ? std::optional(distance(*from, *to)) : std::nullopt;
     }
 
-    void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied) {
+    /// `in_all`: under all loads.
+    void force_found(StatementIndex statement, const FreeBody& body, const AppliedForce& applied, bool in_all) {
         if (body.in_parts) return;
         if (is_by_virtual_work(statement)) return;
         const Quantity quantity = quantity_of(body, applied);
@@ -249,12 +318,23 @@ private:
         if (!applied.force.is_zero()) {
             const bool nothing = magnitudes_.is_noise(quantity, force);
             tell(statement, applied.symbol, {}, std::nullopt, nothing ? 0 : in(force, units_.force), units_.force);
-            if (!nothing) moved_aside(statement, body, applied);
+            if (!nothing && in_all) moved_aside(statement, body, applied);
         } else if (couple != 0) {
             Symbol symbol = applied.symbol;
             symbol.letter = Symbol::Letter::M;
-            tell(statement, symbol, {}, std::nullopt, in(couple, units_.moment), units_.moment);
+            tell(statement, symbol, force_times_arm(statement, body, couple), std::nullopt, in(couple, units_.moment),
+                 units_.moment);
         }
+    }
+    /// M = F·b, where the sentence balances a couple of two forces; b in the length that makes up the unit of moments.
+    Factors force_times_arm(StatementIndex statement, const FreeBody& body, double couple) const {
+        for (const FreeBody::Arm& arm : body.arms) {
+            if (arm.statement != statement || arm.is_shift) continue;
+            const double b = distance(arm.about, arm.foot);
+            if (!(b > 0)) continue;
+            return {{in(couple / b, units_.force)}, {in(b * units_.force.si.to_double(), units_.moment)}};
+        }
+        return {};
     }
 
     /// Of a support that holds a couple, too: the couple at the pair, and how far aside the one force acts, d = M/F.

@@ -152,15 +152,62 @@ struct FreeBody {
         Vector about, foot;
         StatementIndex statement = none;  ///< that takes the moment
         bool is_sought = false;           ///< of the force that the statement finds
+        bool is_shift = false;            ///< by which a force with a couple is moved aside: d, not b
         struct Elements {
             ElementIndex about, foot;
         } elements;  ///< of the record
     };
     std::vector<Arm> arms;
+    /// What was added up on the way, of the kind resultant: known forces to one, a force and a couple to the force moved aside,
+    /// what is on Culmann's line. Lines and sides of the construction; they act on nothing.
+    std::vector<AppliedForce> sums;
+    /// The funicular polygon by which two reactions balance what is known: one along a line, one at a place or on a line too.
+    struct Funicular {
+        StatementIndex statement = none;
+        Symbol first, second;                    ///< the reactions: of the line, of the place
+        std::vector<Symbol> known;               ///< in the order of the corners
+        std::vector<Recorded<Vector>> corners;   ///< of the known forces, tip to tail, N
+        Recorded<Vector> pole, dividing;         ///< of the rays, N; where the reactions meet
+        std::vector<Recorded<Vector>> vertices;  ///< of the strings, m: at the place, on each known line, on the first one's line
+        Recorded<Vector> resultant;              ///< where the outer strings meet, m: the resultant passes there; none: nowhere
+    };
+    std::optional<Funicular> funicular;
     std::vector<Symbol> open;         ///< forces and couples on it that equilibrium does not determine
     int polygon = -1;                 ///< index in Protocol::polygons; −1 where all forces vanish
     StatementIndex statement = none;  ///< after which all its forces are known
     bool in_parts = false;            ///< its forces are sums of parts or trials: its polygon was closed by no one statement
+};
+/// Bodies that were balanced as one: their polygon of what acts on them from outside.
+struct TakenTogether {
+    std::vector<BodyIndex> bodies;    ///< pins left out
+    std::vector<AppliedForce> sums;   ///< as FreeBody::sums
+    int polygon = -1;                 ///< index in Protocol::polygons; −1: no more than two forces
+    StatementIndex statement = none;  ///< that closes it
+};
+/// Loads that no order of bodies resolves at once, those of one body after those of another; what they cause is added.
+struct Superposition {
+    struct Part {
+        BodyIndex body = none;  ///< whose loads act alone; none: of the pin
+        PointIndex pin = none;
+        StatementIndex first = none, end = none;  ///< its sentences: from the one that opens it to the one past its last
+        std::vector<FreeBody> bodies;             ///< cut free under these loads; those that carry nothing are left out
+        std::vector<TakenTogether> together;
+    };
+    std::vector<Part> parts;
+    /// The partial forces of one action at a joint (or of an effort), tip to tail, and their sum.
+    struct Sum {
+        Symbol symbol;
+        BodyIndex body = none;  ///< on which it acts
+        int polygon = -1;       ///< index in Protocol::polygons
+    };
+    std::vector<Sum> sums;
+    struct CoupleSum {
+        Symbol symbol;
+        std::vector<Recorded<Exact>> parts;  ///< N m, those that do not vanish
+        Recorded<Exact> total;
+    };
+    std::vector<CoupleSum> couples;
+    StatementIndex statement = none;  ///< that adds them
 };
 /// The powers of all that acts from outside (loads, weights, inertia, efforts) in the motion found: they add up to nothing. It is
 /// Joukowsky's lever too: forces at the tips of the velocities turned a quarter, moments about the pole.
@@ -329,6 +376,8 @@ struct Solution {
     std::vector<JointForce> forces;
     std::vector<EffortValue> efforts;
     std::vector<FreeBody> free_bodies;
+    std::vector<TakenTogether> taken_together;
+    std::optional<Superposition> superposition;          ///< by which the forces were found, where they were
     std::vector<Resultant> resultants;                   ///< where the file asks whether bodies are in equilibrium
     std::optional<Truss> truss;                          ///< where the mechanism is one
     std::vector<VirtualMotion> virtual_motions;          ///< by which forces were found that redundant constraints leave alone
@@ -387,16 +436,39 @@ void for_each_found(Solution& solution, See see) {
         force.along.visit(see);
     }
     for (EffortValue& effort : solution.efforts) effort.value.visit(see);
-    for (FreeBody& body : solution.free_bodies) {
-        for (AppliedForce& applied : body.forces) {
-            held(applied.elements.force, applied.force);
-            held(applied.elements.couple, applied.couple);
-            held(applied.elements.at, applied.at);
-        }
+    const auto see_body = [&](FreeBody& body) {
+        for (auto* forces : {&body.forces, &body.sums})
+            for (AppliedForce& applied : *forces) {
+                held(applied.elements.force, applied.force);
+                held(applied.elements.couple, applied.couple);
+                held(applied.elements.at, applied.at);
+            }
         for (FreeBody::Meet& meet : body.meets) held(meet.element, meet.place);
         for (FreeBody::Arm& arm : body.arms) {
             held(arm.elements.about, arm.about);
             held(arm.elements.foot, arm.foot);
+        }
+        if (!body.funicular) return;
+        for (auto* places : {&body.funicular->corners, &body.funicular->vertices})
+            for (Recorded<Vector>& place : *places) place.visit(see);
+        for (auto* place : {&body.funicular->pole, &body.funicular->dividing, &body.funicular->resultant}) place->visit(see);
+    };
+    const auto see_together = [&](TakenTogether& together) {
+        for (AppliedForce& applied : together.sums) {
+            held(applied.elements.force, applied.force);
+            held(applied.elements.at, applied.at);
+        }
+    };
+    for (FreeBody& body : solution.free_bodies) see_body(body);
+    for (TakenTogether& together : solution.taken_together) see_together(together);
+    if (solution.superposition) {
+        for (Superposition::Part& part : solution.superposition->parts) {
+            for (FreeBody& body : part.bodies) see_body(body);
+            for (TakenTogether& together : part.together) see_together(together);
+        }
+        for (Superposition::CoupleSum& couple : solution.superposition->couples) {
+            for (Recorded<Exact>& part : couple.parts) part.visit(see);
+            couple.total.visit(see);
         }
     }
     if (solution.truss) {

@@ -109,6 +109,11 @@ enum class Sentence {
     single_reaction,     ///< {0} body, {1} symbol: what is left balances the rest
     superposition,       ///< {0} body whose loads act alone now
     superposition_sum,   ///< the partial reactions are added
+    through_pin,         ///< {0} body, {1} point, {2} symbol: all that is known on it passes through {1}, so {2} does
+    known_resultant,     ///< {0} body, {1} symbols that are added, {2} their resultant
+    inertia_moved,       ///< {0} body, {1} F_i, {2} M_i: F_i moved aside stands for both
+    funicular_parallel,  ///< {0} body, {1} {2} symbols: parallel forces, by the funicular polygon
+    funicular_far,       ///< {0} body, {1} {2} symbols: lines that meet far away, by the funicular polygon
     trial,               ///< {0} symbol: one trial value, then in proportion
     elastic_spring,      ///< {0} F, {1} {2} points: k (l − l_0), along their join
     torsion_spring,      ///< {0} M on the first body, {1} first body, {2} second: −k φ
@@ -259,6 +264,7 @@ enum class Sentence {
     indeterminate,             ///< {0} how many times, {1} joints, {2} symbols (or absent)
     effort_without_work,       ///< {0} symbols (or absent)
     beyond_trials,             ///< {0} symbols (or absent): too many unknowns hang together
+    beyond_members,            ///< {0} most members that are taken together, {1} symbols (or absent)
     cut_of_bars,               ///< {0} bars: what a cut was to find
     cut_in_one_point,          ///< their lines meet in one point, or all are parallel
     cut_without_reactions,     ///< what acts on either side is not known
@@ -273,6 +279,7 @@ struct PointName {
 };
 struct BodyName {
     std::string name;
+    bool is_truss = false;  ///< all of it, cut free whole: it is called the truss
 };
 /// A joint as readers are told of it: by its point, which stands in the drawing, or by a name of its own, which does not.
 struct JointName {
@@ -338,6 +345,7 @@ struct Working {
     std::vector<Factor> factors;  ///< none: it is read off the drawing
     std::optional<double> divisor;
     Amount result;
+    std::vector<double> summands = {};  ///< in place of factors: it is their sum
 };
 struct Message {
     Sentence sentence = Sentence::count_;

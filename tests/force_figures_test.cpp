@@ -149,6 +149,7 @@ TEST_P(LoadedExample, FiguresMeasureTheirValuesAndLettersStandClear) {
             expect_true_and_clean(figure);
             std::size_t forces = 0;
             for (const AppliedForce& applied : solution.free_bodies[i].forces) forces += applied.force.is_zero() ? 0 : 1;
+            forces += solution.free_bodies[i].sums.size();
             const auto shown = std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
                 const auto* group = std::get_if<GroupBegin>(&mark);
                 return group && (group->cls == "vector" || group->cls == "sense");
@@ -250,12 +251,19 @@ bool says(const Figure& figure, std::string_view words) {
     });
 }
 
+std::string words_of(const Figure& figure) {
+    std::string words;
+    for (const Mark& mark : figure.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark)) words += " | " + text->words;
+    return words;
+}
+
 TEST(ForceSheet, PointsToAConcurrencyOutsideOfTheDrawing) {
     const Solution solution = example("beam");
     const Theme theme;
     const DrawingContext context{solution, theme, fonts(), Language::en};
     for (const Figure& figure : {mechanism_with_forces(context, 180, 130), free_body_figure(context, 0, 120, 90)})
-        EXPECT_TRUE(says(figure, "H  (AH = 11.5")) << figure.id;
+        EXPECT_TRUE(says(figure, "H  (AH = 11.5")) << figure.id << words_of(figure);
 }
 
 TEST(ForceSheet, SaysTheSizeOfAForceTooSmallToDraw) {

@@ -31,6 +31,12 @@ struct Shown {
     std::multiset<std::string> labels;
     std::set<std::string> vectors, centres;
 };
+/// Polygons of bodies are one figure; those under the loads of one body alone another, and so are the sums.
+std::string forces_of(const std::string& id) {
+    if (id.starts_with("sum-")) return "sums";
+    const std::size_t alone = id.find("-load-");
+    return alone == std::string::npos ? "forces" : "forces" + id.substr(alone);
+}
 Shown shown_on(const Page& page) {
     Shown shown;
     bool large = true;  // the first figure of the page with its details, or several of one kind: the polygons of the bodies
@@ -40,7 +46,9 @@ Shown shown_on(const Page& page) {
             if (group->cls == "figure") {
                 const std::string of = *group->attribute("data-figure");
                 if (kind.empty())
-                    kind = of, shown.figure = kind == "forces" ? kind : group->id == "mechanism" ? group->title : group->id;
+                    kind = of, shown.figure = kind == "forces"           ? forces_of(group->id)
+                                              : group->id == "mechanism" ? group->title
+                                                                         : group->id;
                 large = of == kind || (large && of == "detail");
             }
             if (large && group->cls == "vector") shown.vectors.insert(group->id);

@@ -70,12 +70,15 @@ Box extent_of_forces(const Solution& solution);
 /// What a free body spans with its places of attack and near points of concurrency, m.
 Box extent_of_free_body(const Solution& solution, std::size_t index);
 /// The mechanism with its lines of action, points of concurrency and the sense of loads, efforts and ground reactions.
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y);
+/// `load`: the body whose loads alone the context's solution has (under_loads_alone); empty: all act.
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load = "");
 /// The force polygons of the bodies at one scale; each is a group of kind "forces", id "forces-<body>". `tables`: with what is
-/// known of each force below, where there is room. `only`: of that body alone, which has one.
+/// known of each force below, where there is room; those of bodies taken together, too. `only`: that polygon alone.
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y,
-                             std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true,
-                             const FreeBody* only = nullptr);
+                             std::optional<double> least = std::nullopt, bool fixed = false, bool tables = true, int only = -1);
+/// Of a superposition: the partial forces of each action, tip to tail, and their sum (kind "forces", id "sums").
+Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed);
+Box extent_of_partial_sums(const Solution& solution);
 /// Of a free body, whether the figure has its polygon: two equal and opposite forces make none, the steps say so.
 bool has_force_polygon(const Solution& solution, const FreeBody& body);
 /// The polygons joined: external forces full, internal sides dashed.

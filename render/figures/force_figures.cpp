@@ -19,14 +19,24 @@ using namespace drawing;
 
 constexpr double line_overshoot = 10;  // of a line of action past what it joins, mm
 
-/// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
-int lines_through(const FreeBody& body, Spot place, double near) {
-    return static_cast<int>(std::count_if(body.forces.begin(), body.forces.end(), [&](const AppliedForce& applied) {
-        return !applied.force.is_zero() && std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near;
-    }));
-}
 double near_a_line(const Solution& solution) { return 1e-7 * solution.pose.size.to_double(); }
 
+/// How many forces of a body pass through a place (m, y downwards), `near` being what counts as through.
+int lines_through(const FreeBody& body, Spot place, double near) {
+    const auto passes = [&](const AppliedForce& applied) {
+        return !applied.force.is_zero() && std::abs(cross(paper_direction(applied.force), place - paper_spot(applied.at))) < near;
+    };
+    return static_cast<int>(std::count_if(body.forces.begin(), body.forces.end(), passes) +
+                            std::count_if(body.sums.begin(), body.sums.end(), passes));
+}
+/// The same of what bodies taken together have for their sum.
+bool passes_sum_of_several(const Solution& solution, Spot place) {
+    return std::any_of(solution.taken_together.begin(), solution.taken_together.end(), [&](const TakenTogether& together) {
+        FreeBody as_one;
+        as_one.sums = together.sums;
+        return lines_through(as_one, place, near_a_line(solution)) > 0;
+    });
+}
 using Meets = std::vector<FreeBody::Meet>;
 
 /// Points of concurrency worth showing: a meet of partial reactions (superposition) is none of the forces drawn.
@@ -46,7 +56,7 @@ Meets all_shown_meets(const Solution& solution) {
             const bool met = std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& other) {
                 return lines_through(other, paper_spot(meet.place), near_a_line(solution)) >= 2;
             });
-            if (!listed && met) shown.push_back(meet);
+            if (!listed && (met || passes_sum_of_several(solution, paper_spot(meet.place)))) shown.push_back(meet);
         }
     return shown;
 }
@@ -88,6 +98,9 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
     for (const FreeBody::Arm& arm : body.arms)
         for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)})
             if (contains(near, end)) box.include(end);
+    if (body.funicular)
+        for (const Recorded<Vector>& vertex : body.funicular->vertices)
+            if (const Spot at = paper_spot(*vertex); contains(near, at)) box.include(at);
     return {own, box};
 }
 
@@ -247,6 +260,25 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
     return text;
 }
 
+/// From the place about which a moment is taken to the line of a force: thin, with its length.
+void draw_arm(Sketch& sketch, const FreeBody::Arm& arm, std::vector<Bar>& drawn) {
+    const Spot about = sketch.spot(arm.about), foot = sketch.spot(arm.foot);
+    const Box view = grown(sketch.mechanism_box(), line_overshoot + 3);
+    if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
+    const auto same = [&](const Bar& other) { return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05; };
+    if (std::any_of(drawn.begin(), drawn.end(), same)) return;
+    drawn.push_back({about, foot});
+    sketch.over_bodies.emplace_back(line(about, foot, sketch.thin()));
+    belong(sketch.over_bodies, sketch.over_bodies.size() - 1, arm.statement);
+    if (!name_of_point_at(sketch, about) && !arm.name.empty()) draw_meet(sketch, arm.name, about, arm.statement);
+    const Unit& unit = sketch.mechanism.units.length;
+    RichText text = one_piece(arm.is_shift ? "d" : "b", Face::italic);
+    append(text,
+           with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch.context.language) +
+                       " " + unit.symbol));
+    sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size = sketch.theme.small;
+}
+
 /// A resultant acts on nothing: its shaft is broken.
 const std::vector<double>& shaft_of(const AppliedForce& applied, const BodyColour& colour) {
     return applied.kind == AppliedForce::Kind::resultant ? dashes() : colour.dashes;
@@ -294,12 +326,28 @@ public:
                             applied.couple.sign() > 0, colour_, applied.force_statement);
             if (!applied.force.is_zero()) draw_force(applied);
         }
-        for (const FreeBody::Arm& arm : body_.arms) draw_arm(arm);
+        // In a narrow room the line must do: the polygon has the force.
+        for (const AppliedForce& sum : body_.sums)
+            if (scale_.says_values)
+                draw_force(beside_body(sum));
+            else
+                add_line_of(sum);
+        for (const FreeBody::Arm& arm : body_.arms) draw_arm(sketch_, arm, arms_);
+        if (body_.funicular) draw_strings(*body_.funicular);
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
     }
 
 private:
+    /// A resultant stands on its line where that passes the body, if what is added meets elsewhere.
+    AppliedForce beside_body(AppliedForce sum) const {
+        const std::vector<PointIndex> points = points_of(sketch_.mechanism, body_);
+        if (points.empty() || contains(grown(sketch_.mechanism_box(), 3), sketch_.spot(sum.at))) return sum;
+        const Vector away = sketch_.subject.solution.pose.at(points.front()) - sum.at;
+        const Exact share = dot(away, sum.force) / dot(sum.force, sum.force);
+        sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
+        return sum;
+    }
     void draw_force(const AppliedForce& applied) {
         const double value = kinegraph::length(Vector{applied.force.x / unit_.si, applied.force.y / unit_.si});
         // Too small for its own arrowhead, a force shows its sense by a thin arrow and says its size.
@@ -401,29 +449,40 @@ private:
             action.marks.push_back(foot);
             action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
         }
+        // To where it is added to another.
+        for (const AppliedForce& sum : body_.sums)
+            if (const Spot at = sketch_.spot(sum.at); &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
+                                                      contains(sketch_.mechanism_box(), at) && length(at - action.at) > 1) {
+                action.marks.push_back(at);
+                action.statement =
+                    action.statement == none ? sum.force_statement : std::min(action.statement, sum.force_statement);
+            }
         const bool found = applied.joint != none || applied.kind == AppliedForce::Kind::resultant;
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
     }
 
-    /// From the place about which a moment is taken to the line of a force: thin, with its length.
-    void draw_arm(const FreeBody::Arm& arm) {
-        const Spot about = sketch_.spot(arm.about), foot = sketch_.spot(arm.foot);
-        const Box view = grown(sketch_.mechanism_box(), line_overshoot + 3);
-        if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
-        const auto same = [&](const Bar& other) { return length(other.from - about) < 0.05 && length(other.to - foot) < 0.05; };
-        if (std::any_of(arms_.begin(), arms_.end(), same)) return;
-        arms_.push_back({about, foot});
-        sketch_.over_bodies.emplace_back(line(about, foot, sketch_.thin()));
-        belong(sketch_.over_bodies, sketch_.over_bodies.size() - 1, arm.statement);
-        if (!name_of_point_at(sketch_, about) && !arm.name.empty()) draw_meet(sketch_, arm.name, about, arm.statement);
-        const Unit& unit = sketch_.mechanism.units.length;
-        RichText text = one_piece("b", Face::italic);
-        append(text,
-               with_powers(" = " +
-                           number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch_.context.language) +
-                           " " + unit.symbol));
-        sketch_.add_label(std::move(text), sketch_.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size =
-            sketch_.theme.small;
+    /// The strings, numbered as the rays are, the closing line broken; each string ends on the lines of its two forces.
+    void draw_strings(const FreeBody::Funicular& funicular) {
+        const Theme& theme = sketch_.theme;
+        const auto& vertices = funicular.vertices;
+        const auto string = [&](const Vector& from, const Vector& to, std::size_t number, std::vector<double> dashed) {
+            const Spot a = sketch_.spot(from), b = sketch_.spot(to);
+            sketch_.over_bodies.emplace_back(line(a, b, {theme.thin, theme.text, std::move(dashed), false}));
+            belong(sketch_.over_bodies, sketch_.over_bodies.size() - 1, funicular.statement);
+            sketch_.add_label(one_piece(std::to_string(number)), theme.secondary, 0.5 * (a + b), 1.0, funicular.statement).size =
+                theme.small;
+        };
+        for (std::size_t i = 0; i + 1 < vertices.size(); ++i) string(*vertices[i], *vertices[i + 1], i + 1, {});
+        string(*vertices.back(), *vertices.front(), vertices.size(), dashes());
+        for (const AppliedForce& applied : body_.forces) {
+            if (applied.force.is_zero()) continue;
+            ActionLine action = lines_.line_of(applied, meets_);
+            for (const Recorded<Vector>& vertex : vertices)
+                if (const Spot at = sketch_.spot(*vertex); std::abs(cross(action.along, at - action.at)) < 0.05)
+                    action.marks.push_back(at);
+            action.statement = std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
+            if (action.marks.size() > 1) lines_.add(std::move(action));
+        }
     }
 
     /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
@@ -494,9 +553,12 @@ RichText caption_of(const DrawingContext& context, const FreeBody& body, const s
 
 // --- the mechanism with its forces -------------------------------------------------------------------------------------------
 
-/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once.
-bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied) {
-    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != frame;
+/// Loads, efforts and what the frame gives are shown; an actuator between two bodies shows once. `alone`: of the loads of one
+/// body alone; what two forces hold has no figure of its own then.
+bool is_shown_on_mechanism(const FreeBody& body, const AppliedForce& applied, bool alone) {
+    const auto forces =
+        std::count_if(body.forces.begin(), body.forces.end(), [](const AppliedForce& f) { return !f.force.is_zero(); });
+    const bool inner_reaction = applied.kind == AppliedForce::Kind::reaction && applied.from != frame && !(alone && forces == 2);
     const bool again = applied.kind == AppliedForce::Kind::effort && applied.from > frame && applied.from < body.body;
     return !inner_reaction && !again;
 }
@@ -548,8 +610,22 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view) {
             ActionLine action = lines.line_of(applied, shown_meets(solution, body));
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
+    const auto add_sums = [&](const std::vector<AppliedForce>& sums) {
+        for (const AppliedForce& sum : sums)
+            if (ActionLine action = lines.line_of(sum, meets); action.joins()) lines.add(std::move(action));
+    };
+    for (const FreeBody& body : solution.free_bodies) add_sums(body.sums);
+    for (const TakenTogether& together : solution.taken_together) add_sums(together.sums);
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
+}
+
+/// The mechanism under all loads, or under those of one body alone.
+RichText caption_of_lines(const DrawingContext& context, const std::string& load) {
+    if (load.empty()) return one_piece(word("mechanism and lines of action", context.language));
+    const bool body = context.solution.mechanism.body_named(load).has_value();
+    return one_piece(word("loads alone", context.language) + " " +
+                     word(body ? "loads of body" : "loads of pin", context.language) + " " + load);
 }
 
 }  // namespace
@@ -599,7 +675,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
     });
 }
 
-Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y) {
+Figure mechanism_with_forces(const DrawingContext& context, double room_x, double room_y, const std::string& load) {
     const Solution& solution = context.solution;
     const Subject subject(solution);
     const auto asked = asked_scale(solution.mechanism, "mechanism");
@@ -621,7 +697,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
                            .extent = std::max(extent.width(), extent.height()),
                            .least_shown = std::min(least_shown, 0.5 * std::max(extent.width(), extent.height()) / first)};
     return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, "");
+        Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
         draw_in_colour(sketch);
         name_points(sketch);
         Clutter clutter;
@@ -631,10 +707,17 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4));
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
-                if (is_shown_on_mechanism(body, applied))
+                if (is_shown_on_mechanism(body, applied, !load.empty()))
                     draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement);
-        Figure figure = sketch.finish("mechanism", "mechanism", "m");
-        figure.caption = one_piece(word("mechanism and lines of action", context.language));
+        for (const TakenTogether& together : solution.taken_together)
+            for (const AppliedForce& sum : together.sums)
+                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement);
+        std::vector<Bar> arms;
+        for (const FreeBody& body : solution.free_bodies)
+            for (const FreeBody::Arm& arm : body.arms)
+                if (!arm.is_shift) draw_arm(sketch, arm, arms);
+        Figure figure = sketch.finish("mechanism", load.empty() ? "mechanism" : legal_id("lines-load-" + load), "m");
+        figure.caption = caption_of_lines(context, load);
         sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length);
         return figure;
     });

@@ -8,6 +8,7 @@
 #include "render/figures/polygon_parts.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
 #include "render/scene/polygon_scene.hpp"
 #include "render/tables/force_tables.hpp"
 
@@ -27,6 +28,10 @@ public:
           polygon_(polygon),
           scene_(polygon_scene(context.solution, polygon)),
           along_{scene_.along.x, -scene_.along.y} {
+        for (const FreeBody& body : context.solution.free_bodies)
+            if (body.polygon == polygon) sums_ = body.sums, funicular_ = body.funicular;
+        for (const TakenTogether& together : context.solution.taken_together)
+            if (together.polygon == polygon) sums_ = together.sums;
         // So thin that its sides would lie on each other.
         constexpr double thin = 0.035;
         if (scene_.vectors.empty()) return;
@@ -93,6 +98,8 @@ public:
             parts.vectors.push_back(std::move(side));
         }
         set_side_by_side(parts);
+        if (!flat_) add_diagonals(figure.scale, parts);
+        if (funicular_) add_rays(figure.scale, parts);
         return parts;
     }
     Figure with_parts(Figure figure, const PolygonParts& parts, const std::vector<Detail>& details) const {
@@ -110,6 +117,63 @@ public:
 
 private:
     static Spot spot(double scale, Place p) { return {p.x / scale, -p.y / scale}; }
+
+    /// What was added up on the way is a diagonal from the first corner: broken, for it acts on nothing.
+    void add_diagonals(double scale, PolygonParts& parts) const {
+        const double near = 1e-9 * scene_.size();
+        for (const AppliedForce& sum : sums_) {
+            const Exact& si = scene_.unit.si;
+            const Place tip{(sum.force.x / si).to_double(), (sum.force.y / si).to_double()};
+            const Place start = scene_.vectors.front().tail;
+            const auto ends = [&](const SceneVector& side) {
+                return std::hypot(side.tip.x - start.x - tip.x, side.tip.y - start.y - tip.y) <= near;
+            };
+            // Of one force alone it is that force; the last corner is the first.
+            const auto end = std::find_if(scene_.vectors.begin(), scene_.vectors.end(), ends);
+            if (end == scene_.vectors.begin() || end == scene_.vectors.end()) continue;
+            PolygonLine diagonal;
+            diagonal.from = spot(scale, start);
+            diagonal.to = spot(scale, end->tip);
+            diagonal.pen = {context_.theme.outline, context_.theme.text, dashes(), false};
+            diagonal.mark = typeset(sum.symbol, context_.language);
+            diagonal.mark_at = 0.5 * (diagonal.from + diagonal.to);
+            diagonal.mark_toward = diagonal.to;
+            diagonal.statement = end->statement;
+            parts.lines.push_back(std::move(diagonal));
+        }
+    }
+
+    /// From the pole to the corners of the known forces, numbered as the strings are; broken to where the closing line divides.
+    void add_rays(double scale, PolygonParts& parts) const {
+        const Exact& si = scene_.unit.si;
+        const auto at = [&](const Vector& place) {
+            return spot(scale, {(place.x / si).to_double(), (place.y / si).to_double()});
+        };
+        const Spot pole = at(*funicular_->pole);
+        const auto ray = [&](const Vector& to, const std::string& number, std::vector<double> dashed) {
+            PolygonLine line;
+            line.from = pole;
+            line.to = at(to);
+            line.pen = {context_.theme.thin, context_.theme.text, std::move(dashed), false};
+            line.mark = one_piece(number);
+            line.mark_at = 0.5 * (line.from + line.to);
+            line.mark_toward = line.from;
+            line.statement = funicular_->statement;
+            parts.lines.push_back(std::move(line));
+        };
+        for (std::size_t i = 0; i < funicular_->corners.size(); ++i) ray(*funicular_->corners[i], std::to_string(i + 1), {});
+        ray(*funicular_->dividing, std::to_string(funicular_->corners.size() + 1), dashes());
+        PolygonImage image;
+        image.at = pole;
+        image.name = "pole";
+        // No point of the file has its letter.
+        for (const char* letter : {"O", "Ω", "S", "P"}) {
+            image.text = one_piece(letter, Face::italic);
+            if (!context_.solution.mechanism.point_named(letter)) break;
+        }
+        image.statement = funicular_->statement;
+        parts.images.push_back(std::move(image));
+    }
 
     /// Sides of one direction would lie on each other: each goes into the first column beside that is free there.
     Spot displaced(std::vector<std::vector<Interval>>& columns, Spot tail, Spot tip) const {
@@ -132,6 +196,8 @@ private:
     PolygonScene scene_;
     Spot along_;  // the longest side
     bool flat_ = true;
+    std::vector<AppliedForce> sums_;
+    std::optional<FreeBody::Funicular> funicular_;
 };
 
 void set_scale_bar(const DrawingContext& context, Figure& figure, double target, Spot at) {
@@ -151,21 +217,34 @@ std::vector<int> shown_polygons(const Solution& solution) {
         // Two equal and opposite forces make no polygon: the steps say so.
         if (solution.protocol.polygons[at_index(body.polygon)].vectors.size() > 2) several.push_back(body.polygon);
     }
-    return several.empty() ? all : several;
+    std::vector<int>& shown = several.empty() ? all : several;
+    for (const TakenTogether& together : solution.taken_together) shown.push_back(together.polygon);
+    return shown;
+}
+std::vector<int> polygons_of_sums(const Solution& solution) {
+    std::vector<int> polygons;
+    if (solution.superposition)
+        for (const Superposition::Sum& sum : solution.superposition->sums) polygons.push_back(sum.polygon);
+    return polygons;
+}
+Box extent_of(const Solution& solution, const std::vector<int>& polygons) {
+    Box all;
+    for (const int p : polygons) {
+        const PolygonScene scene = polygon_scene(solution, p);
+        all.max = {all.max.x + scene.width(), std::max(all.max.y, scene.height())};
+    }
+    return all;
 }
 
 /// Polygons in rows, each with its body's name above and its table below.
 class Rows {
 public:
-    Rows(const DrawingContext& context, bool with_tables, const FreeBody* only) : context_(context) {
-        for (const int polygon : shown_polygons(context.solution)) {
-            if (only != nullptr && only->polygon != polygon) continue;
-            Item item{polygon, ForcePolygon(context, polygon), {}, nullptr};
-            for (const FreeBody& body : context.solution.free_bodies)
-                if (body.polygon == polygon) {
-                    item.body = &body;
-                    if (with_tables && !item.drawing.flat()) item.table = force_equation_block(context, body, false);
-                }
+    /// `id`: of the figure.
+    Rows(const DrawingContext& context, const std::vector<int>& polygons, bool with_tables, std::string id)
+        : context_(context), id_(std::move(id)) {
+        for (const int polygon : polygons) {
+            Item item{polygon, ForcePolygon(context, polygon), {}, {}, none, none};
+            name(item, with_tables);
             items_.push_back(std::move(item));
         }
     }
@@ -202,8 +281,36 @@ private:
         int polygon = -1;
         ForcePolygon drawing;
         Block table;
-        const FreeBody* body = nullptr;
+        RichText title;
+        BodyIndex body = none;  ///< whose colour the title has
+        StatementIndex statement = none;
     };
+    /// By whom it is of: a body or a pin, bodies taken together, an action whose parts are added.
+    void name(Item& item, bool with_tables) const {
+        const Solution& solution = context_.solution;
+        const auto titled = [&](const char* what, const std::string& name) {
+            return one_piece(capital(word(what, context_.language) + " " + name), Face::bold);
+        };
+        for (const FreeBody& body : solution.free_bodies) {
+            if (body.polygon != item.polygon) continue;
+            item.title = titled(body.body != none ? "body" : "pin", body_name(body));
+            item.body = body.body;
+            item.statement = body.statement;
+            if (with_tables && !item.drawing.flat()) item.table = force_equation_block(context_, body, false);
+        }
+        for (const TakenTogether& together : solution.taken_together)
+            if (together.polygon == item.polygon) {
+                item.title = titled("bodies together", names_of(solution.mechanism, together));
+                item.statement = together.statement;
+            }
+        if (!solution.superposition) return;
+        for (const Superposition::Sum& sum : solution.superposition->sums)
+            if (sum.polygon == item.polygon) {
+                item.title = typeset(sum.symbol, context_.language);
+                item.body = sum.body;
+                item.statement = solution.superposition->statement;
+            }
+    }
 
     static constexpr double between = 6, head = 6, bar = 9, above_table = 2.5;
 
@@ -257,7 +364,7 @@ private:
     Figure set_out(std::vector<Cell>& cells, const Block& names, double room, double scale) const {
         Figure all;
         all.kind = "forces";
-        all.id = "forces";
+        all.id = id_;
         all.scale = scale;
         all.unit = context_.solution.mechanism.units.force.symbol;
         all.caption = one_piece(word(caption(), context_.language));
@@ -268,6 +375,7 @@ private:
         return all;
     }
     std::string caption() const {
+        if (id_ == "sums") return "sums of partial forces";
         const bool triangles = std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
             return context_.solution.protocol.polygons[at_index(item.polygon)].vectors.size() == 3 && !item.drawing.flat() &&
                    !item.drawing.is_open();
@@ -290,7 +398,7 @@ private:
             set_cell(all, items_[i], cells[i], {x, y}, tallest);
             if (const Block& table = items_[i].table; !table.marks.empty()) {
                 const Spot at{x + 0.5 * (cells[i].size.x - table.width), y + head + tallest + above_table};
-                set_table(all, table, at, items_[i].body->statement);
+                set_table(all, table, at, items_[i].statement);
                 // What the rows are stands before the first of them.
                 if (!named) set_table(all, names, {at.x - indent_of(names), at.y}, none);
                 named = all.has_table = true;
@@ -302,16 +410,15 @@ private:
     /// Its name, and the polygon in the middle of what it takes and of the row.
     void set_cell(Figure& all, const Item& item, Cell& cell, Spot at, double tallest) const {
         Figure& figure = cell.figure;
-        const std::string words = word(item.body->body != none ? "body" : "pin", context_.language) + " " + body_name(*item.body);
         const std::size_t first = all.marks.size();
-        set_text(all.marks, context_.fonts.shape(one_piece(capital(words), Face::bold), context_.theme.body_text),
-                 {at.x, at.y + 3.2}, context_.theme.colour_of(item.body->body).letter, "text");
+        set_text(all.marks, context_.fonts.shape(item.title, context_.theme.body_text), {at.x, at.y + 3.2},
+                 context_.theme.colour_of(item.body).letter, "text");
         figure.move(at.x - figure.box.min.x + 0.5 * (cell.size.x - figure.box.width()),
                     at.y + head - figure.box.min.y + 0.5 * (tallest - figure.box.height()));
         append(all.marks, figure.marks);
         all.axes.insert(all.axes.end(), figure.axes.begin(), figure.axes.end());
         all.details.insert(all.details.end(), figure.details.begin(), figure.details.end());
-        belong(all.marks, first, item.body->statement);
+        belong(all.marks, first, item.statement);
     }
     static void set_table(Figure& all, const Block& table, Spot at, StatementIndex statement) {
         std::vector<Mark> marks = table.marks;
@@ -359,8 +466,34 @@ private:
     }
 
     const DrawingContext& context_;
+    std::string id_;
     std::vector<Item> items_;
 };
+
+/// The rows at the best scale that fits the room.
+Figure fitted(const Rows& with_tables, Spot room, std::optional<double> least, bool fixed) {
+    const Rows plain_rows = with_tables.without_tables();
+    KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
+    const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room.x, room.y, false); };
+    FitPolicy policy{.room = std::nullopt, .first = plain_rows.least_scale(room.x, room.y), .most_trials = 14};
+    if (fixed) policy.asked = least;
+    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
+    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
+        if (trial.asked) {
+            auto figure = fitting(with_tables, trial.scale);
+            return figure ? std::move(figure) : fitting(plain_rows, trial.scale);
+        }
+        // A table is worth one step of the scale.
+        auto figure = plain_rows.at(trial.scale, room.x, room.y, trial.last);
+        if (!figure || !with_tables.has_tables()) return figure;
+        if (auto better = fitting(with_tables, trial.scale)) return better;
+        // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
+        const double smaller = next_scale(trial.scale);
+        if (!least && plain_rows.tallest() / smaller > 35)
+            if (auto better = fitting(with_tables, smaller)) return better;
+        return figure;
+    });
+}
 
 }  // namespace
 
@@ -371,38 +504,17 @@ bool has_force_polygon(const Solution& solution, const FreeBody& body) {
 }
 int force_polygon_count(const Solution& solution) { return static_cast<int>(shown_polygons(solution).size()); }
 
-Box extent_of_forces(const Solution& solution) {
-    Box all;
-    for (const int p : shown_polygons(solution)) {
-        const PolygonScene scene = polygon_scene(solution, p);
-        all.max = {all.max.x + scene.width(), std::max(all.max.y, scene.height())};
-    }
-    return all;
-}
+Box extent_of_forces(const Solution& solution) { return extent_of(solution, shown_polygons(solution)); }
+Box extent_of_partial_sums(const Solution& solution) { return extent_of(solution, polygons_of_sums(solution)); }
 
 Figure force_polygons_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed,
-                             bool tables, const FreeBody* only) {
-    const Rows with_tables(context, tables, only), plain_rows = with_tables.without_tables();
-    KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
-    const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room_x, room_y, false); };
-    FitPolicy policy{.room = std::nullopt, .first = plain_rows.least_scale(room_x, room_y), .most_trials = 14};
-    if (fixed) policy.asked = least;
-    if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
-    return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
-        if (trial.asked) {
-            auto figure = fitting(with_tables, trial.scale);
-            return figure ? std::move(figure) : fitting(plain_rows, trial.scale);
-        }
-        // A table is worth one step of the scale.
-        auto figure = plain_rows.at(trial.scale, room_x, room_y, trial.last);
-        if (!figure || !with_tables.has_tables()) return figure;
-        if (auto better = fitting(with_tables, trial.scale)) return better;
-        // Smaller for the tables' sake only where it stays well readable, and nothing else has to follow.
-        const double smaller = next_scale(trial.scale);
-        if (!least && plain_rows.tallest() / smaller > 35)
-            if (auto better = fitting(with_tables, smaller)) return better;
-        return figure;
-    });
+                             bool tables, int only) {
+    const std::vector<int> polygons = only >= 0 ? std::vector<int>{only} : shown_polygons(context.solution);
+    return fitted(Rows(context, polygons, tables, "forces"), {room_x, room_y}, least, fixed);
+}
+
+Figure partial_sums_figure(const DrawingContext& context, double room_x, double room_y, std::optional<double> least, bool fixed) {
+    return fitted(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, least, fixed);
 }
 
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,

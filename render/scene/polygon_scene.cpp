@@ -151,6 +151,11 @@ private:
         if (scene_.kind == PolygonScene::Kind::closure) return statement_of_force(solution_, vector.quantity);
         for (const FreeBody& body : solution_.free_bodies)
             if (body.polygon == index_) return body.statement;
+        for (const TakenTogether& together : solution_.taken_together)
+            if (together.polygon == index_) return together.statement;
+        if (solution_.superposition)
+            for (const Superposition::Sum& sum : solution_.superposition->sums)
+                if (sum.polygon == index_) return solution_.superposition->statement;
         return none;
     }
 

@@ -37,6 +37,7 @@ bool is_incidental(Sentence sentence) {
         case Sentence::centre_by_rigidity:
         case Sentence::centre_from_velocities:
         case Sentence::second_way:
+        case Sentence::known_resultant:  // the sentence that needs it says so, and it is drawn
             return true;
         default:
             return false;

@@ -9,6 +9,7 @@
 #include "engine/assert.hpp"
 #include "engine/problem.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/tables/answers.hpp"
 #include "render/tables/apart_text.hpp"
@@ -30,7 +31,7 @@ public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
              const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, NaturalBlocks& natural)
+             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, const WantedFigures& wanted)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -40,7 +41,8 @@ public:
           with_centres_(with_centres),
           equations_(equations),
           lines_(lines),
-          natural_(natural) {}
+          natural_(natural),
+          wanted_(wanted) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
                        const std::map<std::string, RichText>& on_figures) const {
@@ -103,9 +105,9 @@ private:
             std::vector<Block> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
-            for (const FreeBody* body : closed_by(solution_, StatementIndex(i)))
-                if (Block block = force_equation_block(context_, *body, true);
-                    block.width > 0 && block.width <= measure_ - indent)
+            const DrawingContext& context = wanted_.context_at(StatementIndex(i));
+            for (const FreeBody* body : closed_by(context.solution, StatementIndex(i)))
+                if (Block block = force_equation_block(context, *body, true); block.width > 0 && block.width <= measure_ - indent)
                     equations.push_back(std::move(block));
             for (const Block& equation : equations) {
                 set(row.marks, equation, {indent, row.height + 0.5});
@@ -265,6 +267,7 @@ private:
     const std::vector<EquationItem>& equations_;
     const std::vector<LineNumbers>& lines_;
     NaturalBlocks& natural_;
+    const WantedFigures& wanted_;
 };
 
 /// Whether "likewise" can be said of it: its number says the rest, or the body that it names.
@@ -425,12 +428,25 @@ void Bands::collect_forces() {
     // What is said of its lines stands with the first body then.
     const std::size_t at_lines = list.size();
     if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;
+    const std::vector<std::size_t> parts = collect_superposition();
     collect_bodies();
     if (solution_.truss) add("truss", {"truss", "cremona"}).parts.push_back({Kind::bars});
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i) {
         if (solution_.protocol.statements[i].section != Topic::forces) continue;
+        if (const auto part = part_of(solution_, StatementIndex(i))) {
+            add_step(list[parts[*part]], i);
+            continue;
+        }
+        if (solution_.superposition && solution_.superposition->statement == StatementIndex(i)) {
+            add_step(list[parts.back()], i);
+            continue;
+        }
         // A sentence that closes a body's polygon stands beside it.
         std::size_t home = at_lines;
+        for (const TakenTogether& together : solution_.taken_together)
+            if (together.statement == StatementIndex(i))
+                for (std::size_t b = at_lines; b < list.size(); ++b)
+                    if (list[b].question == render::name_of(solution_, together)) home = b;
         const std::vector<const FreeBody*> closed = closed_by(solution_, StatementIndex(i));
         if (!closed.empty())
             for (std::size_t b = at_lines; b < list.size(); ++b)
@@ -444,6 +460,20 @@ void Bands::collect_forces() {
         add(id, {id});
     }
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
+}
+
+/// Loads alone, one after the other, and at last their sums: indices of these bands.
+std::vector<std::size_t> Bands::collect_superposition() {
+    std::vector<std::size_t> bands;
+    if (!solution_.superposition) return bands;
+    for (const Superposition::Part& part : solution_.superposition->parts) {
+        const std::string load = "load-" + render::name_of(solution_.mechanism, part);
+        bands.push_back(list.size());
+        add(load, {"lines-" + load, "forces-" + load});
+    }
+    bands.push_back(list.size());
+    add("sums", {"sums"});
+    return bands;
 }
 
 /// The truss, its plan and what is said of both in one; then the bars.
@@ -497,6 +527,10 @@ void Bands::collect_virtual_work() {
 /// In the order of solving: free body and polygon; those that carry two forces share a row.
 void Bands::collect_bodies() {
     constexpr std::size_t most_in_a_row = 4;
+    for (const TakenTogether& together : solution_.taken_together) {
+        const std::string name = render::name_of(solution_, together);
+        add(name, {name});
+    }
     std::vector<const FreeBody*> order;
     for (const FreeBody& body : solution_.free_bodies) order.push_back(&body);
     std::stable_sort(order.begin(), order.end(), [](const FreeBody* a, const FreeBody* b) {
@@ -602,7 +636,7 @@ Block Bands::equations(const Band& band, double most) const {
 std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
                                  const std::vector<ResultRow>& results) const {
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
-                          natural_);
+                          natural_, wanted_);
     std::vector<Passage> all;
     for (const Band::Part& part : band.parts) {
         all.push_back(writer.passage_of(part, results, remarks_));

@@ -108,13 +108,23 @@ private:
         }
         plan();
     }
-    /// As many rows as a page of text alone holds stay with the figures of a band, at most half of them: the rest goes on.
+    /// As many rows as a page of text alone holds stay with the figures of a band, at most half of them: the rest goes on. Where
+    /// there is hardly any text the figures are parted.
     void divide(std::size_t index) {
         Band& band = bands_.list[index];
         std::size_t rows = 0;
         for (const Passage& passage : bands_.text(band, format_.measure, false, bands_.results())) rows += passage.rows.size();
-        KG_ASSERT(rows > 1, "a page holds a band's figures with a row of its text");
         Band rest = band;
+        if (rows < 2) {
+            KG_ASSERT(band.figures.size() > 1, "a page holds a figure with a row of its text");
+            const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
+            rest.figures.assign(band.figures.begin() + half, band.figures.end());
+            rest.parts.clear();
+            rest.draws_mechanism = false;
+            band.figures.resize(static_cast<std::size_t>(half));
+            bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+            return;
+        }
         rest.figures.clear();
         rest.draws_mechanism = false;
         band.end_row = rest.first_row = band.first_row + (rows * 2 + 2) / 3 - (rows == 2 ? 1 : 0);

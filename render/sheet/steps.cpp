@@ -12,6 +12,7 @@
 #include "render/figures/caption.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
 #include "render/scene/sentences.hpp"
 #include "render/sheet/contact_pages.hpp"
 #include "render/sheet/problem_sheet.hpp"
@@ -180,7 +181,7 @@ private:
             if (is_truss() && statement.section == Topic::forces)
                 figure = found != polygon_of.end() && found->second == solution_.truss->polygon ? "cremona" : "truss";
             else if (statement.section == Topic::forces)
-                figure = completes_a_polygon(i) ? "forces" : "lines-of-action";
+                figure = figure_of_forces(i);
             else if (statement.section == Topic::curvature)
                 figure = "curvature-" + solution_.mechanism.body(statement.bodies.front()).name;
             else if (found != polygon_of.end() && is_plane_of_motion(found->second))
@@ -219,11 +220,25 @@ private:
                         order.push_back(i);
         return order;
     }
-    bool completes_a_polygon(StatementIndex statement) const {
-        return is_wanted("forces") &&
-               std::any_of(solution_.free_bodies.begin(), solution_.free_bodies.end(), [&](const FreeBody& body) {
-                   return has_force_polygon(solution_, body) && body.statement == statement;
-               });
+    /// Under all loads, or under those that act alone.
+    std::string figure_of_forces(StatementIndex statement) const {
+        const Solution& solution = wanted_.context_at(statement).solution;
+        const std::string load = load_at(statement);
+        if (solution_.superposition && solution_.superposition->statement == statement)
+            return is_wanted("sums") ? "sums" : "forces";
+        if (is_wanted("forces" + load) && completes_a_polygon(solution, statement)) return "forces" + load;
+        return load.empty() ? "lines-of-action" : "lines" + load;
+    }
+    /// "-load-3"; empty: all loads.
+    std::string load_at(StatementIndex statement) const {
+        const auto part = part_of(solution_, statement);
+        return part ? "-load-" + render::name_of(solution_.mechanism, solution_.superposition->parts[*part]) : "";
+    }
+    static bool completes_a_polygon(const Solution& solution, StatementIndex statement) {
+        const auto closes = [&](const auto& each) { return each.statement == statement; };
+        return std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(),
+                           [&](const FreeBody& body) { return has_force_polygon(solution, body) && closes(body); }) ||
+               std::any_of(solution.taken_together.begin(), solution.taken_together.end(), closes);
     }
     /// Its bars are not cut free one by one.
     bool is_truss() const { return solution_.truss && solution_.free_bodies.empty(); }
@@ -287,7 +302,9 @@ private:
         const Statement& statement = this->statement(index);
         std::vector<Block> found;
         if (statement.equation) found.push_back(equation_block(context_, *statement.equation, format_.measure, 10));
-        for (const FreeBody* body : closed_by(solution_, index)) found.push_back(force_equation_block(context_, *body, true));
+        const DrawingContext& context = wanted_.context_at(index);
+        for (const FreeBody* body : closed_by(context.solution, index))
+            found.push_back(force_equation_block(context, *body, true));
         std::erase_if(found, [&](const Block& block) { return !(block.width > 0) || block.width > format_.measure; });
         for (Block& block : found) {
             render::move(block.marks, 0, 2.5);
@@ -344,12 +361,15 @@ private:
     /// What stands small beside a figure: the mechanism with what turns or with its lines of action; beside itself the circle of
     /// the centres, or nothing.
     const Figure& small(const Step& step) {
-        const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism" || step.figure == "truss";
+        const bool itself = step.figure == "lines-of-action" || step.figure == "mechanism" || step.figure == "truss" ||
+                            step.figure.starts_with("lines-load-");
         std::string name = itself ? "" : "mechanism";
         if (step.figure == "centres")
             name = "circle-diagram";
         else if (step.figure == "cremona")
             name = "truss";
+        else if (!itself && step.figure.starts_with("forces-load-"))
+            name = "lines" + step.figure.substr(std::string_view("forces").size());
         else if (!itself && step.section == Topic::forces)
             name = "lines-of-action";
         else if (!itself && !solution_.act_of_motion)
@@ -381,7 +401,7 @@ private:
             names = cited(step.statements);
             const std::set<std::string> found = Contents(revealed(placed.figure.marks, page_of_, index, theme)).found(names);
             segments = segments_read(step, beside.kind == "mechanism" ? beside : placed.figure);
-            if (found.empty() && segments.empty()) names.merge(groups_spoken_of(step.statements));
+            if (found.empty() && segments.empty()) names.merge(groups_shown(step));
             names.insert(found.begin(), found.end());
         }
         std::vector<Mark> marks = placed.caption;
@@ -429,6 +449,15 @@ private:
                     line(a + pin * along, b - pin * along, {context_.theme.link, context_.theme.accent, {}, false}));
             }
         return marks;
+    }
+    /// The same as a figure has them that shows the loads of one body alone.
+    std::set<std::string> groups_shown(const Step& step) const {
+        std::set<std::string> groups = groups_spoken_of(step.statements);
+        const std::string load = step.statements.empty() ? "" : load_at(step.statements.front());
+        if (load.empty()) return groups;
+        std::set<std::string> alone;
+        for (const std::string& group : groups) alone.insert(legal_id(load.substr(1)) + "-" + group);
+        return alone;
     }
     /// Ids of the groups of the mechanism's bodies that the statements name, or else of the joints.
     std::set<std::string> groups_spoken_of(const std::vector<StatementIndex>& indices) const {

@@ -6,6 +6,7 @@
 
 #include "render/figures/truss_figures.hpp"
 #include "render/page/shapes.hpp"
+#include "render/scene/loads_alone.hpp"
 #include "render/tables/truss_table.hpp"
 
 namespace kinegraph::render {
@@ -28,6 +29,10 @@ std::string name_of(const Solution& solution, const Curvature& found) {
     return "curvature-" + solution.mechanism.body(found.body).name;
 }
 
+std::string name_of(const Solution& solution, const TakenTogether& together) {
+    return solution.protocol.polygons[at_index(together.polygon)].id;
+}
+
 namespace {
 
 /// The circle counts what Kennedy's theorem leads to: worth looking at where it led to more than can be seen at once, and as long
@@ -42,6 +47,15 @@ bool has_velocities(const Solution& solution) {
     return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
         return m.point != none && m.velocity && !m.velocity->is_zero();
     });
+}
+
+/// Those of three forces and more: two equal and opposite ones make none, the steps say so.
+std::size_t polygons_of(const Solution& solution) {
+    const auto& polygons = solution.protocol.polygons;
+    const auto count = std::count_if(solution.free_bodies.begin(), solution.free_bodies.end(), [&](const FreeBody& body) {
+        return body.polygon >= 0 && polygons[at_index(body.polygon)].vectors.size() > 2;
+    });
+    return static_cast<std::size_t>(count) + solution.taken_together.size();
 }
 
 /// Whether an effort was found by virtual work: then the lever is its construction.
@@ -112,15 +126,8 @@ void WantedFigures::collect_forces(bool joukowsky) {
                            [this](double x, double y, std::optional<double> scale, bool fixed) {
                                return force_polygons_figure(context_, x, y, scale, fixed);
                            });
-    for (const FreeBody& body : s.free_bodies)
-        if (has_force_polygon(s, body)) {
-            const PolygonScene scene = polygon_scene(s, body.polygon);
-            add_force_polygons("forces", "forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1),
-                               rectangle(0, 0, scene.width(), scene.height()),
-                               [this, &body](double x, double y, std::optional<double> scale, bool fixed) {
-                                   return force_polygons_figure(context_, x, y, scale, fixed, false, &body);
-                               });
-        }
+    add_polygons_of_bodies(context_);
+    if (s.superposition) add_superposition();
     for (const int p : closed_polygons(s)) {
         const PolygonScene scene = polygon_scene(s, p);
         add_force_polygons("closure", scene.id, rectangle(0, 0, scene.width(), scene.height()),
@@ -138,6 +145,71 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.least = 40;
     lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
     add(std::move(lever));
+}
+
+/// One by one, then of those taken together.
+void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
+    const Solution& s = context.solution;
+    const auto add_polygon = [&](const std::string& name, int polygon) {
+        const PolygonScene scene = polygon_scene(s, polygon);
+        add_force_polygons("forces", name, rectangle(0, 0, scene.width(), scene.height()),
+                           [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
+                               return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
+                           });
+    };
+    for (const FreeBody& body : s.free_bodies) {
+        if (!has_force_polygon(s, body)) continue;
+        add_polygon("forces-" + name_of(s, body).substr(name_of(s, body).find('-') + 1), body.polygon);
+        // The pole of the rays stands as far aside as the forces are long.
+        if (body.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
+    }
+    for (const TakenTogether& together : s.taken_together) add_polygon(name_of(s, together), together.polygon);
+}
+
+/// The loads of each body alone, its lines and its polygons; then the sums.
+void WantedFigures::add_superposition() {
+    const Solution& s = context_.solution;
+    for (std::size_t i = 0; i < s.superposition->parts.size(); ++i) {
+        alone_.push_back(under_loads_alone(s, i));
+        const DrawingContext& alone = alone_contexts_.emplace_back(
+            DrawingContext{alone_.back(), context_.theme, context_.fonts, context_.language, context_.dimensions});
+        const std::string load = name_of(s.mechanism, s.superposition->parts[i]);
+        if (detail_ == SolutionDetail::full) {
+            Wanted lines = mechanism("lines-load-" + load, false);
+            lines.asked.reset();
+            lines.rim_x = 34;
+            lines.rim_y = 40;
+            lines.draw = [&alone, load](double x, double y) { return mechanism_with_forces(alone, x, y, load); };
+            add(std::move(lines));
+        }
+        const std::size_t count = polygons_of(alone.solution);
+        if (count == 0) continue;
+        add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
+                           [&alone, load](double x, double y, std::optional<double> scale, bool fixed) {
+                               Figure figure = force_polygons_figure(alone, x, y, scale, fixed);
+                               figure.id = "forces-load-" + load;
+                               return figure;
+                           });
+        leave_room_for(count);
+    }
+    if (s.superposition->sums.empty()) return;
+    add_force_polygons("forces", "sums", extent_of_partial_sums(s),
+                       [this](double x, double y, std::optional<double> scale, bool fixed) {
+                           return partial_sums_figure(context_, x, y, scale, fixed);
+                       });
+    leave_room_for(s.superposition->sums.size());
+}
+/// Polygons beside one another in one figure: each has its name and its letters.
+void WantedFigures::leave_room_for(std::size_t polygons) {
+    constexpr double each_x = 24, each_y = 38;
+    list.back().rim_x = each_x * static_cast<double>(polygons);
+    list.back().rim_y = each_y;
+    list.back().least = 36;  // or all force polygons would follow it into a room too small
+}
+
+const DrawingContext& WantedFigures::context_at(StatementIndex statement) const {
+    const auto part = part_of(context_.solution, statement);
+    return part && *part < alone_contexts_.size() ? alone_contexts_[*part] : context_;
 }
 
 void WantedFigures::add_truss() {

@@ -22,6 +22,9 @@ std::string name_of(const Solution& solution, const Curvature& found);
 /// A body cut free, or a pin: "body-2", "pin-B".
 std::string name_of(const Solution& solution, const FreeBody& body);
 
+/// Bodies taken together: "forces-3-4".
+std::string name_of(const Solution& solution, const TakenTogether& together);
+
 /// A drawing that wants a room: what it measures and who draws it.
 struct Wanted {
     std::string name;                   ///< by which it may be asked for alone
@@ -57,6 +60,8 @@ public:
 
     /// Index into list; nothing where no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
+    /// The solution as a sentence speaks of it: with all loads, or with those of one body alone.
+    const DrawingContext& context_at(StatementIndex statement) const;
     /// Whether the instant centres are shown.
     bool shows_centres() const;
 
@@ -72,6 +77,9 @@ private:
     void add_lines_of_action();
     void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
     void add_free_bodies();
+    void add_polygons_of_bodies(const DrawingContext& context);
+    void add_superposition();
+    void leave_room_for(std::size_t polygons);
     void add_curvature();
     void add_loops();
     void add_displacements();
@@ -86,6 +94,8 @@ private:
     std::deque<PolygonScene> scenes_;   // of the polygons of motion; they stay where they are
     std::optional<Solution> unscaled_;  // the same without the file's scales, made when one of them does not fit
     std::optional<DrawingContext> unscaled_context_;
+    std::deque<Solution> alone_;  // by part of the superposition
+    std::deque<DrawingContext> alone_contexts_;
 };
 
 }  // namespace kinegraph::render

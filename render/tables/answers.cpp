@@ -148,6 +148,7 @@ private:
     void add_force(const ResultRow& row) {
         const Kind kind = row.quantity.kind;
         if (kind != Kind::force && kind != Kind::couple && kind != Kind::effort && kind != Kind::bar) return;
+        if (row.symbol.letter == Symbol::Letter::length) return;  // how far aside a force is moved follows from the couple
         Answer answer{row.symbol, Topic::forces, row.drawing, row.unit};
         answer.quantity = row.quantity;
         if (row.group.couples) {

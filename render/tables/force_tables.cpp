@@ -269,6 +269,7 @@ public:
                     AppliedForce there = *own;
                     there.couple = *pair->couple;
                     couples_.push_back(couple_row(*on, there));
+                    couples_.push_back(shift_row(*on, there));
                 }
             }
         forces_.insert(forces_.end(), std::make_move_iterator(couples_.begin()), std::make_move_iterator(couples_.end()));
@@ -327,6 +328,21 @@ private:
         if (const auto numeric = checks_.couple_of(body, applied)) row.numeric = *numeric / unit.si.to_double();
         row.unit = unit.symbol;
         row.group = {Topic::forces, -1, true};
+        return row;
+    }
+
+    /// By how much the one force lies beside the pair: d = M/F.
+    ResultRow shift_row(const FreeBody& body, const AppliedForce& applied) const {
+        ResultRow row = couple_row(body, applied);
+        const Unit& unit = mechanism_.units.length;
+        row.symbol = {Symbol::Letter::length, "d" + applied.symbol.about, {}};
+        row.name = name_of(row.symbol);
+        const double si = unit.si.to_double();
+        row.drawing = std::abs(applied.couple.to_double()) / kinegraph::length(applied.force) / si;
+        const auto force = checks_.force_of(body, applied), couple = checks_.couple_of(body, applied);
+        row.numeric.reset();
+        if (force && couple && *force > 0) row.numeric = std::abs(*couple) / *force / si;
+        row.unit = unit.symbol;
         return row;
     }
 

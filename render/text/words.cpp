@@ -206,7 +206,7 @@ constexpr std::array
             "Il poligono delle forze del corpo {0} si chiude e dà {1} e {2}."},
         Row{Sentence::polygon_at,
             "On body {0} the resultant of the known forces and the line of {2} meet in {1}; {3} passes there too, and the polygon gives both.",
-            "Sul corpo {0} la risultante delle forze note e la retta di {2} si incontrano in {1}; anche {3} vi passa, e il poligono dà entrambe."},
+            "Sul corpo {0} la risultante delle forze note, {2} e {3} concorrono in {1}: il poligono dà le due incognite."},
         Row{Sentence::parallel_forces, "The forces on body {0} are parallel: moments give {1}, the sum gives {2}.",
             "Le forze sul corpo {0} sono parallele: i momenti danno {1}, la somma {2}."},
         Row{Sentence::culmann,
@@ -217,12 +217,25 @@ constexpr std::array
             "Sul corpo {0} agiscono quattro forze: quella nota incontra {3} in {1}, {4} incontra {5} in {2}. La retta di Culmann {1}{2} porta la somma di ciascuna coppia di forze e si chiudono due triangoli."},
         Row{Sentence::force_and_couple,
             "On body {0} {1} is equal and opposite to the resultant of the other forces; {2} balances the couple that they form, force times arm.",
-            "Sul corpo {0} {1} è uguale e opposta alla risultante delle altre forze; {2} equilibra la coppia che ne nasce, forza per braccio."},
+            "Sul corpo {0} {1} è opposta alla risultante delle altre forze; {2} equilibra la coppia che ne nasce, forza per braccio."},
         Row{Sentence::single_reaction, "On body {0} only {1} is unknown: it balances the rest.",
             "Sul corpo {0} resta incognita solo {1}, che equilibra tutto il resto."},
-        Row{Sentence::superposition, "No order of bodies resolves all loads at once: now those of body {0} act alone.",
-            "Nessun ordine dei corpi risolve tutti i carichi insieme: agiscano ora i soli carichi del corpo {0}."},
-        Row{Sentence::superposition_sum, "The partial reactions are added.", "Si sommano le reazioni parziali."},
+        Row{Sentence::superposition,
+            "No order of bodies resolves all loads at once: now those of body {0} act alone; what they cause is marked ({0}).",
+            "Nessun ordine dei corpi risolve tutti i carichi insieme: agiscano ora i soli carichi del corpo {0}; ciò che provocano è contrassegnato con ({0})."},
+        Row{Sentence::superposition_sum, "The partial forces at each joint are added, tip to tail, and so are the couples.",
+            "In ciascuna coppia si sommano le forze parziali, una di seguito all’altra; così pure i momenti."},
+        Row{Sentence::through_pin, "All that is known on body {0} passes through {1}: {2} must pass there too.",
+            "Tutto ciò che è noto sul corpo {0} passa per {1}: anche {2} deve passarvi."},
+        Row{Sentence::known_resultant, "On body {0} the resultant of {1} is {2}.", "Sul corpo {0} la risultante di {1} è {2}."},
+        Row{Sentence::inertia_moved, "On body {0} {1} and {2} are one force: {1}, moved aside by d~=~M/F.",
+            "Sul corpo {0} {1} e {2} equivalgono a una sola forza: {1}, spostata di d~=~M/F."},
+        Row{Sentence::funicular_parallel,
+            "The forces on body {0} are parallel: the strings, parallel to the rays from a pole, give the line of their resultant, and the closing line parts it into {1} and {2} (funicular polygon).",
+            "Le forze sul corpo {0} sono parallele: i lati del poligono funicolare, paralleli ai raggi condotti da un polo, danno la retta della risultante, e la retta di chiusura la ripartisce fra {1} e {2}."},
+        Row{Sentence::funicular_far,
+            "On body {0} the line of {1} meets that of the known forces far away: a funicular polygon that begins at the point of {2} closes, and its closing line gives both.",
+            "Sul corpo {0} la retta di {1} incontra lontano quella delle forze note: si chiude un poligono funicolare che parte dal punto di {2}, e la retta di chiusura dà entrambe."},
         Row{Sentence::trial, "{0} is given a trial value; from the closing error its true value follows in proportion.",
             "A {0} si dà un valore di prova; dallo scarto di chiusura si ricava in proporzione il valore vero."},
         Row{Sentence::elastic_spring, "The spring acts along {1}{2}: {0} is its stiffness times what {1}{2} exceeds the free length by.",
@@ -594,6 +607,9 @@ constexpr std::array
         Row{Sentence::beyond_trials,
             "no order of bodies resolves them, and more unknowns hang together than are tried at once[; not determined: {0}]",
             "nessun ordine dei corpi le risolve, e le incognite legate fra loro sono più di quante se ne provino insieme[; non determinate: {0}]"},
+        Row{Sentence::beyond_members,
+            "redundant constraints hold more than {0} members together, and no more are taken at once[; not determined: {1}]",
+            "vincoli sovrabbondanti legano fra loro più di {0} elementi, e non se ne trattano di più insieme[; non determinate: {1}]"},
         Row{Sentence::cut_of_bars, "cut through {0}", "sezione di {0}"},
         Row{Sentence::cut_in_one_point,
             "the lines of the three bars meet in one point or are all parallel, so that no equation holds one of them alone; cut other bars",
@@ -910,6 +926,12 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"force polygon", "Force polygon", "Poligono delle forze"},
     FixedWords{"force polygons", "Force polygons", "Poligoni delle forze"},
     FixedWords{"closed force polygon", "Closed polygon of the external forces", "Poligono chiuso delle forze esterne"},
+    FixedWords{"bodies together", "bodies", "corpi"},
+    FixedWords{"loads alone", "Loads alone on", "Soli carichi su"},
+    FixedWords{"loads of body", "body", "corpo"},
+    FixedWords{"loads of pin", "pin", "nodo"},
+    FixedWords{"sums of partial forces", "Sums of the partial forces", "Somme delle forze parziali"},
+    FixedWords{"funicular polygon", "Funicular polygon", "Poligono funicolare"},
     FixedWords{"free body", "Free body", "Corpo libero"},
     FixedWords{"free pin", "Free pin", "Perno isolato"},
     FixedWords{"pin", "pin", "perno"},
@@ -1048,7 +1070,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"action and reaction", "acts from body {0} on body {1}.", "è l’azione del corpo {0} sul corpo {1}."},
     FixedWords{"internal sides", "Dashed sides are internal: equal and opposite on two bodies, they cancel.",
                "I lati tratteggiati sono interni: uguali e opposti su due corpi, si elidono."},
-    FixedWords{"passes outside", "passes outside: it tilts", "passa all’esterno: si impunta"},
+    FixedWords{"passes outside", "passes outside: it tilts", "passa fuori: si impunta"},
     FixedWords{"passes beside", "from", "da"},
     FixedWords{"lever", "Joukowsky’s lever", "Leva di Joukowsky"},
     FixedWords{"lever arm", "arm", "braccio"},
@@ -1218,6 +1240,32 @@ std::string_view pattern_of(Sentence sentence, Language language) {
     return language == Language::en ? row.en : row.it;
 }
 
+/// Where a truss is cut free whole, the pattern of a body speaks of it by its name.
+std::string of_truss(std::string pattern, Language language) {
+    static constexpr std::array<std::array<std::string_view, 2>, 2> english{
+        {{"Body {0}", "The truss"}, {"body {0}", "the truss"}}};
+    static constexpr std::array<std::array<std::string_view, 2>, 5> italian{{{"Sul corpo {0}", "Sulla travatura"},
+                                                                             {"sul corpo {0}", "sulla travatura"},
+                                                                             {"del corpo {0}", "della travatura"},
+                                                                             {"Il corpo {0}", "La travatura"},
+                                                                             {"il corpo {0}", "la travatura"}}};
+    const auto replace = [&](const auto& pairs) {
+        for (const auto& [said, instead] : pairs)
+            for (std::size_t at = pattern.find(said); at != std::string::npos; at = pattern.find(said, at + instead.size()))
+                pattern.replace(at, said.size(), instead);
+    };
+    if (language == Language::en)
+        replace(english);
+    else
+        replace(italian);
+    return pattern;
+}
+std::string pattern_of(const Message& message, Language language) {
+    std::string pattern(pattern_of(message.sentence, language));
+    const auto* body = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
+    return body != nullptr && body->is_truss ? of_truss(std::move(pattern), language) : pattern;
+}
+
 bool is_empty(const Argument& arg) {
     if (const auto* text = std::get_if<std::string>(&arg)) return text->empty();
     if (const auto* point = std::get_if<PointName>(&arg)) return point->name.empty();
@@ -1337,6 +1385,12 @@ RichText worked_out(const Working& working, Language language) {
         product += (i > 0 ? std::string(unbroken_blank) + "·" + unbroken_blank : "") + factor(std::abs(each.value), language) +
                    (each.squared ? "²" : "");
     }
+    for (std::size_t i = 0; i < working.summands.size(); ++i) {
+        const double value = working.summands[i];
+        const char* sign = value < 0 ? "−" : i > 0 ? "+" : "";
+        product += i > 0 ? std::string(unbroken_blank) + sign + unbroken_blank : std::string(sign);
+        product += factor(std::abs(value), language);
+    }
     if (working.divisor) product += "/" + factor(*working.divisor, language);
     constexpr int digits = 3;
     std::string result = number(working.result.value, digits, language);
@@ -1354,7 +1408,7 @@ bool is_all_zero(std::string_view decimal) {
 RichText say(const Message& message, Language language) { return say(message, language, {}); }
 RichText say(const Message& message, Language language, const BeforeLine& before_line) {
     RichText text;
-    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::typeset, text, before_line);
+    fill(pattern_of(message, language), message.arguments, language, Setting::typeset, text, before_line);
     for (std::size_t i = 0; i < message.workings.size(); ++i) {
         text.push_back(piece(i == 0 ? " " : "; "));
         append(text, worked_out(message.workings[i], language));
@@ -1388,7 +1442,7 @@ RichText say_likewise(const std::vector<const Message*>& messages, Language lang
 
 std::string tell(const Message& message, Language language) {
     RichText text;
-    fill(pattern_of(message.sentence, language), message.arguments, language, Setting::spelt, text);
+    fill(pattern_of(message, language), message.arguments, language, Setting::spelt, text);
     return plain(text);
 }
 
