@@ -285,19 +285,35 @@ std::string figure_json(const AloneFigure& figure) {
 }
 
 std::string words_json() {
-    static constexpr auto keys = std::to_array<std::string_view>({"live play",         "live pause",
-                                                                  "live as drawn",     "live driver",
-                                                                  "live position",     "live fit",
-                                                                  "live previous",     "live next",
-                                                                  "live all",          "live language",
-                                                                  "live theme",        "live theme system",
-                                                                  "live theme light",  "live theme dark",
-                                                                  "live print",        "live limit",
-                                                                  "live change point", "live no construction",
-                                                                  "live not followed", "live of drawn position",
-                                                                  "live step",         "live drag",
-                                                                  "live stops",        "live out of reach",
-                                                                  "live drawn"});
+    static constexpr auto keys = std::to_array<std::string_view>({"live play",
+                                                                  "live pause",
+                                                                  "live as drawn",
+                                                                  "live driver",
+                                                                  "live position",
+                                                                  "live fit",
+                                                                  "live previous",
+                                                                  "live next",
+                                                                  "live all",
+                                                                  "live language",
+                                                                  "live theme",
+                                                                  "live theme system",
+                                                                  "live theme light",
+                                                                  "live theme dark",
+                                                                  "live print",
+                                                                  "live limit",
+                                                                  "live change point",
+                                                                  "live no construction",
+                                                                  "live not followed",
+                                                                  "live of drawn position",
+                                                                  "live step",
+                                                                  "live drag",
+                                                                  "live stops",
+                                                                  "live out of reach",
+                                                                  "live drawn",
+                                                                  "live faults",
+                                                                  "live faults at first",
+                                                                  "live line",
+                                                                  "live lost"});
     Json json;
     json.open('{');
     for (const Language language : {Language::en, Language::it}) {

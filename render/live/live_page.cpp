@@ -182,6 +182,25 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
     return css + without_comments(live_style);
 }
 
+std::string code(Language language) { return language == Language::en ? "en" : "it"; }
+
+/// The whole file around `body`. A page that is served may ask where it came from, and nobody else.
+std::string document(const std::string& title, Language language, const std::string& style, const std::string& script,
+                     const std::string& data, bool served, const std::string& body) {
+    std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(language) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
+    page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
+            sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) + "'; " +
+            (served ? "connect-src 'self'; " : "") + "base-uri 'none'; form-action 'none'\">\n";
+    page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+    page += element("title", "", escaped(title));
+    page += element("style", "", style);
+    page += "</head>\n<body>\n" + body;
+    page += "<p id=\"announcement\" class=\"unseen\" aria-live=\"polite\"></p>\n";
+    page += element("script", "type=\"application/json\" id=\"data\"", data);
+    page += element("script", "", script);
+    return page + "</body>\n</html>\n";
+}
+
 // --- text ---------------------------------------------------------------------------------------------------------------------
 
 class Writer {
@@ -189,7 +208,7 @@ public:
     Writer(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options, const Fonts& fonts)
         : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
 
-    std::string write(const std::optional<Theme>& dark) {
+    std::string write(const std::optional<Theme>& dark, int served) {
         std::string sheets, figures;
         const Language first = options_.language, second = first == Language::en ? Language::it : Language::en;
         for (const Language language : {first, second}) {
@@ -197,27 +216,16 @@ public:
             figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") +
                        figures_json_ + "]";
         }
-        const std::string style = style_of(options_.theme, dark), script = without_comments(live_script);
         std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
+        if (served > 0) data += ",\"served\":" + std::to_string(served);
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
         data += "}";
-        std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(first) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
-        page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
-                sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) +
-                "'; base-uri 'none'; form-action 'none'\">\n";
-        page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-        page += element("title", "", escaped(title_of(solution_, first)));
-        page += element("style", "", style);
-        page += "</head>\n<body>\n" + drawings_.outlines() + controls(dark.has_value()) + sheets;
-        page += "<p id=\"announcement\" class=\"unseen\" aria-live=\"polite\"></p>\n";
-        page += element("script", "type=\"application/json\" id=\"data\"", data);
-        page += element("script", "", script);
-        return page + "</body>\n</html>\n";
+        const std::string script = without_comments(live_script) + (served > 0 ? without_comments(live_watch_script) : "");
+        return document(title_of(solution_, first), first, style_of(options_.theme, dark), script, data, served > 0,
+                        drawings_.outlines() + controls(dark.has_value()) + sheets);
     }
 
 private:
-    static std::string code(Language language) { return language == Language::en ? "en" : "it"; }
-
     /// Empty until the script has words for them.
     std::string controls(bool has_dark) const {
         std::string out = "<header id=\"controls\">\n";
@@ -355,8 +363,14 @@ private:
 }  // namespace
 
 std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
-                      const std::optional<Theme>& dark, const Fonts& fonts) {
-    return Writer(solution, moving, options, fonts).write(dark);
+                      const std::optional<Theme>& dark, const Fonts& fonts, int served) {
+    return Writer(solution, moving, options, fonts).write(dark, served);
+}
+
+std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
+    const std::string data = "{\"words\":" + words_json() + ",\"served\":0}";
+    return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script), data, true,
+                    element("main", "lang=\"" + code(options.language) + "\"", element("h1", "", escaped(name))));
 }
 
 }  // namespace kinegraph::render

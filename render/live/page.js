@@ -45,6 +45,36 @@ class Page {
         return this.views[this.language] ?? [];
     }
 
+    // --- where it is ----------------------------------------------------------------------------------------------------------
+
+    /** What a successor of this page is told, to begin where this one stops. */
+    whereItIs() {
+        const theme = this.at('theme');
+        return {
+            language: this.language, step: this.step, theme: theme ? theme.value : '', fit: this.motion ? this.at('fit').checked : true,
+            driver: this.motion ? this.course.name : '', at: this.motion && !this.motion.isDrawn ? this.motion.at : null,
+        };
+    }
+    /**
+     * As far as it still can: the file may have changed.
+     * @param {ReturnType<Page['whereItIs']>} from
+     */
+    takeUp(from) {
+        const theme = this.at('theme');
+        if (theme) {
+            theme.value = from.theme;
+            theme.onchange();
+        }
+        this.setLanguage(from.language);
+        if (this.motion) {
+            this.at('fit').checked = from.fit;
+            const driver = this.motion.data.courses.findIndex((course) => course.name === from.driver);
+            if (driver >= 0) this.chooseDriver(driver);
+            if (driver >= 0 && from.at !== null) this.moveTo(from.at);
+        }
+        this.showStep(Math.min(from.step, this.says.length - 1), false);
+    }
+
     // --- language, theme ------------------------------------------------------------------------------------------------------
 
     /** @param {string} language */
@@ -62,6 +92,7 @@ class Page {
         this.bindFigures();
         this.showStep(this.step, false);
         if (this.motion) this.show();
+        document.dispatchEvent(new Event('languagechosen'));
     }
     /** The figures of a language are bound when they are first seen, in the drawn position. */
     bindFigures() {
