@@ -44,13 +44,13 @@ const host = () => `Host: 127.0.0.1:${address.port}\r\n`;
 const statusOf = (answer) => Number(answer.match(/^HTTP\/1\.1 (\d+)/)?.[1] ?? 0);
 const get = (target, more = '') => ask(`GET ${target} HTTP/1.1\r\n${host()}${more}\r\n`);
 const news = async () => JSON.parse((await get(`${address.pathname}news`)).split('\r\n\r\n')[1]);
-/** Waits for a truth, at most four seconds. */
+/** Waits for a truth; a busy machine has its time. */
 async function until(isTrue, what) {
-    for (let i = 0; i < 80; ++i) {
+    for (let i = 0; i < 400; ++i) {
         if (await isTrue()) return;
         await new Promise((resolve) => setTimeout(resolve, 50));
     }
-    assert.fail(`${what} within four seconds`);
+    assert.fail(`${what} has not come`);
 }
 
 test('it is for this machine alone, under a name that nobody guesses', async () => {
@@ -181,7 +181,7 @@ test('a file that was never right has a page of faults, and then its page', asyn
     const second = spawn(program, ['watch', other, '--lang', 'it'], {stdio: ['ignore', 'pipe', 'ignore']});
     const at = await new Promise((resolve) => second.stdout.once('data', (text) => resolve(String(text).trim())));
     await browser.open(at);
-    await until(() => browser.run('/compare appena.*Riga 1|compare appena.*riga 1/.test(document.getElementById("faults").textContent)'), 'the fault');
+    await until(() => browser.run('/compare appena.*riga 1/.test(document.getElementById("faults").textContent)'), 'the fault');
     writeFileSync(other, good);
     await until(() => browser.run('window.kinegraph?.data.served === 1'), 'the page');
     second.kill('SIGTERM');
