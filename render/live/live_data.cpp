@@ -256,7 +256,8 @@ std::string names_json(const Solution& solution) {
     json.list("joints", m.joints, [&](const Joint& joint) {
         const bool guided = joint.pair().has_guide() && joint.arc == none;
         json.open('{').key("id").text(legal_id(joint.name)).key("point").all(joint.point);
-        json.key("turnsWith").number(guided ? joint.bodies[1].number() : -1).close('}');
+        json.key("turnsWith").number(guided ? joint.bodies[1].number() : -1);
+        json.key("bodies").open('[').number(joint.bodies[0].number()).number(joint.bodies[1].number()).close(']').close('}');
     });
     json.list("points", m.points, [&](const NamedPoint& point) {
         json.open('{').key("label").text(label(Symbol::Letter::point, point.name)).close('}');
@@ -313,7 +314,39 @@ std::string words_json() {
                                                                   "live faults",
                                                                   "live faults at first",
                                                                   "live line",
-                                                                  "live lost"});
+                                                                  "live lost",
+                                                                  "live try",
+                                                                  "live end trying",
+                                                                  "live nothing to try",
+                                                                  "live polygon",
+                                                                  "live from",
+                                                                  "live direction",
+                                                                  "live by hand",
+                                                                  "live check",
+                                                                  "live hint",
+                                                                  "live show it",
+                                                                  "live score",
+                                                                  "live draw vector",
+                                                                  "live draw line",
+                                                                  "live draw line of",
+                                                                  "live tip of",
+                                                                  "live start",
+                                                                  "live guide",
+                                                                  "live horizontal",
+                                                                  "live vertical",
+                                                                  "live line end",
+                                                                  "live wrong point",
+                                                                  "live wrong direction",
+                                                                  "live wrong sense",
+                                                                  "live too long",
+                                                                  "live too short",
+                                                                  "live right",
+                                                                  "live shown",
+                                                                  "live all drawn",
+                                                                  "live no hint",
+                                                                  "live ruler",
+                                                                  "live ruler end",
+                                                                  "live values beside"});
     Json json;
     json.open('{');
     for (const Language language : {Language::en, Language::it}) {

@@ -2,6 +2,7 @@
 #include "render/live/live_page.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <pugixml.hpp>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/equations.hpp"
+#include "engine/json_text.hpp"
 #include "engine/problem.hpp"
 #include "render/backends/backends.hpp"
 #include "render/live/live_data.hpp"
@@ -43,8 +45,22 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Comments of
-/// theirs begin a line.
+/// A line without what a checker of types reads in it. What no line ends is begun: `in_comment`.
+std::string without_comments_of_line(std::string_view line, bool& in_comment) {
+    std::string out;
+    while (!line.empty()) {
+        const std::size_t mark = line.find(in_comment ? "*/" : "/*");
+        if (!in_comment) out += line.substr(0, mark);
+        if (mark == std::string_view::npos) break;
+        line.remove_prefix(mark + 2);
+        if (in_comment) line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        in_comment = !in_comment;
+    }
+    return out;
+}
+
+/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
+/// comments are whole lines, or in slashes and stars, which no string of theirs holds.
 std::string without_comments(std::string_view source) {
     std::string out;
     bool in_comment = false;
@@ -53,9 +69,9 @@ std::string without_comments(std::string_view source) {
         std::string_view line = source.substr(at, end - at);
         at = end + 1;
         line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-        in_comment = in_comment || line.starts_with("/*");
-        if (!in_comment && !line.empty() && !line.starts_with("//")) out.append(line).append("\n");
-        if (line.ends_with("*/")) in_comment = false;
+        if (!in_comment && line.starts_with("//")) continue;
+        const std::string kept = without_comments_of_line(line, in_comment);
+        if (!kept.empty()) out.append(kept).append("\n");
     }
     return out;
 }
@@ -120,10 +136,32 @@ private:
         node.print(sink, "", pugi::format_raw, pugi::encoding_utf8);
         return std::move(sink.out);
     }
+    /// A path to a tenth of a micrometre: what is read off figures are axes and the record, not strokes.
+    static std::string rounded(std::string_view path) {
+        constexpr std::size_t decimals = 4;
+        std::string out;
+        for (std::size_t at = 0; at < path.size();) {
+            const std::size_t end = std::min(path.find_first_not_of("-0123456789.", at), path.size());
+            const std::size_t point = path.substr(at, end - at).find('.');
+            if (point == std::string_view::npos || end - at - point - 1 <= decimals) {
+                out += path.substr(at, std::max(end, at + 1) - at);
+            } else {
+                double value = 0;
+                std::from_chars(path.data() + at, path.data() + end, value);
+                out += shortest(std::round(value * 1e4) / 1e4);
+            }
+            at = std::max(end, at + 1);
+        }
+        return out;
+    }
     static void tidy(pugi::xml_node node) {
         for (pugi::xml_node child : node.children()) {
             if (pugi::xml_attribute id = child.attribute("id")) id.set_name("data-id");
             if (std::string_view(child.name()) == "g" && child.attribute("role")) child.remove_attribute("role");
+            // Within a picture these are not read aloud; labels alone are looked up by theirs.
+            if (std::string_view(child.attribute("class").value()) == "text") child.remove_attribute("aria-label");
+            if (pugi::xml_attribute link = child.attribute("xlink:href")) link.set_name("href");
+            if (pugi::xml_attribute path = child.attribute("d")) path.set_value(rounded(path.value()).c_str());
             tidy(child);
         }
     }
@@ -236,6 +274,7 @@ private:
                 "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
                 "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
                 "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
+                "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values beside\"></span></label>\n"
                 "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
         }
         out +=
@@ -249,7 +288,25 @@ private:
                 "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme system\"></option>"
                 "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme dark\"></option>"
                 "</select></label>\n";
-        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n</header>\n";
+        if (moving_) out += "<button id=\"try\" type=\"button\" data-word=\"try\" aria-pressed=\"false\"></button>\n";
+        out += "<button id=\"ruler\" type=\"button\" data-word=\"ruler\" aria-pressed=\"false\"></button>\n";
+        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n" + (moving_ ? exercise() : "") +
+               "</header>\n";
+    }
+
+    /// What a student draws a line with; hidden until it is asked for.
+    static std::string exercise() {
+        const auto choice = [](const std::string& id, const std::string& key) {
+            return "<label><span data-word=\"" + key + "\"></span> <select id=\"" + id + "\"></select></label>\n";
+        };
+        const auto button = [](const std::string& id, const std::string& key) {
+            return "<button id=\"" + id + "\" type=\"button\" data-word=\"" + key + "\"></button>\n";
+        };
+        return "<div class=\"row\" id=\"trying\" hidden>" + choice("try-figure", "polygon") +
+               "<span id=\"try-task\" aria-live=\"polite\"></span>\n" + choice("try-point", "from") +
+               choice("try-direction", "direction") + "<output id=\"try-length\"></output>\n" + button("try-check", "check") +
+               button("try-hint", "hint") + button("try-show", "show it") +
+               "<span id=\"try-score\"></span><p id=\"try-verdict\" role=\"status\"></p></div>\n";
     }
 
     std::string sheet(Language language) {

@@ -14,6 +14,8 @@ class Page {
          * @type {Map<string, Map<SVGSVGElement, number[]>>}
          */
         this.rooms = new Map();
+        this.ruler = new Ruler(this);
+        this.exercise = new Exercise(this);
         this.sheets = [...document.querySelectorAll('main')];
     }
 
@@ -90,6 +92,7 @@ class Page {
         this.at('language').value = language;
         document.title = this.sheet.querySelector('h1')?.textContent ?? '';
         this.bindFigures();
+        if (this.ruler.isOn) this.ruler.turn(true);
         this.showStep(this.step, false);
         if (this.motion) this.show();
         document.dispatchEvent(new Event('languagechosen'));
@@ -121,6 +124,7 @@ class Page {
         this.at('all').onclick = () => this.showStep(-1);
         this.at('print').onclick = () => window.print();
         this.at('language').onchange = () => this.setLanguage(this.at('language').value);
+        this.at('ruler').onclick = () => this.ruler.turn(!this.ruler.isOn);
         const theme = this.at('theme');
         if (theme) {
             theme.onchange = () => {
@@ -131,6 +135,11 @@ class Page {
         document.addEventListener('keydown', (event) => this.onKey(event));
         for (const sheet of this.sheets) {
             sheet.addEventListener('pointerover', (event) => this.light(this.saidAt(event.target)));
+            sheet.addEventListener('pointerdown', (event) => {
+                const svg = /** @type {SVGSVGElement | null} */ (/** @type {Element} */ (event.target).closest('.figures svg'));
+                if (svg && this.ruler.isOn) this.ruler.begin(svg, event);
+                else if (svg) this.exercise.touch(svg, event);
+            });
             sheet.addEventListener('pointerleave', () => this.light(null));
             sheet.addEventListener('click', (event) => {
                 const sentence = /** @type {Element} */ (event.target).closest('li[data-says]');
@@ -149,6 +158,9 @@ class Page {
     onKey(event) {
         const target = /** @type {HTMLElement} */ (event.target);
         if (event.ctrlKey || event.metaKey || event.altKey || target.matches('input, select')) return;
+        if (event.key === 'Escape' && this.exercise.isOn) this.exercise.end();
+        else if (event.key === 'Escape' && this.ruler.isOn) this.ruler.turn(false);
+        if (this.exercise.isOn) return;
         const actions = /** @type {Record<string, () => void>} */ ({
             'ArrowRight': () => this.at('next').click(),
             'n': () => this.at('next').click(),
@@ -159,6 +171,8 @@ class Page {
             'End': () => this.showStep(this.says.length - 1),
             ' ': () => this.at('play')?.click(),
             '0': () => this.at('drawn')?.click(),
+            'm': () => this.at('ruler').click(),
+            'v': () => this.at('values')?.click(),
         });
         const action = actions[event.key];
         if (!action || (event.key === ' ' && target.matches('button'))) return;
@@ -209,6 +223,39 @@ class Page {
         says[this.step].scrollIntoView({block: 'nearest'});
         this.announce(`${where}: ${spoken(says[this.step])}`);
     }
+    /**
+     * What a statement and those after it say is hidden: strokes, sentences.
+     * @param {number} statement
+     */
+    hideFrom(statement) {
+        for (const svg of this.sheet.querySelectorAll('.figures svg')) svg.classList.add('reading');
+        for (const node of this.sheet.querySelectorAll('svg [data-statement], li[data-says]')) {
+            const number = Number(node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
+            node.classList.remove('now', 'past');
+            node.classList.toggle('later', number >= statement);
+        }
+    }
+    /**
+     * The controls of the exercise in place of those that move and tell.
+     * @param {boolean} isOn
+     */
+    showTrying(isOn) {
+        document.documentElement.classList.toggle('trying', isOn);
+        this.at('trying').hidden = !isOn;
+        this.at('moving').hidden = isOn;
+        this.at('try').setAttribute('aria-pressed', String(isOn));
+        this.at('try').textContent = this.word(isOn ? 'end trying' : 'try');
+        for (const id of ['previous', 'next', 'all', 'step']) this.at(id).hidden = isOn;
+        if (!isOn) for (const node of document.querySelectorAll('li.later')) node.classList.remove('later');
+    }
+    /**
+     * Of the figure as it is shown: units of the quantity for a millimetre.
+     * @param {SVGSVGElement} svg
+     */
+    scaleOf(svg) {
+        const view = this.figures.find((each) => each.svg === svg), group = svg.querySelector('g.figure');
+        return {scale: view ? view.scale : Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
+    }
     /** @param {string} words */
     announce(words) {
         this.at('announcement').textContent = words;
@@ -234,6 +281,8 @@ class Page {
             this.show();
         };
         this.at('fit').onchange = () => this.show();
+        this.at('values').onchange = () => this.show();
+        this.exercise.wire();
         for (const sheet of this.sheets) {
             for (const svg of sheet.querySelectorAll('.figures svg')) this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
         }
@@ -322,6 +371,8 @@ class Page {
         else if (atLimit) this.say(this.word('limit'));
         else this.say(motion.plan < 0 ? this.word('no construction') : '');
         for (const view of this.figures) this.showFigure(view, motion);
+        for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
+        this.ruler.show();
         for (const cell of this.sheet.querySelectorAll('td[data-column]')) {
             const index = Number(/** @type {HTMLElement} */ (cell).dataset.column), value = motion.value(index);
             cell.textContent = value === null ? '–' : this.numberText(value / motion.data.columns[index].size);
@@ -423,7 +474,7 @@ class Page {
         };
         svg.addEventListener('pointerdown', (event) => {
             const figure = view(), at = spotOf(event);
-            if (!figure || !at) return;
+            if (!figure || !at || this.ruler.isOn || this.exercise.isOn) return;
             const point = nearestMoving(figure, motion, at);
             if (point < 0) return;
             this.pause();

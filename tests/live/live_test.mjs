@@ -135,14 +135,135 @@ test('steps by keys, announced, each with its sentence and its strokes', async (
 test('the keyboard reaches every control, and the focus is seen', async () => {
     const seen = [];
     await browser.run('document.activeElement.blur()');
-    for (let i = 0; i < 12; ++i) {
+    for (let i = 0; i < 16; ++i) {
         await browser.key('Tab');
         seen.push(await browser.run('document.activeElement.id + (getComputedStyle(document.activeElement).outlineStyle === "none" ? " unseen" : "")'));
     }
-    for (const id of ['play', 'position', 'drawn', 'fit', 'previous', 'next', 'all', 'language', 'theme', 'print']) {
+    for (const id of ['play', 'position', 'drawn', 'fit', 'previous', 'next', 'all', 'language', 'theme', 'values', 'try', 'ruler', 'print']) {
         assert.ok(seen.includes(id), `${id} in ${seen.join()}`);
     }
 });
+
+test('a ruler measures in mm and in the unit of the figure, by hand and by keys', async () => {
+    const text = 'document.querySelector(".ruler text").textContent';
+    await browser.run('document.getElementById("ruler").click()');
+    assert.match(await browser.run(text), /^[\d.]+ mm ≙ [\d.]+ mm, 0°$/);
+    // Over v_A of the velocity polygon from end to end, by hand: it snaps to them.
+    const ends = await browser.run(`(() => {
+        const view = kinegraph.figures.find((each) => each.id === 'velocity');
+        view.svg.scrollIntoView({block: 'center'});
+        return view.vector('v_A').map((at) => new DOMPoint(at.x + 0.4, at.y).matrixTransform(view.svg.getScreenCTM())).map(({x, y}) => [x, y]);
+    })()`);
+    await browser.mouse('mousePressed', ...ends[0]);
+    await browser.mouse('mouseMoved', ...ends[1]);
+    await browser.mouse('mouseReleased', ...ends[1]);
+    assert.equal(await browser.run(text), '100.5 mm ≙ 0.503 m/s, −30°');
+    await browser.run('document.querySelectorAll(".ruler .handle")[1].focus()');
+    await browser.key('ArrowRight');
+    assert.match(await browser.run(text), /^100\.7 mm/);
+    await browser.key('PageDown');
+    assert.match(await browser.run(text), /m\/s²/);
+    await browser.key('Escape');
+    assert.equal(await browser.run('document.querySelectorAll(".ruler").length'), 0);
+    quiet();
+});
+
+test('values stand beside vectors when they are asked for, and follow', async () => {
+    const shown = `[...document.querySelectorAll('main:not([hidden]) [data-figure-name=velocity] g.label text')].map((each) => each.textContent)`;
+    assert.deepEqual(await browser.run(shown), []);
+    await browser.run('document.getElementById("values").click()');
+    assert.deepEqual(await browser.run(shown), ['= 0.5027 m/s', '= 0.1963 m/s', '= 0.3828 m/s']);
+    const moved = await browser.run(`kinegraph.moveTo(1), ${shown}.map((text) => parseFloat(text.slice(2)))`);
+    const wanted = await browser.run(`(() => {
+        const {motion} = kinegraph, at = (name) => motion.value(motion.data.columns.findIndex((column) => column.name === name));
+        return Math.hypot(at('vx B'), at('vy B'));
+    })()`);
+    assert.ok(Math.abs(moved[2] - wanted) < 1e-4, `${moved} ${wanted}`);
+    await browser.run('document.getElementById("values").click(), document.getElementById("drawn").click()');
+    assert.deepEqual(await browser.run(shown), []);
+    quiet();
+});
+
+test('an exercise tells point, direction, sense and length apart, and counts', async () => {
+    await browser.run('document.getElementById("try").click()');
+    const said = 'document.getElementById("try-verdict").textContent', score = 'document.getElementById("try-score").textContent';
+    const choose = (id, text) => browser.run(`(() => {
+        const list = document.getElementById('${id}');
+        list.value = [...list.options].find((each) => each.text === '${text}').value;
+        list.dispatchEvent(new Event('change'));
+    })()`);
+    const check = () => browser.run(`document.getElementById('try-check').click(), ${said}`);
+    const seen = (number) => browser.run(`[...document.querySelectorAll('main:not([hidden]) [data-says="${number}"]')].every((each) => getComputedStyle(each).display !== 'none')`);
+    assert.equal(await browser.run('document.getElementById("try-task").textContent'), 'Draw vA: its point, direction, sense and length.');
+    assert.equal(await seen(6), false);
+    assert.equal(await browser.run('getComputedStyle(document.querySelector("main:not([hidden]) .values")).display'), 'none');
+    await choose('try-direction', '∥ O₂A');
+    assert.equal(await check(), 'The direction is wrong.');
+    await choose('try-direction', '⟂ O₂A');
+    assert.match(await check(), /too short|sense is wrong/);
+    // Along the direction by keys, too far, and to the other side.
+    await browser.run(`document.querySelector('.student .handle').focus()`);
+    const press = async (key, times) => {
+        for (let i = 0; i < times; ++i) await browser.run(`document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '${key}', shiftKey: true, bubbles: true}))`);
+    };
+    await press('ArrowRight', 30);
+    assert.match(await check(), /too long/);
+    await press('ArrowLeft', 40);
+    assert.match(await check(), /sense is wrong/);
+    await browser.run('document.getElementById("try-hint").click()');
+    assert.match(await browser.run(said), /normal to O2A/);
+    // By hand, to its end.
+    const [from, to] = await browser.run(`(() => {
+        const {view, tasks, handle} = kinegraph.exercise, matrix = view.svg.getScreenCTM(), [task] = tasks;
+        return [handle.at, along(task.from, 1, task.by)].map((at) => new DOMPoint(at.x, at.y).matrixTransform(matrix)).map(({x, y}) => [x, y]);
+    })()`);
+    await browser.mouse('mousePressed', ...from);
+    await browser.mouse('mouseMoved', ...to);
+    await browser.mouse('mouseReleased', ...to);
+    assert.match(await check(), /^Right/);
+    assert.equal(await browser.run(score), 'Score 0.5 of 3');
+    assert.equal(await seen(6), true);
+    // The line of v_BA begins in a.
+    await choose('try-direction', '⟂ AB');
+    assert.equal(await check(), 'It begins in the wrong point.');
+    await choose('try-point', 'a');
+    assert.match(await check(), /^Right/);
+    await choose('try-direction', '⟂ BO₄');
+    assert.equal(await check(), 'The polygon is complete.');
+    assert.equal(await browser.run(score), 'Score 2 of 3');
+    await browser.run('kinegraph.setLanguage("it")');
+    assert.equal(await browser.run(score), 'Punti 2 su 3');
+    await browser.run('kinegraph.setLanguage("en"), document.getElementById("try").click()');
+    assert.equal(await browser.run('document.querySelectorAll(".student, svg .later, li.later, .trying").length'), 0);
+    assert.equal(await browser.run('performance.getEntriesByType("resource").length'), 0);
+    quiet();
+});
+
+for (const name of ['exam_2001', 'watt_six_bar', 'quick_return', 'slider_crank', 'jansen_leg']) {
+    test(`every line of ${name} can be drawn, from a point that is there`, async () => {
+        await open(pageOf(name));
+        const done = await browser.run(`(() => {
+            const {exercise} = kinegraph, counts = [];
+            exercise.begin();
+            for (const view of exercise.polygons) {
+                exercise.take(view.id);
+                for (const task of exercise.tasks) {
+                    const points = exercise.pointsKnown(exercise.view), place = points.findIndex((each) => apart(each.at, task.from) < 0.02);
+                    document.getElementById('try-point').value = String(place);
+                    exercise.choosePoint();
+                    exercise.drag(along(task.from, task.kind === 'line' ? 20 : 1, task.by));
+                    exercise.check();
+                }
+                counts.push([view.id, exercise.tasks.length, exercise.points.reduce((sum, each) => sum + each, 0)]);
+            }
+            return counts;
+        })()`);
+        assert.ok(done.length >= 1);
+        for (const [polygon, tasks, points] of done) assert.equal(points, tasks, polygon);
+        assert.ok(done.some(([, tasks]) => tasks >= 3), JSON.stringify(done));
+        quiet();
+    });
+}
 
 test('speaks both languages', async () => {
     const [english, italian] = await browser.run(`['en', 'it'].map((language) => {
