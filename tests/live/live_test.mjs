@@ -206,13 +206,14 @@ test('an exercise tells point, direction, sense and length apart, and counts', a
     const press = async (key, times) => {
         for (let i = 0; i < times; ++i) await browser.run(`document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '${key}', shiftKey: true, bubbles: true}))`);
     };
-    await press('ArrowRight', 30);
+    await press('ArrowRight', 40);
     assert.match(await check(), /too long/);
-    await press('ArrowLeft', 40);
+    await press('ArrowLeft', 60);
     assert.match(await check(), /sense is wrong/);
     await browser.run('document.getElementById("try-hint").click()');
     assert.match(await browser.run(said), /normal to O2A/);
-    // By hand, to its end.
+    // By hand, to its end; begun anew, so that the end is on the screen.
+    await choose('try-point', 'oᵥ');
     const [from, to] = await browser.run(`(() => {
         const {view, tasks, handle} = kinegraph.exercise, matrix = view.svg.getScreenCTM(), [task] = tasks;
         return [handle.at, along(task.from, 1, task.by)].map((at) => new DOMPoint(at.x, at.y).matrixTransform(matrix)).map(({x, y}) => [x, y]);
