@@ -1,7 +1,7 @@
 // The live page, in node and in Chromium: that its interpreter says what the sweep says, that its figures follow and come back,
 // and that a reader's hand and keys do what they should.   node live_test.mjs PROGRAM EXAMPLES
 import assert from 'node:assert/strict';
-import {execFileSync} from 'node:child_process';
+import {execFileSync, spawnSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -52,6 +52,60 @@ for (const name of moved) {
         assert.ok(Buffer.byteLength(page.html) <= (name === 'four_bar' ? 250e3 : 1e6));
     });
 }
+
+// --- as fast as it must be, as it is drawn ------------------------------------------------------------------------------------------
+
+for (const [name, most] of [['watt_six_bar', 4], ['exam_2001', 6]]) {
+    test(`a frame of ${name} with all that it shows takes at most ${most} ms of script`, async (t) => {
+        // The processor's time, not the clock's: others work on this machine. Of three runs the best.
+        await browser.send('Performance.enable', {timeDomain: 'threadTicks'});
+        const spent = async (what) => {
+            const {metrics} = await browser.send('Performance.getMetrics');
+            return 1000 * metrics.find((each) => each.name === what).value;
+        };
+        const path = pageOf(name), begun = await spent('TaskDuration');
+        await open(path);
+        const now = await spent('TaskDuration'), ready = now < begun ? now : now - begun;  // of a new process it begins anew
+        const times = [];
+        for (let i = 0; i < 4; ++i) {
+            const before = await spent('ScriptDuration');
+            await browser.run(`new Promise((done) => {
+                const {samples} = kinegraph.course;
+                const frame = (i) => i < 24 ? requestAnimationFrame(() => (kinegraph.moveTo(samples[3 * i].at + 0.001), frame(i + 1))) : done();
+                frame(0);
+            })`);
+            times.push((await spent('ScriptDuration') - before) / 24);
+        }
+        await browser.send('Performance.disable');
+        const frame = Math.min(...times.slice(1));
+        t.diagnostic(`${frame.toFixed(2)} ms a frame; ready after ${ready.toFixed(0)} ms`);
+        assert.ok(frame > 0.01 && frame <= most, `${frame} ms`);
+        assert.ok(ready <= 300, `ready after ${ready} ms`);
+        quiet();
+    });
+}
+
+test('as drawn, every figure on the screen is the one of the sheet', async (t) => {
+    await open(pageOf('watt_six_bar'), {width: 1600, height: 1200});
+    await browser.run('kinegraph.moveTo(1), document.getElementById("drawn").click()');
+    const dpi = 150;
+    for (const figure of ['mechanism', 'centres', 'velocity', 'acceleration']) {
+        const sheet = join(folder, `${figure}.png`), page = join(folder, `${figure}-live.png`);
+        run('solve', join(examples, 'watt_six_bar.json'), '--figure', figure, '-o', sheet, '--dpi', String(dpi));
+        const png = readFileSync(sheet), [width, height] = [png.readUInt32BE(16), png.readUInt32BE(20)];
+        await browser.run(`(() => {
+            const svg = document.querySelector('main:not([hidden]) [data-figure-name=${figure}] svg'), {style} = svg;
+            style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9; max-height: none; width: ' + svg.viewBox.baseVal.width * ${dpi} / 25.4 + 'px';
+        })()`);
+        const {data} = await browser.send('Page.captureScreenshot', {format: 'png', clip: {x: 0, y: 0, width, height, scale: 1}});
+        writeFileSync(page, Buffer.from(data, 'base64'));
+        await browser.run(`document.querySelector('main:not([hidden]) [data-figure-name=${figure}] svg').style.cssText = ''`);
+        const {status, stdout, stderr} = spawnSync(program, ['diff', sheet, page, '--threshold', '1%'], {encoding: 'utf8'});
+        t.diagnostic(`${figure}: ${stdout.trim()}${stderr.trim()}`);
+        assert.equal(status, 0, figure);
+    }
+    quiet();
+});
 
 // --- the page -----------------------------------------------------------------------------------------------------------------
 
