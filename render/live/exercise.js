@@ -178,7 +178,7 @@ class Exercise {
         this.view?.svg.scrollIntoView({block: 'center'});
     }
     clear() {
-        for (const node of document.querySelectorAll('g.student')) node.remove();
+        for (const node of document.querySelectorAll('g.student')) takeAway(node);
         this.group = this.handle = null;
     }
 

@@ -678,7 +678,7 @@ class FigureView {
      * @param {Spot} centre
      */
     bindMechanismLabel(label, parts, centre) {
-        const text = label.getAttribute('aria-label') ?? '';
+        const text = label.getAttribute('data-label') ?? '';
         const first = text.split(' ≡ ')[0];
         const point = this.names.points.findIndex((each, i) => each.label === first && apart(this.point(i), centre) < 40);
         const body = this.names.bodies.findIndex((each) => each.label === text);

@@ -158,8 +158,9 @@ private:
         for (pugi::xml_node child : node.children()) {
             if (pugi::xml_attribute id = child.attribute("id")) id.set_name("data-id");
             if (std::string_view(child.name()) == "g" && child.attribute("role")) child.remove_attribute("role");
-            // Within a picture these are not read aloud; labels alone are looked up by theirs.
-            if (std::string_view(child.attribute("class").value()) == "text") child.remove_attribute("aria-label");
+            // Within a picture nothing is read aloud; labels are looked up by their text.
+            if (pugi::xml_attribute said = child.attribute("aria-label")) said.set_name("data-label");
+            if (std::string_view(child.attribute("class").value()) == "text") child.remove_attribute("data-label");
             if (pugi::xml_attribute link = child.attribute("xlink:href")) link.set_name("href");
             if (pugi::xml_attribute path = child.attribute("d")) path.set_value(rounded(path.value()).c_str());
             tidy(child);
@@ -374,7 +375,7 @@ private:
             }
         }
         const auto row = [&](const std::string& head, const std::string& cells) {
-            return element("tr", "", element("th", "scope=\"row\"", head) + cells);
+            return element("tr", "", (head.empty() ? "<td></td>" : element("th", "scope=\"row\"", head)) + cells);
         };
         return element(
             "table", "class=\"equation\"",

@@ -37,6 +37,15 @@ function spotUnder(svg, event) {
     return matrix ? new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()) : {x: 0, y: 0};
 }
 
+/**
+ * Takes away what was laid on a figure.
+ * @param {Element | null} group
+ */
+function takeAway(group) {
+    group?.closest('svg')?.setAttribute('role', 'img');
+    group?.remove();
+}
+
 /** An end that is taken by hand or moved by the arrow keys. */
 class Handle {
     /**
@@ -49,6 +58,7 @@ class Handle {
         this.at = {x: 0, y: 0};
         this.node = drawn(parent, 'circle', {r: 1.6, class: 'handle', tabindex: 0, role: 'button', 'aria-label': name});
         const {node} = this;
+        svg.setAttribute('role', 'group');  // what can be touched is no part of a picture
         node.addEventListener('pointerdown', (event) => {
             node.setPointerCapture(/** @type {PointerEvent} */ (event).pointerId);
             event.stopPropagation();
@@ -118,7 +128,7 @@ class Ruler {
      * @param {[Spot, Spot]} [ends]
      */
     lay(svg, ends) {
-        this.group?.remove();
+        takeAway(this.group);
         this.group = null;
         this.svg = svg;
         this.show = () => {};

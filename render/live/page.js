@@ -96,6 +96,14 @@ class Page {
         this.showStep(this.step, false);
         if (this.motion) this.show();
         document.dispatchEvent(new Event('languagechosen'));
+        this.reachTables();
+    }
+    /** A table that is wider than the screen can be reached, to be scrolled by keys. */
+    reachTables() {
+        for (const table of this.sheet.querySelectorAll('table')) {
+            if (table.scrollWidth > table.clientWidth) table.tabIndex = 0;
+            else table.removeAttribute('tabindex');
+        }
     }
     /** The figures of a language are bound when they are first seen, in the drawn position. */
     bindFigures() {
@@ -133,6 +141,7 @@ class Page {
             };
         }
         document.addEventListener('keydown', (event) => this.onKey(event));
+        window.addEventListener('resize', () => this.reachTables());
         for (const sheet of this.sheets) {
             sheet.addEventListener('pointerover', (event) => this.light(this.saidAt(event.target)));
             sheet.addEventListener('pointerdown', (event) => {

@@ -2,6 +2,7 @@
 // and that a reader's hand and keys do what they should.   node live_test.mjs PROGRAM EXAMPLES
 import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
+import {createRequire} from 'node:module';
 import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -200,6 +201,7 @@ test('the keyboard reaches every control, and the focus is seen', async () => {
 
 test('a ruler measures in mm and in the unit of the figure, by hand and by keys', async () => {
     const text = 'document.querySelector(".ruler text").textContent';
+    await open(pageOf('four_bar'));
     await browser.run('document.getElementById("ruler").click()');
     assert.match(await browser.run(text), /^[\d.]+ mm ≙ [\d.]+ mm, 0°$/);
     // Over v_A of the velocity polygon from end to end, by hand: it snaps to them.
@@ -239,6 +241,7 @@ test('values stand beside vectors when they are asked for, and follow', async ()
 });
 
 test('an exercise tells point, direction, sense and length apart, and counts', async () => {
+    await open(pageOf('four_bar'));
     await browser.run('document.getElementById("try").click()');
     const said = 'document.getElementById("try-verdict").textContent', score = 'document.getElementById("try-score").textContent';
     const choose = (id, text) => browser.run(`(() => {
@@ -339,6 +342,28 @@ test('figures have names for those who hear them, and no id comes twice', async 
                 !each.labels?.[0]?.textContent.trim() && !each.getAttribute('aria-label')).map((each) => each.id)};
     })()`);
     assert.deepEqual(page, {twice: [], mute: 0, nameless: []});
+});
+
+let axe = '';
+try {
+    axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+} catch {
+    // Debian has no package of it.
+}
+test('axe finds nothing', {skip: axe === '' && 'axe-core is not there (npm; NODE_PATH says where)'}, async () => {
+    const states = [
+        ['four_bar', {dark: false}, ''], ['exam_2001', {dark: true}, ''], ['exam_2001', {dark: false, width: 390}, ''],
+        ['four_bar', {dark: false}, 'kinegraph.exercise.begin()'], ['four_bar', {dark: true}, 'kinegraph.ruler.turn(true), kinegraph.showStep(6)'],
+        ['four_bar', {dark: true, width: 390}, 'kinegraph.moveTo(1), document.getElementById("values").click()'],
+    ];
+    for (const [name, options, act] of states) {
+        await open(pageOf(name), options);
+        await browser.run(act || '0');
+        await browser.run(axe);
+        const found = await browser.run(`axe.run(document, {resultTypes: ['violations']}).then(({violations}) =>
+            violations.map(({id, nodes}) => id + ': ' + nodes[0].html.slice(0, 120)))`);
+        assert.deepEqual(found, [], `${name} ${JSON.stringify(options)} ${act}`);
+    }
 });
 
 test('names are text, whatever they say, and nothing is loaded', async () => {
