@@ -346,7 +346,10 @@ std::string words_json() {
                                                                   "live no hint",
                                                                   "live ruler",
                                                                   "live ruler end",
-                                                                  "live values beside"});
+                                                                  "live values beside",
+                                                                  "live trace",
+                                                                  "live plot",
+                                                                  "live none"});
     Json json;
     json.open('{');
     for (const Language language : {Language::en, Language::it}) {

@@ -59,9 +59,22 @@ std::string without_comments_of_line(std::string_view line, bool& in_comment) {
     return out;
 }
 
+/// A line of the script without the blanks that it is read with, beside signs that part words anyhow. A line with a string, a
+/// pattern or a comment in it stays as it is.
+std::string without_blanks(const std::string& line) {
+    if (line.find_first_of("'\"`/") != std::string::npos) return line;
+    const auto parts = [](char c) { return std::string_view(",=;?:<>*&|{}()[]").find(c) != std::string_view::npos; };
+    std::string out;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool is_idle = line[i] == ' ' && i > 0 && i + 1 < line.size() && (parts(line[i - 1]) || parts(line[i + 1]));
+        if (!is_idle) out += line[i];
+    }
+    return out;
+}
+
 /// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
 /// comments are whole lines, or in slashes and stars, which no string of theirs holds.
-std::string without_comments(std::string_view source) {
+std::string without_comments(std::string_view source, bool is_script) {
     std::string out;
     bool in_comment = false;
     for (std::size_t at = 0; at < source.size();) {
@@ -71,7 +84,7 @@ std::string without_comments(std::string_view source) {
         line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
         if (!in_comment && line.starts_with("//")) continue;
         const std::string kept = without_comments_of_line(line, in_comment);
-        if (!kept.empty()) out.append(kept).append("\n");
+        if (!kept.empty()) out.append(is_script ? without_blanks(kept) : kept).append("\n");
     }
     return out;
 }
@@ -218,7 +231,7 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
         css += "@media screen and (prefers-color-scheme:dark){:root:not([data-theme]){" + on_dark + "}" +
                dark_rules(theme, *dark, ":root:not([data-theme])") + "}";
     }
-    return css + without_comments(live_style);
+    return css + without_comments(live_style, false);
 }
 
 std::string code(Language language) { return language == Language::en ? "en" : "it"; }
@@ -259,7 +272,8 @@ public:
         if (served > 0) data += ",\"served\":" + std::to_string(served);
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
         data += "}";
-        const std::string script = without_comments(live_script) + (served > 0 ? without_comments(live_watch_script) : "");
+        const std::string script =
+            without_comments(live_script, true) + (served > 0 ? without_comments(live_watch_script, true) : "");
         return document(title_of(solution_, first), first, style_of(options_.theme, dark), script, data, served > 0,
                         drawings_.outlines() + controls(dark.has_value()) + sheets);
     }
@@ -276,6 +290,8 @@ private:
                 "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
                 "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
                 "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values beside\"></span></label>\n"
+                "<label><span data-word=\"trace\"></span> <select id=\"trace\"></select></label>\n"
+                "<label><span data-word=\"plot\"></span> <select id=\"plot\"></select></label>\n"
                 "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
         }
         out +=
@@ -427,7 +443,7 @@ std::string live_page(const Solution& solution, const std::optional<Moving>& mov
 
 std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
     const std::string data = "{\"words\":" + words_json() + ",\"served\":0}";
-    return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script), data, true,
+    return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true), data, true,
                     element("main", "lang=\"" + code(options.language) + "\"", element("h1", "", escaped(name))));
 }
 

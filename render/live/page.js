@@ -16,6 +16,7 @@ class Page {
         this.rooms = new Map();
         this.ruler = new Ruler(this);
         this.exercise = new Exercise(this);
+        this.traces = new Traces(this);
         this.sheets = [...document.querySelectorAll('main')];
     }
 
@@ -94,7 +95,7 @@ class Page {
         this.bindFigures();
         if (this.ruler.isOn) this.ruler.turn(true);
         this.showStep(this.step, false);
-        if (this.motion) this.show();
+        if (this.motion) this.traces.draw();
         document.dispatchEvent(new Event('languagechosen'));
         this.reachTables();
     }
@@ -292,6 +293,7 @@ class Page {
         this.at('fit').onchange = () => this.show();
         this.at('values').onchange = () => this.show();
         this.exercise.wire();
+        this.traces.wire();
         for (const sheet of this.sheets) {
             for (const svg of sheet.querySelectorAll('.figures svg')) this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
         }
@@ -310,7 +312,7 @@ class Page {
         position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
         this.motion?.toDrawn(course);
         this.showStops();
-        this.show();
+        this.traces.draw();
     }
     /** Limits and change points of the way, a button each. */
     showStops() {
@@ -382,6 +384,7 @@ class Page {
         for (const view of this.figures) this.showFigure(view, motion);
         for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
         this.ruler.show();
+        this.traces.show();
         for (const cell of this.sheet.querySelectorAll('td[data-column]')) {
             const index = Number(/** @type {HTMLElement} */ (cell).dataset.column), value = motion.value(index);
             cell.textContent = value === null ? '–' : this.numberText(value / motion.data.columns[index].size);
@@ -409,6 +412,8 @@ class Page {
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
         if (motion.isDrawn || !canFollow) {
             view.restore();
+            // So that a path is seen whole, and the figure stays where it is when it begins to move.
+            if (view.info.name === 'mechanism' && this.traces.isTraced) view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
             return this.sayScale(view, 1);
         }
         const fits = this.at('fit').checked && !view.isMechanism;
