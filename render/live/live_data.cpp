@@ -96,9 +96,9 @@ private:
 };
 
 std::string_view name_of(MovingGiven::Rule rule) {
-    static constexpr std::array<std::string_view, 11> names{"place",        "guide",   "guide_unit",  "normal",
-                                                            "other_normal", "tangent", "between",     "spring",
-                                                            "torsion",      "rate",    "acceleration"};
+    static constexpr std::array<std::string_view, 12> names{"place",        "guide",   "guide_unit",   "normal",
+                                                            "other_normal", "tangent", "between",      "spring",
+                                                            "torsion",      "rate",    "acceleration", "setting"};
     return names[static_cast<std::size_t>(rule)];
 }
 std::string_view name_of(Column::Kind kind) {
@@ -120,6 +120,13 @@ public:
         json_.open('{').key("size").number(moving_.size).key("unit").number(moving_.unit);
         write_closure();
         json_.list("directions", moving_.directions, [&](double each) { json_.number(each); });
+        json_.list("settings", moving_.settings, [&](const MovingSetting& each) {
+            const Unit unit = each.unit == QuantityKind::angular_acceleration
+                                  ? Unit{"rad/s²", 1}
+                                  : suitable_unit(each.value, each.unit, solution_.mechanism.units);
+            json_.open('{').key("name").text(each.name).key("unit").text(unit.symbol);
+            json_.key("size").number(unit.si.to_double()).key("value").number(each.value).close('}');
+        });
         json_.list("columns", moving_.columns, [&](const Column& each) { write(each); });
         json_.list("plans", moving_.plans, [&](const MovingPlan& each) { write(each); });
         json_.list("courses", moving_.courses, [&](const MovingCourse& each) { write(each); });
@@ -307,10 +314,7 @@ std::string words_json() {
                                                                   "live not followed",
                                                                   "live of drawn position",
                                                                   "live step",
-                                                                  "live drag",
-                                                                  "live stops",
                                                                   "live out of reach",
-                                                                  "live drawn",
                                                                   "live faults",
                                                                   "live faults at first",
                                                                   "live line",
@@ -347,6 +351,7 @@ std::string words_json() {
                                                                   "live ruler",
                                                                   "live ruler end",
                                                                   "live values beside",
+                                                                  "live givens",
                                                                   "live trace",
                                                                   "live plot",
                                                                   "live none"});

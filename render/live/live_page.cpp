@@ -59,14 +59,17 @@ std::string without_comments_of_line(std::string_view line, bool& in_comment) {
     return out;
 }
 
-/// A line of the script without the blanks that it is read with, beside signs that part words anyhow. A line with a string, a
-/// pattern or a comment in it stays as it is.
+/// A line of the script without the blanks that it is read with, beside signs that part words anyhow. Strings in single quotes
+/// stay as they are; so does a line with other strings, a pattern or a comment in it.
 std::string without_blanks(const std::string& line) {
-    if (line.find_first_of("'\"`/") != std::string::npos) return line;
+    if (line.find_first_of("\\\"`/") != std::string::npos || std::count(line.begin(), line.end(), '\'') % 2 != 0) return line;
     const auto parts = [](char c) { return std::string_view(",=;?:<>*&|{}()[]").find(c) != std::string_view::npos; };
     std::string out;
+    bool in_string = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool is_idle = line[i] == ' ' && i > 0 && i + 1 < line.size() && (parts(line[i - 1]) || parts(line[i + 1]));
+        in_string = in_string != (line[i] == '\'');
+        const bool is_idle =
+            !in_string && line[i] == ' ' && i > 0 && i + 1 < line.size() && (parts(line[i - 1]) || parts(line[i + 1]));
         if (!is_idle) out += line[i];
     }
     return out;
@@ -292,6 +295,7 @@ private:
                 "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values beside\"></span></label>\n"
                 "<label><span data-word=\"trace\"></span> <select id=\"trace\"></select></label>\n"
                 "<label><span data-word=\"plot\"></span> <select id=\"plot\"></select></label>\n"
+                "<details id=\"givens\"><summary data-word=\"givens\"></summary></details>\n"
                 "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
         }
         out +=

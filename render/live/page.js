@@ -17,6 +17,7 @@ class Page {
         this.ruler = new Ruler(this);
         this.exercise = new Exercise(this);
         this.traces = new Traces(this);
+        this.panel = new Panel(this);
         this.sheets = [...document.querySelectorAll('main')];
     }
 
@@ -110,7 +111,7 @@ class Page {
     bindFigures() {
         const {motion} = this;
         if (!motion || this.views[this.language]) return;
-        const here = {course: motion.course, at: motion.at};
+        const here = {course: motion.course, at: motion.at}, {settings} = motion;
         motion.toDrawn();
         const svgs = [...this.sheet.querySelectorAll('.figures svg')];
         this.views[this.language] = svgs.flatMap((svg, i) => {
@@ -122,6 +123,7 @@ class Page {
             if (follow) views.forEach((view) => view.bind());
             return views;
         });
+        motion.settings = settings;
         motion.moveTo(here.course, here.at);
     }
 
@@ -294,6 +296,7 @@ class Page {
         this.at('values').onchange = () => this.show();
         this.exercise.wire();
         this.traces.wire();
+        this.panel.wire(motion);
         for (const sheet of this.sheets) {
             for (const svg of sheet.querySelectorAll('.figures svg')) this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
         }
@@ -381,6 +384,7 @@ class Page {
         if (course.changePoints.some(isNear)) this.say(this.word('change point'));
         else if (atLimit) this.say(this.word('limit'));
         else this.say(motion.plan < 0 ? this.word('no construction') : '');
+        this.panel.show(motion);
         for (const view of this.figures) this.showFigure(view, motion);
         for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
         this.ruler.show();
