@@ -15,7 +15,7 @@ class Watching {
         this.place.id = 'faults';
         this.place.setAttribute('role', 'alert');
         this.place.hidden = true;
-        document.body.prepend(this.place);
+        document.body.append(this.place);
     }
     start() {
         const key = location.pathname, kept = sessionStorage.getItem(key);

@@ -54,6 +54,21 @@ for (const name of moved) {
     });
 }
 
+test('three times the load is three times the forces, and nothing else', () => {
+    const {data, Motion} = readPage(pageOf('cutting_force')), motion = new Motion(data.moving);
+    const load = motion.data.settings.findIndex(({name}) => name === 'F_cut');
+    const values = () => motion.data.columns.map((_, i) => motion.value(i));
+    const once = values();
+    motion.settings[load] *= 3;
+    motion.moveTo(motion.course, 0);
+    const thrice = values();
+    motion.data.columns.forEach(({name}, i) => {
+        const factor = /^(Fx|Fy|M|effort) /.test(name) ? 3 : 1;
+        assert.ok(Math.abs(thrice[i] - factor * once[i]) <= 1e-9 * Math.max(Math.abs(once[i]), 1), name);
+    });
+    assert.ok(once.some((value, i) => Math.abs(thrice[i] - value) > 1));
+});
+
 // --- as fast as it must be, as it is drawn ------------------------------------------------------------------------------------------
 
 for (const [name, most] of [['watt_six_bar', 4], ['exam_2001', 6]]) {
