@@ -1,17 +1,18 @@
 // What a reader lays on a figure: ends that are dragged or moved by keys, a ruler, values beside vectors. Knows figures, and of the
 // page only which are shown and what its words are.
 
-const ofSvg = 'http://www.w3.org/2000/svg';
 /** What an arrow key moves an end by, and with the shift key, mm. */
 const keyStep = 0.25, longKeyStep = 5;
 
 /**
+ * A new element of a drawing; the page has drawings, which know their namespace.
  * @param {Element} parent
  * @param {string} tag
  * @param {Record<string, string | number>} attributes
  */
 function drawn(parent, tag, attributes) {
-    const node = document.createElementNS(ofSvg, tag);
+    const {namespaceURI} = /** @type {Element} */ (document.querySelector('svg'));
+    const node = /** @type {SVGElement} */ (document.createElementNS(namespaceURI, tag));
     for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
     parent.append(node);
     return node;
