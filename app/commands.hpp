@@ -143,6 +143,16 @@ struct EquationsRequest {
 };
 Status equations_command(const EquationsRequest& request);
 
+/// watch FILE: the live page, served on this machine, made anew whenever the file is saved.
+struct WatchRequest {
+    std::string file;
+    int port = 0;  ///< 0: any that is free
+    Language language = Language::en;
+    std::string theme = "colour";  ///< a built-in theme, or the path of a theme file
+};
+/// Returns when it is interrupted (Ctrl-C).
+Status watch_command(const WatchRequest& request);
+
 /// How messages call a file: its path as given, or "standard input".
 Words spoken(const std::string& file);
 /// A mechanism file read; else it has been said what is wrong.

@@ -30,7 +30,7 @@ constexpr const char* version = "kinegraph " KINEGRAPH_VERSION;
 constexpr const char* statuses =
     "Exit status: 0 done; 1 diff found a difference; 2 the command line or the file is wrong, nothing is written; 3 no unique answer\n"
     "(locked, dead point): what could be found is written; 4 the output can't be written, or the font or a\n"
-    "module of the program is missing; 70 a fault of ours.";
+    "module of the program is missing, or the port can't be had; 70 a fault of ours.";
 
 /// What the parser of options says, piece by piece.
 constexpr std::array<Translation, 15> option_faults{{
@@ -570,6 +570,27 @@ void add_equations(CLI::App& program, Action& action) {
     });
 }
 
+void add_watch(CLI::App& program, Action& action) {
+    CLI::App* command =
+        add_command(program, "watch", "The live page of a file in your browser, made anew whenever the file is saved");
+    auto request = std::make_shared<WatchRequest>();
+    auto language = std::make_shared<std::string>("en");
+    command->add_option("FILE", request->file, "The mechanism file")->required();
+    command->add_option("--port", request->port, "The port on 127.0.0.1, 0 to 65535; without it, or 0, any that is free")
+        ->check(CLI::Range(0, 65535))
+        ->type_name("N");
+    add_language(*command, *language, "The language that is shown first, and that of messages: en or it");
+    command
+        ->add_option("--theme", request->theme,
+                     "The look: colour, print (black and one grey), dark (slides), or the path of a theme file (docs/themes.md)")
+        ->type_name("THEME")
+        ->capture_default_str();
+    command->callback([&action, request, language] {
+        request->language = language_named(*language);
+        action = [request] { return watch_command(*request); };
+    });
+}
+
 Status run(int count, char** arguments, Language language) {
     CLI::App program("Planar mechanisms solved as at the drawing board, exactly.", "kinegraph");
     program.set_help_flag("-h,--help", "Print this help; after a command, its own");
@@ -586,6 +607,7 @@ Status run(int count, char** arguments, Language language) {
     add_pairs(program, action);
     add_equations(program, action);
     add_batch(program, action);
+    add_watch(program, action);
 
     const std::string first = count > 1 ? arguments[1] : "";
     if (first.empty() || first[0] != '-') {

@@ -124,6 +124,10 @@ bool names_clash(const std::vector<Output>& outputs, const std::string& file, La
     return false;
 }
 
+std::optional<render::Theme> dark_beside(const std::string& theme) {
+    return theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
+}
+
 tl::expected<Press, Status> Press::open(const std::vector<Target>& targets, Language language, Lettering lettering) {
     std::optional<Press> press;
     if (const auto opened = prepare(press, targets, language, lettering); !opened) return tl::unexpected(opened.error());

@@ -37,6 +37,10 @@ tl::expected<std::vector<Target>, Words> targets_of(const std::vector<std::strin
 /// A built-in theme, or that of a file; else it has been said what is wrong.
 tl::expected<render::Theme, Status> theme_of(const std::string& name, const std::string& file, Language language);
 
+/// What a live page of that theme turns to on dark screens: a built-in theme of colours goes with the dark one, what was chosen
+/// otherwise is shown as it is.
+std::optional<render::Theme> dark_beside(const std::string& theme);
+
 /// The names of further pages are known only late; none may be another output's, or the mechanism file's. Says so where one is.
 bool names_clash(const std::vector<Output>& outputs, const std::string& file, Language language);
 

@@ -315,11 +315,9 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
                 "--exact aggiunge solo ai risultati JSON, e nessuno è richiesto"});
 }
 
-/// A built-in theme of colours goes with the dark one on dark screens; what was chosen otherwise is shown as it is.
 std::string live_page(const Solution& solution, const render::Theme& theme, const SolveRequest& request,
                       const render::Fonts& fonts) {
-    const auto dark = request.theme == "colour" ? render::built_in_theme("dark") : std::nullopt;
-    return render::live_page(solution, moving_of(solution), options_of(request, theme), dark, fonts);
+    return render::live_page(solution, moving_of(solution), options_of(request, theme), dark_beside(request.theme), fonts);
 }
 
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.

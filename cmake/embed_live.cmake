@@ -8,7 +8,7 @@ function(literal out text)
 endfunction()
 
 set(script)
-foreach(name types closure replay motion figures page)
+foreach(name types closure replay motion figures measure exercise traces panel page)
     file(READ ${SOURCE}/${name}.js text)
     if(text MATCHES "</script")
         message(FATAL_ERROR "${name}.js would end the element that it stands in")
@@ -16,6 +16,8 @@ foreach(name types closure replay motion figures page)
     literal(piece "${text}")
     string(APPEND script "\n    ${piece}")
 endforeach()
+file(READ ${SOURCE}/watch.js text)
+literal(watch "${text}")
 file(READ ${SOURCE}/page.css text)
 literal(style "${text}")
 file(WRITE ${OUTPUT} "// Made from render/live by cmake/embed_live.cmake.
@@ -24,6 +26,7 @@ file(WRITE ${OUTPUT} "// Made from render/live by cmake/embed_live.cmake.
 namespace kinegraph::render {
 
 constinit const std::string_view live_script =${script};
+constinit const std::string_view live_watch_script = ${watch};
 constinit const std::string_view live_style = ${style};
 
 }  // namespace kinegraph::render

@@ -37,7 +37,9 @@ class Rules {
 public:
     using Rule = MovingGiven::Rule;
 
-    Rules(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose) {}
+    Rules(const Mechanism& mechanism, const Pose& pose) : mechanism_(mechanism), pose_(pose), settings_(settings_of(mechanism)) {}
+
+    const std::vector<MovingSetting>& settings() const { return settings_; }
 
     /// Nothing of what is the same in every position.
     std::optional<MovingGiven> of(const Given& given, int index) const {
@@ -62,10 +64,14 @@ public:
                 return with(rule, Rule::normal);
             case Given::Kind::driver_velocity:
             case Given::Kind::driver_acceleration:
-                if (law_of(mechanism_.drivers[at_index(given.index)]) == nullptr) return std::nullopt;
+                if (law_of(mechanism_.drivers[at_index(given.index)]) == nullptr)
+                    return setting(rule, given.kind == Given::Kind::driver_velocity ? MovingSetting::Kind::velocity
+                                                                                    : MovingSetting::Kind::acceleration);
                 return with(rule, given.kind == Given::Kind::driver_velocity ? Rule::rate : Rule::acceleration);
             case Given::Kind::effort_unit:
                 return along(rule, std::get<ForceEffort>(mechanism_.efforts[at_index(given.index)]).along);
+            case Given::Kind::load_force:
+                return setting(rule, MovingSetting::Kind::load);
             case Given::Kind::load_unit:
             case Given::Kind::load_unit_back:
             case Given::Kind::load_magnitude:
@@ -86,7 +92,7 @@ private:
         rule.ends = {ends->from, ends->to};
         return with(rule, Rule::between);
     }
-    static std::optional<MovingGiven> of_load(MovingGiven rule, Given::Kind kind, const Load& load) {
+    std::optional<MovingGiven> of_load(MovingGiven rule, Given::Kind kind, const Load& load) const {
         if (const auto* distributed = std::get_if<DistributedLoad>(&load)) {
             return kind == Given::Kind::load_unit ? along(rule, distributed->along) : std::nullopt;
         }
@@ -106,8 +112,48 @@ private:
             return with(rule, Rule::spring);
         }
         const auto* force = std::get_if<ForceLoad>(&load);
+        if (kind == Given::Kind::load_magnitude) return setting(rule, MovingSetting::Kind::load);
         if (force == nullptr || !force->magnitude || kind == Given::Kind::load_magnitude) return std::nullopt;
         return along(rule, force->magnitude->second);
+    }
+    std::optional<MovingGiven> setting(MovingGiven rule, MovingSetting::Kind kind) const {
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (settings_[i].kind != kind || settings_[i].of != rule.index) continue;
+            rule.index = static_cast<int>(i);
+            return with(rule, Rule::setting);
+        }
+        return std::nullopt;
+    }
+    static std::vector<MovingSetting> settings_of(const Mechanism& mechanism) {
+        using Kind = MovingSetting::Kind;
+        std::vector<MovingSetting> all;
+        const auto add = [&](MovingSetting each) {
+            if (each.value != 0) all.push_back(std::move(each));
+        };
+        for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
+            const Driver& driver = mechanism.drivers[i];
+            if (law_of(driver) != nullptr) continue;
+            const bool turning = turns(driver);
+            const Rates rates = rates_of(driver);
+            const std::string name = driver_name(mechanism, driver);
+            const int of = static_cast<int>(i);
+            add({Kind::velocity, of, (turning ? "ω " : "v ") + name,
+                 turning ? QuantityKind::angular_velocity : QuantityKind::velocity, rates.first.to_double()});
+            add({Kind::acceleration, of, (turning ? "α " : "a ") + name,
+                 turning ? QuantityKind::angular_acceleration : QuantityKind::acceleration, rates.second.to_double()});
+        }
+        for (std::size_t i = 0; i < mechanism.loads.size(); ++i) {
+            const int of = static_cast<int>(i);
+            if (const auto* couple = std::get_if<CoupleLoad>(&mechanism.loads[i]))
+                add({Kind::load, of, couple->name, QuantityKind::moment, couple->value.to_double()});
+            const auto* force = std::get_if<ForceLoad>(&mechanism.loads[i]);
+            if (force != nullptr && force->value)
+                add({Kind::load, of, force->name, QuantityKind::force,
+                     std::hypot(force->value->x.to_double(), force->value->y.to_double())});
+            if (force != nullptr && force->magnitude)
+                add({Kind::load, of, force->name, QuantityKind::force, force->magnitude->first.to_double()});
+        }
+        return all;
     }
     double push_of(std::size_t joint) const {
         const auto& pushes = mechanism_.joints[joint].pushes;
@@ -116,6 +162,7 @@ private:
 
     const Mechanism& mechanism_;
     const Pose& pose_;
+    std::vector<MovingSetting> settings_;
 };
 
 // --- plans --------------------------------------------------------------------------------------------------------------------
@@ -219,6 +266,7 @@ public:
         for (std::size_t i = 0; i < mechanism_.drivers.size(); ++i) add_course(static_cast<int>(i));
         if (moving_.courses.empty()) return std::nullopt;
         moving_.size = pose_.size.to_double();
+        moving_.settings = rules_.settings();
         for (const Body& body : mechanism_.bodies) moving_.directions.push_back(direction_of(body));
         return std::move(moving_);
     }

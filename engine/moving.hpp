@@ -28,7 +28,8 @@ struct MovingGiven {
         spring,   ///< factor · (distance of the ends − offset), N
         torsion,  ///< −factor · (offset + turn of bodies[0] − turn of bodies[1]), N m
         rate,     ///< of a driver with a law
-        acceleration
+        acceleration,
+        setting  ///< as it was planned with, times what Moving::settings[index] has become
     } rule = Rule::place;
     int given = 0;  ///< index in Program::givens
     int index = -1;
@@ -90,6 +91,16 @@ struct MovingCourse {
     std::vector<Sample> samples;  ///< in the order of the way
 };
 
+/// Something given that may be changed while all else stays: a driver's rate, the size of a load. Never zero: verdicts hang on
+/// that.
+struct MovingSetting {
+    enum class Kind { velocity, acceleration, load } kind = Kind::velocity;
+    int of = 0;  ///< index of the driver or the load in the mechanism
+    std::string name;
+    QuantityKind unit = QuantityKind::angular_velocity;
+    double value = 0;  ///< SI, as given
+};
+
 struct Moving {
     double size = 0;  ///< of the drawing, m
     double unit = 1;  ///< of the closure, m
@@ -99,8 +110,9 @@ struct Moving {
     std::vector<Positions::PointRule> points;
     std::vector<Positions::JointRule> joints;
     std::vector<double> directions;  ///< by body: from its first point to the next, as drawn, rad
-    std::vector<Column> columns;     ///< angles, places, slides and results
-    std::vector<MovingPlan> plans;   ///< the first is that of the drawn position
+    std::vector<MovingSetting> settings;
+    std::vector<Column> columns;    ///< angles, places, slides and results
+    std::vector<MovingPlan> plans;  ///< the first is that of the drawn position
     std::vector<MovingCourse> courses;
     std::vector<std::pair<std::string, Error>> still;  ///< drivers that cannot be moved, and why
 };

@@ -53,6 +53,7 @@ check() {
             breach "cairo is render/backends/cairo_backend.cpp's"
         includes '[<"]hb' $rooms | grep -vE '^render/text/(typeface|subset)\.cpp:' |
             breach "HarfBuzz is render/text/typeface.cpp's and subset.cpp's"
+        includes '<sys/socket\.h>' $rooms | grep -v '^app/local_server\.cpp:' | breach "sockets are app/local_server.cpp's"
         includes '[<"](ginac|cln)/' $rooms | grep -v '^engine/algebra_ginac\.cpp:' |
             breach "GiNaC is engine/algebra_ginac.cpp's"
         includes '[<"]CGAL/' $rooms | grep -v '^engine/' | breach "CGAL is the engine's"

@@ -5,7 +5,7 @@
 /**
  * @typedef {{name: string, origin: [number, number], labels: string[][]}} FigureInfo
  * @typedef {{letter: string, numbers: number[]}} Segment
- * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number}[],
+ * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies: [number, number]}[],
  *   points: {label: string}[], centres: Record<string, string>}} Names
  */
 
@@ -120,6 +120,8 @@ class FigureView {
         this.measures = [];
         /** @type {(() => void)[]} */
         this.bindings = [];
+        /** @type {{label: Element, name: string, box: DOMRect}[]} */
+        this.vectorLabels = [];
         /** @type {Map<Element, Map<string, string | null>>} */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
@@ -129,6 +131,9 @@ class FigureView {
     /** Whether the figure can follow the mechanism at all. */
     get follows() {
         return this.isMechanism || this.vectorsOf(0).size > 0;
+    }
+    get caption() {
+        return this.group.querySelector('title')?.textContent ?? '';
     }
     /**
      * Where the pole of a polygon lies: its vectors tell.
@@ -420,6 +425,7 @@ class FigureView {
             const parts = this.partsOf(label, centre);
             const vector = names.find((name) => this.vector(name));
             const spot = names.find((name) => this.spot(name));
+            if (vector !== undefined) this.vectorLabels.push({label, name: vector, box});
             if (vector !== undefined) this.bindVectorLabel(parts, vector, centre, box);
             else if (spot !== undefined) this.bindToPlace(parts, () => this.spot(spot));
             else if (this.isMechanism) this.bindMechanismLabel(label, parts, centre);
@@ -479,6 +485,23 @@ class FigureView {
             const at = along(along(middle(now), share * size, toward), side * (clearance + reach(across)), across);
             parts.forEach((part) => this.translate(part, minus(at, centre)));
         });
+    }
+    /**
+     * What each vector is worth here, beside its name; or not.
+     * @param {boolean} isOn
+     * @param {(value: number) => string} written
+     */
+    showValues(isOn, written) {
+        for (const {label, name, box} of this.vectorLabels) {
+            let text = label.querySelector('text');
+            if (!isOn) {
+                text?.remove();
+                continue;
+            }
+            text ??= /** @type {SVGTextElement} */ (drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height}));
+            const ends = this.vector(name), value = ends && Number((apart(...ends) * this.scale).toPrecision(4));
+            text.textContent = value === null ? '' : `= ${written(value)} ${this.unit}`;
+        }
     }
     /**
      * A word along a construction line.
@@ -655,7 +678,7 @@ class FigureView {
      * @param {Spot} centre
      */
     bindMechanismLabel(label, parts, centre) {
-        const text = label.getAttribute('aria-label') ?? '';
+        const text = label.getAttribute('data-label') ?? '';
         const first = text.split(' ≡ ')[0];
         const point = this.names.points.findIndex((each, i) => each.label === first && apart(this.point(i), centre) < 40);
         const body = this.names.bodies.findIndex((each) => each.label === text);

@@ -96,9 +96,9 @@ private:
 };
 
 std::string_view name_of(MovingGiven::Rule rule) {
-    static constexpr std::array<std::string_view, 11> names{"place",        "guide",   "guide_unit",  "normal",
-                                                            "other_normal", "tangent", "between",     "spring",
-                                                            "torsion",      "rate",    "acceleration"};
+    static constexpr std::array<std::string_view, 12> names{"place",        "guide",   "guide_unit",   "normal",
+                                                            "other_normal", "tangent", "between",      "spring",
+                                                            "torsion",      "rate",    "acceleration", "setting"};
     return names[static_cast<std::size_t>(rule)];
 }
 std::string_view name_of(Column::Kind kind) {
@@ -120,6 +120,13 @@ public:
         json_.open('{').key("size").number(moving_.size).key("unit").number(moving_.unit);
         write_closure();
         json_.list("directions", moving_.directions, [&](double each) { json_.number(each); });
+        json_.list("settings", moving_.settings, [&](const MovingSetting& each) {
+            const Unit unit = each.unit == QuantityKind::angular_acceleration
+                                  ? Unit{"rad/s²", 1}
+                                  : suitable_unit(each.value, each.unit, solution_.mechanism.units);
+            json_.open('{').key("name").text(each.name).key("unit").text(unit.symbol);
+            json_.key("size").number(unit.si.to_double()).key("value").number(each.value).close('}');
+        });
         json_.list("columns", moving_.columns, [&](const Column& each) { write(each); });
         json_.list("plans", moving_.plans, [&](const MovingPlan& each) { write(each); });
         json_.list("courses", moving_.courses, [&](const MovingCourse& each) { write(each); });
@@ -256,7 +263,8 @@ std::string names_json(const Solution& solution) {
     json.list("joints", m.joints, [&](const Joint& joint) {
         const bool guided = joint.pair().has_guide() && joint.arc == none;
         json.open('{').key("id").text(legal_id(joint.name)).key("point").all(joint.point);
-        json.key("turnsWith").number(guided ? joint.bodies[1].number() : -1).close('}');
+        json.key("turnsWith").number(guided ? joint.bodies[1].number() : -1);
+        json.key("bodies").open('[').number(joint.bodies[0].number()).number(joint.bodies[1].number()).close(']').close('}');
     });
     json.list("points", m.points, [&](const NamedPoint& point) {
         json.open('{').key("label").text(label(Symbol::Letter::point, point.name)).close('}');
@@ -285,19 +293,68 @@ std::string figure_json(const AloneFigure& figure) {
 }
 
 std::string words_json() {
-    static constexpr auto keys = std::to_array<std::string_view>({"live play",         "live pause",
-                                                                  "live as drawn",     "live driver",
-                                                                  "live position",     "live fit",
-                                                                  "live previous",     "live next",
-                                                                  "live all",          "live language",
-                                                                  "live theme",        "live theme system",
-                                                                  "live theme light",  "live theme dark",
-                                                                  "live print",        "live limit",
-                                                                  "live change point", "live no construction",
-                                                                  "live not followed", "live of drawn position",
-                                                                  "live step",         "live drag",
-                                                                  "live stops",        "live out of reach",
-                                                                  "live drawn"});
+    static constexpr auto keys = std::to_array<std::string_view>({"live play",
+                                                                  "live pause",
+                                                                  "live as drawn",
+                                                                  "live driver",
+                                                                  "live position",
+                                                                  "live fit",
+                                                                  "live previous",
+                                                                  "live next",
+                                                                  "live all",
+                                                                  "live language",
+                                                                  "live theme",
+                                                                  "live theme system",
+                                                                  "live theme light",
+                                                                  "live theme dark",
+                                                                  "live print",
+                                                                  "live limit",
+                                                                  "live change point",
+                                                                  "live no construction",
+                                                                  "live not followed",
+                                                                  "live of drawn position",
+                                                                  "live step",
+                                                                  "live out of reach",
+                                                                  "live faults",
+                                                                  "live faults at first",
+                                                                  "live line",
+                                                                  "live lost",
+                                                                  "live try",
+                                                                  "live end trying",
+                                                                  "live nothing to try",
+                                                                  "live polygon",
+                                                                  "live from",
+                                                                  "live direction",
+                                                                  "live by hand",
+                                                                  "live check",
+                                                                  "live hint",
+                                                                  "live show it",
+                                                                  "live score",
+                                                                  "live draw vector",
+                                                                  "live draw line",
+                                                                  "live draw line of",
+                                                                  "live tip of",
+                                                                  "live start",
+                                                                  "live guide",
+                                                                  "live horizontal",
+                                                                  "live vertical",
+                                                                  "live line end",
+                                                                  "live wrong point",
+                                                                  "live wrong direction",
+                                                                  "live wrong sense",
+                                                                  "live too long",
+                                                                  "live too short",
+                                                                  "live right",
+                                                                  "live shown",
+                                                                  "live all drawn",
+                                                                  "live no hint",
+                                                                  "live ruler",
+                                                                  "live ruler end",
+                                                                  "live values beside",
+                                                                  "live givens",
+                                                                  "live trace",
+                                                                  "live plot",
+                                                                  "live none"});
     Json json;
     json.open('{');
     for (const Language language : {Language::en, Language::it}) {

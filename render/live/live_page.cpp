@@ -2,6 +2,7 @@
 #include "render/live/live_page.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <pugixml.hpp>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/equations.hpp"
+#include "engine/json_text.hpp"
 #include "engine/problem.hpp"
 #include "render/backends/backends.hpp"
 #include "render/live/live_data.hpp"
@@ -43,9 +45,39 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Comments of
-/// theirs begin a line.
-std::string without_comments(std::string_view source) {
+/// A line without what a checker of types reads in it. What no line ends is begun: `in_comment`.
+std::string without_comments_of_line(std::string_view line, bool& in_comment) {
+    std::string out;
+    while (!line.empty()) {
+        const std::size_t mark = line.find(in_comment ? "*/" : "/*");
+        if (!in_comment) out += line.substr(0, mark);
+        if (mark == std::string_view::npos) break;
+        line.remove_prefix(mark + 2);
+        if (in_comment) line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        in_comment = !in_comment;
+    }
+    return out;
+}
+
+/// A line of the script without the blanks that it is read with, beside signs that part words anyhow. Strings in single quotes
+/// stay as they are; so does a line with other strings, a pattern or a comment in it.
+std::string without_blanks(const std::string& line) {
+    if (line.find_first_of("\\\"`/") != std::string::npos || std::count(line.begin(), line.end(), '\'') % 2 != 0) return line;
+    const auto parts = [](char c) { return std::string_view(",=;?:<>*&|{}()[]").find(c) != std::string_view::npos; };
+    std::string out;
+    bool in_string = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        in_string = in_string != (line[i] == '\'');
+        const bool is_idle =
+            !in_string && line[i] == ' ' && i > 0 && i + 1 < line.size() && (parts(line[i - 1]) || parts(line[i + 1]));
+        if (!is_idle) out += line[i];
+    }
+    return out;
+}
+
+/// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
+/// comments are whole lines, or in slashes and stars, which no string of theirs holds.
+std::string without_comments(std::string_view source, bool is_script) {
     std::string out;
     bool in_comment = false;
     for (std::size_t at = 0; at < source.size();) {
@@ -53,9 +85,9 @@ std::string without_comments(std::string_view source) {
         std::string_view line = source.substr(at, end - at);
         at = end + 1;
         line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-        in_comment = in_comment || line.starts_with("/*");
-        if (!in_comment && !line.empty() && !line.starts_with("//")) out.append(line).append("\n");
-        if (line.ends_with("*/")) in_comment = false;
+        if (!in_comment && line.starts_with("//")) continue;
+        const std::string kept = without_comments_of_line(line, in_comment);
+        if (!kept.empty()) out.append(is_script ? without_blanks(kept) : kept).append("\n");
     }
     return out;
 }
@@ -120,10 +152,33 @@ private:
         node.print(sink, "", pugi::format_raw, pugi::encoding_utf8);
         return std::move(sink.out);
     }
+    /// A path to a tenth of a micrometre: what is read off figures are axes and the record, not strokes.
+    static std::string rounded(std::string_view path) {
+        constexpr std::size_t decimals = 4;
+        std::string out;
+        for (std::size_t at = 0; at < path.size();) {
+            const std::size_t end = std::min(path.find_first_not_of("-0123456789.", at), path.size());
+            const std::size_t point = path.substr(at, end - at).find('.');
+            if (point == std::string_view::npos || end - at - point - 1 <= decimals) {
+                out += path.substr(at, std::max(end, at + 1) - at);
+            } else {
+                double value = 0;
+                std::from_chars(path.data() + at, path.data() + end, value);
+                out += shortest(std::round(value * 1e4) / 1e4);
+            }
+            at = std::max(end, at + 1);
+        }
+        return out;
+    }
     static void tidy(pugi::xml_node node) {
         for (pugi::xml_node child : node.children()) {
             if (pugi::xml_attribute id = child.attribute("id")) id.set_name("data-id");
             if (std::string_view(child.name()) == "g" && child.attribute("role")) child.remove_attribute("role");
+            // Within a picture nothing is read aloud; labels are looked up by their text.
+            if (pugi::xml_attribute said = child.attribute("aria-label")) said.set_name("data-label");
+            if (std::string_view(child.attribute("class").value()) == "text") child.remove_attribute("data-label");
+            if (pugi::xml_attribute link = child.attribute("xlink:href")) link.set_name("href");
+            if (pugi::xml_attribute path = child.attribute("d")) path.set_value(rounded(path.value()).c_str());
             tidy(child);
         }
     }
@@ -179,7 +234,26 @@ std::string style_of(const Theme& theme, const std::optional<Theme>& dark) {
         css += "@media screen and (prefers-color-scheme:dark){:root:not([data-theme]){" + on_dark + "}" +
                dark_rules(theme, *dark, ":root:not([data-theme])") + "}";
     }
-    return css + without_comments(live_style);
+    return css + without_comments(live_style, false);
+}
+
+std::string code(Language language) { return language == Language::en ? "en" : "it"; }
+
+/// The whole file around `body`. A page that is served may ask where it came from, and nobody else.
+std::string document(const std::string& title, Language language, const std::string& style, const std::string& script,
+                     const std::string& data, bool served, const std::string& body) {
+    std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(language) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
+    page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
+            sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) + "'; " +
+            (served ? "connect-src 'self'; " : "") + "base-uri 'none'; form-action 'none'\">\n";
+    page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+    page += element("title", "", escaped(title));
+    page += element("style", "", style);
+    page += "</head>\n<body>\n" + body;
+    page += "<p id=\"announcement\" class=\"unseen\" aria-live=\"polite\"></p>\n";
+    page += element("script", "type=\"application/json\" id=\"data\"", data);
+    page += element("script", "", script);
+    return page + "</body>\n</html>\n";
 }
 
 // --- text ---------------------------------------------------------------------------------------------------------------------
@@ -189,7 +263,7 @@ public:
     Writer(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options, const Fonts& fonts)
         : solution_(solution), moving_(moving), options_(options), fonts_(fonts) {}
 
-    std::string write(const std::optional<Theme>& dark) {
+    std::string write(const std::optional<Theme>& dark, int served) {
         std::string sheets, figures;
         const Language first = options_.language, second = first == Language::en ? Language::it : Language::en;
         for (const Language language : {first, second}) {
@@ -197,27 +271,17 @@ public:
             figures += (figures.empty() ? "" : ",") + std::string(language == Language::en ? "\"en\":[" : "\"it\":[") +
                        figures_json_ + "]";
         }
-        const std::string style = style_of(options_.theme, dark), script = without_comments(live_script);
         std::string data = "{\"words\":" + words_json() + ",\"figures\":{" + figures + "}";
+        if (served > 0) data += ",\"served\":" + std::to_string(served);
         if (moving_) data += ",\"names\":" + names_json(solution_) + ",\"moving\":" + moving_json(*moving_, solution_);
         data += "}";
-        std::string page = "<!DOCTYPE html>\n<html lang=\"" + code(first) + "\">\n<head>\n<meta charset=\"utf-8\">\n";
-        page += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-" +
-                sha256_base64(script) + "'; style-src 'sha256-" + sha256_base64(style) +
-                "'; base-uri 'none'; form-action 'none'\">\n";
-        page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-        page += element("title", "", escaped(title_of(solution_, first)));
-        page += element("style", "", style);
-        page += "</head>\n<body>\n" + drawings_.outlines() + controls(dark.has_value()) + sheets;
-        page += "<p id=\"announcement\" class=\"unseen\" aria-live=\"polite\"></p>\n";
-        page += element("script", "type=\"application/json\" id=\"data\"", data);
-        page += element("script", "", script);
-        return page + "</body>\n</html>\n";
+        const std::string script =
+            without_comments(live_script, true) + (served > 0 ? without_comments(live_watch_script, true) : "");
+        return document(title_of(solution_, first), first, style_of(options_.theme, dark), script, data, served > 0,
+                        drawings_.outlines() + controls(dark.has_value()) + sheets);
     }
 
 private:
-    static std::string code(Language language) { return language == Language::en ? "en" : "it"; }
-
     /// Empty until the script has words for them.
     std::string controls(bool has_dark) const {
         std::string out = "<header id=\"controls\">\n";
@@ -228,6 +292,10 @@ private:
                 "<label class=\"wide\"><span data-word=\"position\"></span> <input id=\"position\" type=\"range\" step=\"any\"></label>\n"
                 "<output id=\"where\" for=\"position\"></output>\n<button id=\"drawn\" type=\"button\" data-word=\"as drawn\"></button>\n"
                 "<label><input id=\"fit\" type=\"checkbox\" checked> <span data-word=\"fit\"></span></label>\n"
+                "<label><input id=\"values\" type=\"checkbox\"> <span data-word=\"values beside\"></span></label>\n"
+                "<label><span data-word=\"trace\"></span> <select id=\"trace\"></select></label>\n"
+                "<label><span data-word=\"plot\"></span> <select id=\"plot\"></select></label>\n"
+                "<details id=\"givens\"><summary data-word=\"givens\"></summary></details>\n"
                 "<span id=\"stops\"></span><p id=\"reason\" role=\"status\"></p></div>\n";
         }
         out +=
@@ -241,7 +309,25 @@ private:
                 "<label><span data-word=\"theme\"></span> <select id=\"theme\"><option value=\"\" data-word=\"theme system\"></option>"
                 "<option value=\"light\" data-word=\"theme light\"></option><option value=\"dark\" data-word=\"theme dark\"></option>"
                 "</select></label>\n";
-        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n</header>\n";
+        if (moving_) out += "<button id=\"try\" type=\"button\" data-word=\"try\" aria-pressed=\"false\"></button>\n";
+        out += "<button id=\"ruler\" type=\"button\" data-word=\"ruler\" aria-pressed=\"false\"></button>\n";
+        return out + "<button id=\"print\" type=\"button\" data-word=\"print\"></button></div>\n" + (moving_ ? exercise() : "") +
+               "</header>\n";
+    }
+
+    /// What a student draws a line with; hidden until it is asked for.
+    static std::string exercise() {
+        const auto choice = [](const std::string& id, const std::string& key) {
+            return "<label><span data-word=\"" + key + "\"></span> <select id=\"" + id + "\"></select></label>\n";
+        };
+        const auto button = [](const std::string& id, const std::string& key) {
+            return "<button id=\"" + id + "\" type=\"button\" data-word=\"" + key + "\"></button>\n";
+        };
+        return "<div class=\"row\" id=\"trying\" hidden>" + choice("try-figure", "polygon") +
+               "<span id=\"try-task\" aria-live=\"polite\"></span>\n" + choice("try-point", "from") +
+               choice("try-direction", "direction") + "<output id=\"try-length\"></output>\n" + button("try-check", "check") +
+               button("try-hint", "hint") + button("try-show", "show it") +
+               "<span id=\"try-score\"></span><p id=\"try-verdict\" role=\"status\"></p></div>\n";
     }
 
     std::string sheet(Language language) {
@@ -309,7 +395,7 @@ private:
             }
         }
         const auto row = [&](const std::string& head, const std::string& cells) {
-            return element("tr", "", element("th", "scope=\"row\"", head) + cells);
+            return element("tr", "", (head.empty() ? "<td></td>" : element("th", "scope=\"row\"", head)) + cells);
         };
         return element(
             "table", "class=\"equation\"",
@@ -355,8 +441,14 @@ private:
 }  // namespace
 
 std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
-                      const std::optional<Theme>& dark, const Fonts& fonts) {
-    return Writer(solution, moving, options, fonts).write(dark);
+                      const std::optional<Theme>& dark, const Fonts& fonts, int served) {
+    return Writer(solution, moving, options, fonts).write(dark, served);
+}
+
+std::string waiting_page(const std::string& name, const SheetOptions& options, const std::optional<Theme>& dark) {
+    const std::string data = "{\"words\":" + words_json() + ",\"served\":0}";
+    return document(name, options.language, style_of(options.theme, dark), without_comments(live_watch_script, true), data, true,
+                    element("main", "lang=\"" + code(options.language) + "\"", element("h1", "", escaped(name))));
 }
 
 }  // namespace kinegraph::render

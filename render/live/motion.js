@@ -14,6 +14,8 @@ class Motion {
         this.at = 0;
         /** Index of the plan that holds here; −1: none. */
         this.plan = 0;
+        /** What is given now, as MovingData.settings. */
+        this.settings = data.settings.map(({value}) => value);
         this.read = this.places.read();
         this.rates = {rate: 0, acceleration: 0};
         this.isDrawn = true;
@@ -25,11 +27,15 @@ class Motion {
         this.toDrawn();
     }
 
+    get isAsGiven() {
+        return this.data.settings.every(({value}, i) => value === this.settings[i]);
+    }
     /**
-     * Exactly where the file has it.
+     * Exactly where the file has it, with what it gives.
      * @param {Course} course
      */
     toDrawn(course = this.course) {
+        this.settings = this.data.settings.map(({value}) => value);
         const {places, data} = this;
         const q = new Float64Array(data.frozen.length);
         for (const [x, y, column] of data.bodies) {
@@ -64,13 +70,13 @@ class Motion {
         if (!this.places.close(start, coordinate, course.shares)) return false;
         this.course = course;
         this.at = place;
-        this.isDrawn = place === 0;
+        this.isDrawn = place === 0 && this.isAsGiven;
         this.rates = {rate: nearest.rate, acceleration: nearest.acceleration};
         this.read = this.places.read();
         this.told = null;
         const likely = [nearest.plan, low.plan, high.plan];
         this.plan = this.planHere(likely);
-        if (this.plan < 0) this.stepAside(course, start, coordinate, likely, nearest.at === place ? nearest.values : undefined);
+        if (this.plan < 0) this.stepAside(course, start, coordinate, likely, nearest.at === place && this.isAsGiven ? nearest.values : undefined);
         return true;
     }
 
@@ -104,7 +110,7 @@ class Motion {
         likely.forEach((i) => tried.delete(i));
         for (const i of [...new Set(likely), ...tried]) {
             if (i < 0) continue;
-            for (const rule of this.data.plans[i].moving) this.replays[i].give(rule.given, this.valueOf(rule));
+            for (const rule of this.data.plans[i].moving) this.replays[i].give(rule.given, this.valueOf(rule, i));
             if (this.replays[i].run()) return i;
         }
         return -1;
@@ -112,9 +118,10 @@ class Motion {
 
     /**
      * @param {MovingGiven} rule
+     * @param {number} plan
      * @returns {number[]}
      */
-    valueOf(rule) {
+    valueOf(rule, plan) {
         const {points, guides, normals, tangents} = this.read;
         const between = () => {
             const [from, to] = rule.ends.map((end) => points[end]);
@@ -142,6 +149,10 @@ class Motion {
                 return [rule.factor * (Math.hypot(between().x, between().y) - rule.offset)];
             case 'torsion':
                 return [-rule.factor * (rule.offset + this.places.turn[rule.bodies[0]] - this.places.turn[rule.bodies[1]])];
+            case 'setting': {
+                const share = this.settings[rule.index] / this.data.settings[rule.index].value;
+                return this.data.plans[plan].givens[rule.given].map((each) => share * each);
+            }
             case 'rate':
                 return [this.rates.rate];
             default:

@@ -14,6 +14,10 @@ class Page {
          * @type {Map<string, Map<SVGSVGElement, number[]>>}
          */
         this.rooms = new Map();
+        this.ruler = new Ruler(this);
+        this.exercise = new Exercise(this);
+        this.traces = new Traces(this);
+        this.panel = new Panel(this);
         this.sheets = [...document.querySelectorAll('main')];
     }
 
@@ -45,6 +49,36 @@ class Page {
         return this.views[this.language] ?? [];
     }
 
+    // --- where it is ----------------------------------------------------------------------------------------------------------
+
+    /** What a successor of this page is told, to begin where this one stops. */
+    whereItIs() {
+        const theme = this.at('theme');
+        return {
+            language: this.language, step: this.step, theme: theme ? theme.value : '', fit: this.motion ? this.at('fit').checked : true,
+            driver: this.motion ? this.course.name : '', at: this.motion && !this.motion.isDrawn ? this.motion.at : null,
+        };
+    }
+    /**
+     * As far as it still can: the file may have changed.
+     * @param {ReturnType<Page['whereItIs']>} from
+     */
+    takeUp(from) {
+        const theme = this.at('theme');
+        if (theme) {
+            theme.value = from.theme;
+            theme.onchange();
+        }
+        this.setLanguage(from.language);
+        if (this.motion) {
+            this.at('fit').checked = from.fit;
+            const driver = this.motion.data.courses.findIndex((course) => course.name === from.driver);
+            if (driver >= 0) this.chooseDriver(driver);
+            if (driver >= 0 && from.at !== null) this.moveTo(from.at);
+        }
+        this.showStep(Math.min(from.step, this.says.length - 1), false);
+    }
+
     // --- language, theme ------------------------------------------------------------------------------------------------------
 
     /** @param {string} language */
@@ -60,14 +94,24 @@ class Page {
         this.at('language').value = language;
         document.title = this.sheet.querySelector('h1')?.textContent ?? '';
         this.bindFigures();
+        if (this.ruler.isOn) this.ruler.turn(true);
         this.showStep(this.step, false);
-        if (this.motion) this.show();
+        if (this.motion) this.traces.draw();
+        document.dispatchEvent(new Event('languagechosen'));
+        this.reachTables();
+    }
+    /** A table that is wider than the screen can be reached, to be scrolled by keys. */
+    reachTables() {
+        for (const table of this.sheet.querySelectorAll('table')) {
+            if (table.scrollWidth > table.clientWidth) table.tabIndex = 0;
+            else table.removeAttribute('tabindex');
+        }
     }
     /** The figures of a language are bound when they are first seen, in the drawn position. */
     bindFigures() {
         const {motion} = this;
         if (!motion || this.views[this.language]) return;
-        const here = {course: motion.course, at: motion.at};
+        const here = {course: motion.course, at: motion.at}, {settings} = motion;
         motion.toDrawn();
         const svgs = [...this.sheet.querySelectorAll('.figures svg')];
         this.views[this.language] = svgs.flatMap((svg, i) => {
@@ -79,6 +123,7 @@ class Page {
             if (follow) views.forEach((view) => view.bind());
             return views;
         });
+        motion.settings = settings;
         motion.moveTo(here.course, here.at);
     }
 
@@ -90,6 +135,7 @@ class Page {
         this.at('all').onclick = () => this.showStep(-1);
         this.at('print').onclick = () => window.print();
         this.at('language').onchange = () => this.setLanguage(this.at('language').value);
+        this.at('ruler').onclick = () => this.ruler.turn(!this.ruler.isOn);
         const theme = this.at('theme');
         if (theme) {
             theme.onchange = () => {
@@ -98,8 +144,14 @@ class Page {
             };
         }
         document.addEventListener('keydown', (event) => this.onKey(event));
+        window.addEventListener('resize', () => this.reachTables());
         for (const sheet of this.sheets) {
             sheet.addEventListener('pointerover', (event) => this.light(this.saidAt(event.target)));
+            sheet.addEventListener('pointerdown', (event) => {
+                const svg = /** @type {SVGSVGElement | null} */ (/** @type {Element} */ (event.target).closest('.figures svg'));
+                if (svg && this.ruler.isOn) this.ruler.begin(svg, event);
+                else if (svg) this.exercise.touch(svg, event);
+            });
             sheet.addEventListener('pointerleave', () => this.light(null));
             sheet.addEventListener('click', (event) => {
                 const sentence = /** @type {Element} */ (event.target).closest('li[data-says]');
@@ -118,6 +170,9 @@ class Page {
     onKey(event) {
         const target = /** @type {HTMLElement} */ (event.target);
         if (event.ctrlKey || event.metaKey || event.altKey || target.matches('input, select')) return;
+        if (event.key === 'Escape' && this.exercise.isOn) this.exercise.end();
+        else if (event.key === 'Escape' && this.ruler.isOn) this.ruler.turn(false);
+        if (this.exercise.isOn) return;
         const actions = /** @type {Record<string, () => void>} */ ({
             'ArrowRight': () => this.at('next').click(),
             'n': () => this.at('next').click(),
@@ -128,6 +183,8 @@ class Page {
             'End': () => this.showStep(this.says.length - 1),
             ' ': () => this.at('play')?.click(),
             '0': () => this.at('drawn')?.click(),
+            'm': () => this.at('ruler').click(),
+            'v': () => this.at('values')?.click(),
         });
         const action = actions[event.key];
         if (!action || (event.key === ' ' && target.matches('button'))) return;
@@ -178,6 +235,39 @@ class Page {
         says[this.step].scrollIntoView({block: 'nearest'});
         this.announce(`${where}: ${spoken(says[this.step])}`);
     }
+    /**
+     * What a statement and those after it say is hidden: strokes, sentences.
+     * @param {number} statement
+     */
+    hideFrom(statement) {
+        for (const svg of this.sheet.querySelectorAll('.figures svg')) svg.classList.add('reading');
+        for (const node of this.sheet.querySelectorAll('svg [data-statement], li[data-says]')) {
+            const number = Number(node.getAttribute('data-statement') ?? node.getAttribute('data-says'));
+            node.classList.remove('now', 'past');
+            node.classList.toggle('later', number >= statement);
+        }
+    }
+    /**
+     * The controls of the exercise in place of those that move and tell.
+     * @param {boolean} isOn
+     */
+    showTrying(isOn) {
+        document.documentElement.classList.toggle('trying', isOn);
+        this.at('trying').hidden = !isOn;
+        this.at('moving').hidden = isOn;
+        this.at('try').setAttribute('aria-pressed', String(isOn));
+        this.at('try').textContent = this.word(isOn ? 'end trying' : 'try');
+        for (const id of ['previous', 'next', 'all', 'step']) this.at(id).hidden = isOn;
+        if (!isOn) for (const node of document.querySelectorAll('li.later')) node.classList.remove('later');
+    }
+    /**
+     * Of the figure as it is shown: units of the quantity for a millimetre.
+     * @param {SVGSVGElement} svg
+     */
+    scaleOf(svg) {
+        const view = this.figures.find((each) => each.svg === svg), group = svg.querySelector('g.figure');
+        return {scale: view ? view.scale : Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
+    }
     /** @param {string} words */
     announce(words) {
         this.at('announcement').textContent = words;
@@ -203,6 +293,10 @@ class Page {
             this.show();
         };
         this.at('fit').onchange = () => this.show();
+        this.at('values').onchange = () => this.show();
+        this.exercise.wire();
+        this.traces.wire();
+        this.panel.wire(motion);
         for (const sheet of this.sheets) {
             for (const svg of sheet.querySelectorAll('.figures svg')) this.wireDragging(/** @type {SVGSVGElement} */ (svg), motion);
         }
@@ -221,7 +315,7 @@ class Page {
         position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
         this.motion?.toDrawn(course);
         this.showStops();
-        this.show();
+        this.traces.draw();
     }
     /** Limits and change points of the way, a button each. */
     showStops() {
@@ -290,7 +384,11 @@ class Page {
         if (course.changePoints.some(isNear)) this.say(this.word('change point'));
         else if (atLimit) this.say(this.word('limit'));
         else this.say(motion.plan < 0 ? this.word('no construction') : '');
+        this.panel.show(motion);
         for (const view of this.figures) this.showFigure(view, motion);
+        for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
+        this.ruler.show();
+        this.traces.show();
         for (const cell of this.sheet.querySelectorAll('td[data-column]')) {
             const index = Number(/** @type {HTMLElement} */ (cell).dataset.column), value = motion.value(index);
             cell.textContent = value === null ? '–' : this.numberText(value / motion.data.columns[index].size);
@@ -318,6 +416,8 @@ class Page {
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
         if (motion.isDrawn || !canFollow) {
             view.restore();
+            // So that a path is seen whole, and the figure stays where it is when it begins to move.
+            if (view.info.name === 'mechanism' && this.traces.isTraced) view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
             return this.sayScale(view, 1);
         }
         const fits = this.at('fit').checked && !view.isMechanism;
@@ -392,7 +492,7 @@ class Page {
         };
         svg.addEventListener('pointerdown', (event) => {
             const figure = view(), at = spotOf(event);
-            if (!figure || !at) return;
+            if (!figure || !at || this.ruler.isOn || this.exercise.isOn) return;
             const point = nearestMoving(figure, motion, at);
             if (point < 0) return;
             this.pause();

@@ -20,7 +20,8 @@
  * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
- *   points: [number, number, number, number][], joints: JointRule[], directions: number[], columns: Column[], plans: Plan[],
+ *   points: [number, number, number, number][], joints: JointRule[], directions: number[],
+ *   settings: {name: string, unit: string, size: number, value: number}[], columns: Column[], plans: Plan[],
  *   courses: Course[]}} MovingData
  *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y, contact
  */

@@ -77,7 +77,7 @@ export class Browser {
         return result.value;
     }
     async key(key, text = '') {
-        const code = {Tab: 9, Enter: 13, ' ': 32, Home: 36, ArrowLeft: 37, ArrowRight: 39, Escape: 27}[key];
+        const code = {Tab: 9, Enter: 13, ' ': 32, Home: 36, ArrowLeft: 37, ArrowRight: 39, Escape: 27, PageDown: 34, PageUp: 33}[key];
         const of = {key, windowsVirtualKeyCode: code, ...text ? {text} : {}};
         await this.send('Input.dispatchKeyEvent', {type: 'keyDown', ...of});
         await this.send('Input.dispatchKeyEvent', {type: 'keyUp', ...of});
