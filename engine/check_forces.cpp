@@ -431,7 +431,7 @@ private:
             for (Index i = 0; i < rows_; ++i) {
                 if (!used[static_cast<std::size_t>(i)]) continue;
                 const auto row = static_cast<Index>(row_in_all.size());
-                part.row(row) = matrix.row(i);
+                if (columns_ > 0) part.row(row) = matrix.row(i);  // Eigen steps to a row even where there is no element
                 right[row] = right_[i];
                 row_in_all.push_back(i);
             }
