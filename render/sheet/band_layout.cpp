@@ -10,7 +10,9 @@ namespace {
 constexpr double caption = 7, text_gap = 5, least_beside = 25;
 constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr double hardly_readable = 10;  // mm
-constexpr double room_of_a_name = 150;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
+constexpr int most_beside = 3;          // columns of text
+constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
+constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
 /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
 double use_of(double size) { return std::log(size) - 40 / size; }
@@ -167,7 +169,7 @@ BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
         BandLayout base;
         base.cornered = cornered;
         base.worth = cornered ? worth_of_corner : 0;
-        for (base.divided = format_.columns; base.divided <= format_.columns + 1; ++base.divided)
+        for (base.divided = format_.columns; base.divided <= format_.columns + most_columns_more; ++base.divided)
             try_all(best, base, whole, height, notch);
     }
     return best;
@@ -194,7 +196,7 @@ void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole
         if (left > least_beside) try_figures(best, layout, {whole, left});
     }
     layout.beside = true;
-    for (layout.columns = 1; layout.columns <= 2 && !sizes_.empty(); ++layout.columns) {
+    for (layout.columns = 1; layout.columns <= most_beside && !sizes_.empty(); ++layout.columns) {
         const double left = whole - layout.columns * (words.measure() + gap);
         if (left < least_beside || words.height(layout.columns) > above) continue;
         layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;

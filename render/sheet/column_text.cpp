@@ -6,7 +6,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double passage_gap = 4.5, grace = 1e-6;
+constexpr double passage_gap = 3.5, grace = 1e-6;
 
 }  // namespace
 

@@ -60,7 +60,8 @@ private:
             refused_.clear();
             draw();
             const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
-            if (!drawn_otherwise() || (round >= most_rounds && !lacks_equations)) break;
+            if (round >= most_rounds && !lacks_equations) break;
+            if (!drawn_otherwise() && !takes_less_than_thought()) break;
         }
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));
@@ -72,8 +73,10 @@ private:
         std::size_t wanted = 0;
         Box room;
         int number = 0;
-        double caption = 0;  // mm that it takes
+        double promised = 0;  // the scale that the room was planned for
+        double caption = 0;   // mm that it takes
         Figure figure;
+        Spot size{};  // of the figure alone
         std::vector<Mark> beside{};  // equations in its corner
         double height() const { return caption + figure.box.height(); }
         bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
@@ -161,6 +164,8 @@ private:
                 drawn_[placed.band].emplace_back(draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y},
                                                            ++number, coarsest_scale(placed.band, f, {size.x - wider, size.y})));
             drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+            drawn.promised = layouts_[placed.band].scale_in(f, {size.x - wider, size.y});
+            drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
             if (layout.cornered && !drawn.is_refused()) set_in_corner(drawn, placed.band);
             letter_details_on(drawn.figure, context_, details);
@@ -205,14 +210,13 @@ private:
         }
         return known.emplace_back(std::move(drawn)).figure;
     }
-    /// The coarsest scale at which a figure takes its room: two steps beyond what this promises, a few times; any_scale: it is
-    /// drawn as it comes.
+    /// The coarsest scale at which a figure takes its room: what this promises, a few times; any_scale: it is drawn as it comes.
     double coarsest_scale(std::size_t band, std::size_t f, Spot room) {
         const std::size_t index = bands_.list[band].figures[f];
         const Wanted& wanted = wanted_.list[index];
         if (!wanted.draw_or_refuse || refusals_[wanted.name] == most_refusals) return any_scale;
         constexpr double rounding = 1e-9;
-        return next_scale(next_scale(layouts_[band].scale_in(f, room))) * (1 + rounding);
+        return layouts_[band].scale_in(f, room) * (1 + rounding);
     }
     Drawn draw_into(std::size_t wanted, Spot room, int number, double coarsest) {
         constexpr double one_line = 7;
@@ -229,10 +233,37 @@ private:
         return drawn;
     }
 
+    bool is_coarser_than_promised(const Drawn& drawn) const {
+        const Wanted& wanted = wanted_.list[drawn.wanted];
+        constexpr double rounding = 1e-6;
+        return !wanted.empty && !wanted.fills && !wanted.spare && !wanted.to_force_scale && !wanted.asked &&
+               drawn.figure.scale > drawn.promised * (1 + rounding);
+    }
+    /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few times.
+    bool takes_less_than_thought() {
+        constexpr int most_times = 2;
+        constexpr double air = 1, worth_another_plan = 3, one_line = 7;
+        if (++times_less_ > most_times) return false;
+        double gained = 0;
+        for (const auto& [band, figures] : drawn_)
+            for (const Drawn& drawn : figures) {
+                Wanted& wanted = wanted_.list[drawn.wanted];
+                if (wanted.empty || wanted.fills || wanted.spare) continue;
+                const auto learn = [&](double& rim, double taken) {
+                    const double known = std::clamp(taken + air, 2.0, rim);
+                    gained = std::max(gained, rim - known);
+                    rim = known;
+                };
+                learn(wanted.rim_x, drawn.size.x - wanted.extent_x / drawn.figure.scale);
+                learn(wanted.rim_y, drawn.size.y - wanted.extent_y / drawn.figure.scale + drawn.caption - one_line);
+            }
+        return gained > worth_another_plan;
+    }
+
     /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
-        if (drawn.is_refused()) {
-            constexpr double more = 10;
+        if (drawn.is_refused() || (is_coarser_than_promised(drawn) && refusals_[wanted_.list[drawn.wanted].name] < most_refusals)) {
+            constexpr double more = 6;
             Wanted& wanted = wanted_.list[drawn.wanted];
             refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
             ++refusals_[wanted.name];
@@ -442,6 +473,7 @@ private:
     Spot first_caption_;                               // of figure 1: its corner, and the room it has
     double first_caption_width_ = 0;
     bool corner_missing_ = false;  // one was promised to equations
+    int times_less_ = 0;           // plans anew because letters took less than was thought
 };
 
 }  // namespace

@@ -97,7 +97,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_x = extent.width();
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
-    mechanism.least = 38;
+    mechanism.least = 30;
     mechanism.weight = context_.solution.act_of_motion ? 2 : 1.2;
     return mechanism;
 }
@@ -371,7 +371,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.empty = scene.empty();
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
-    wanted.least = 36;
+    wanted.least = 30;
     wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();
