@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -126,40 +125,8 @@ private:
         return free >= format_.span(split.columns[i], split.of) ? Notch{} : Notch{free, taken_by_block_};
     }
 
-    /// What a band is worth in a room of a width, by its height in steps. It never falls with the height: between two heights at
-    /// which it is the same it need not be asked for.
-    class Curve {
-    public:
-        Curve(const BandLayouts& layouts, Width width, Notch notch, int most)
-            : layouts_(layouts), width_(width), notch_(notch), worth_(static_cast<std::size_t>(most) + 1) {}
-        double at(int height) {
-            const auto index = static_cast<std::size_t>(height);
-            if (worth_[index]) return *worth_[index];
-            std::size_t above = index + 1, below = index;
-            while (above < worth_.size() && !worth_[above]) ++above;
-            while (below > 0 && !worth_[below]) --below;
-            const bool has_above = above < worth_.size();
-            if (has_above && (*worth_[above] < possible || (worth_[below] && *worth_[below] == *worth_[above])))
-                worth_[index] = worth_[above];
-            else
-                worth_[index] = layouts_.in(width_, height * step, notch_).worth;
-            return *worth_[index];
-        }
-
-    private:
-        const BandLayouts& layouts_;
-        Width width_;
-        Notch notch_;
-        std::vector<std::optional<double>> worth_;
-    };
-    Curve& curve(std::size_t band, Width width, const Notch& notch) {
-        const auto key = std::tuple(band, width, notch.left, notch.high);
-        const auto found = curves_.find(key);
-        if (found != curves_.end()) return found->second;
-        const int most = std::max(steps_of(true), steps_of(false));
-        Curve& made = curves_.emplace(key, Curve(layouts_[band], width, notch, most)).first->second;
-        made.at(most);
-        return made;
+    WorthByHeight& curve(std::size_t band, Width width, const Notch& notch) {
+        return layouts_[band].worth(width, notch, step, std::max(steps_of(true), steps_of(false)));
     }
     /// Of one band, or of two one under the other, with the height of the upper one then.
     std::pair<double, int> cell(std::size_t first, int count, Width width, int height, const Notch& notch) {
@@ -167,7 +134,7 @@ private:
         const auto [found, fresh] = cells_.try_emplace(std::tuple(first, width, height, notch.left, notch.high), impossible, 0);
         std::pair<double, int>& best = found->second;
         if (!fresh) return best;
-        Curve &over = curve(first, width, {}), &under = curve(first + 1, width, notch);
+        WorthByHeight &over = curve(first, width, {}), &under = curve(first + 1, width, notch);
         for (int upper = least_height; upper + gap_steps + least_height <= height; ++upper) {
             const double below = under.at(height - upper - gap_steps);
             if (below < possible) break;
@@ -283,7 +250,6 @@ private:
     double taken_by_block_;
     std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
     std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
-    std::map<std::tuple<std::size_t, Width, double, double>, Curve> curves_;
     std::map<std::tuple<std::size_t, Width, int, double, double>, std::pair<double, int>> cells_;
     std::map<std::tuple<std::size_t, std::size_t, int, bool>, Row> rows_;
 };

@@ -87,10 +87,15 @@ private:
 
     /// What no page holds at its best is shown smaller, then its text goes on over pages.
     void plan() {
+        std::vector<BandLayouts> before = std::move(layouts_);
         layouts_.clear();
-        for (const Band& band : bands_.list)
-            layouts_.emplace_back(texts_, band, wanted_, format_, crowded_.contains(band.question),
-                                  !cornerless_.contains(band.question));
+        for (std::size_t b = 0; b < bands_.list.size(); ++b) {
+            const Band& band = bands_.list[b];
+            BandLayouts layouts(texts_, band, wanted_, format_, crowded_.contains(band.question),
+                                !cornerless_.contains(band.question));
+            const bool same = b < before.size() && band.figures.size() > 0 && before[b].is_like(layouts);
+            layouts_.push_back(std::move(same ? before[b] : layouts));
+        }
         std::size_t lost = 0;
         plan_ = plan_pages(layouts_, bands_.list, format_, lost);
         if (!plan_.empty()) {
@@ -121,6 +126,7 @@ private:
         rest.figures.clear();
         rest.draws_mechanism = false;
         band.end_row = rest.first_row = band.first_row + (rows * 2 + 2) / 3 - (rows == 2 ? 1 : 0);
+        layouts_.clear();
         bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
     }
 
@@ -236,8 +242,12 @@ private:
     bool is_coarser_than_promised(const Drawn& drawn) const {
         const Wanted& wanted = wanted_.list[drawn.wanted];
         constexpr double rounding = 1e-6;
-        return !wanted.empty && !wanted.fills && !wanted.spare && !wanted.to_force_scale && !wanted.asked &&
+        return !wanted.empty && !wanted.fills && !wanted.spare && !wanted.asked &&
                drawn.figure.scale > drawn.promised * (1 + rounding);
+    }
+    /// … and is given more room for it: a few times, then it is taken as it comes.
+    bool asks_for_more_room(const Drawn& drawn) {
+        return is_coarser_than_promised(drawn) && refusals_[wanted_.list[drawn.wanted].name] < most_refusals;
     }
     /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few times.
     bool takes_less_than_thought() {
@@ -262,7 +272,7 @@ private:
 
     /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
-        if (drawn.is_refused() || (is_coarser_than_promised(drawn) && refusals_[wanted_.list[drawn.wanted].name] < most_refusals)) {
+        if (drawn.is_refused() || asks_for_more_room(drawn)) {
             constexpr double more = 6;
             Wanted& wanted = wanted_.list[drawn.wanted];
             refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
@@ -305,7 +315,7 @@ private:
                     continue;
                 }
                 Wanted& wanted = wanted_.list[drawn.wanted];
-                if (wanted.to_force_scale) {
+                if (wanted.to_force_scale && !asks_for_more_room(drawn)) {
                     least = std::min(least, drawn.figure.scale);
                     most = std::max(most, drawn.figure.scale);
                 }

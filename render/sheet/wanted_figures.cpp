@@ -128,6 +128,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
                                return closed_polygon_figure(context_, p, x, y, scale, fixed);
                            });
     }
+    keep_forces_readable();
     add_free_bodies();
     if (!(joukowsky || found_by_works(s)) || no_lever(s) != NoLever::drawn) return;
     Wanted lever;
@@ -187,6 +188,16 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
         return draw(x, y, fixed ? scale : force_scale, fixed);
     };
     add(std::move(wanted));
+}
+
+/// All have one scale: at it the largest must be readable.
+void WantedFigures::keep_forces_readable() {
+    constexpr double least = 24;
+    Wanted* largest = nullptr;
+    const auto size = [](const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); };
+    for (Wanted& each : list)
+        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size(each) > size(*largest))) largest = &each;
+    if (largest != nullptr) largest->least = std::max(largest->least, least);
 }
 
 /// In the order of the bodies, pins after them.

@@ -72,6 +72,7 @@ private:
     void add_lines_of_action();
     void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
     void add_free_bodies();
+    void keep_forces_readable();
     void add_curvature();
     void add_loops();
     void add_displacements();
