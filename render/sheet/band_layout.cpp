@@ -179,7 +179,8 @@ WorthByHeight::WorthByHeight(const BandLayouts& layouts, Width width, Notch notc
 /// Between two heights that are known.
 void WorthByHeight::fill(const BandLayouts& layouts, std::size_t low, std::size_t high) {
     if (worth_[low] == worth_[high]) {
-        std::fill(worth_.begin() + static_cast<std::ptrdiff_t>(low), worth_.begin() + static_cast<std::ptrdiff_t>(high), worth_[low]);
+        std::fill(worth_.begin() + static_cast<std::ptrdiff_t>(low), worth_.begin() + static_cast<std::ptrdiff_t>(high),
+                  worth_[low]);
         return;
     }
     if (high - low < 2) return;

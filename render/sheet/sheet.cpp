@@ -55,6 +55,7 @@ private:
         constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
         for (int round = 1;; ++round) {
             const std::size_t pages_before = plan_.size();
+            takes_what_comes_ = round >= most_rounds;
             plan();
             if (!refused_.empty() && plan_.size() > pages_before) take_back_refusals();
             refused_.clear();
@@ -76,7 +77,7 @@ private:
         double promised = 0;  // the scale that the room was planned for
         double caption = 0;   // mm that it takes
         Figure figure;
-        Spot size{};  // of the figure alone
+        Spot size{};                 // of the figure alone
         std::vector<Mark> beside{};  // equations in its corner
         double height() const { return caption + figure.box.height(); }
         bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
@@ -110,6 +111,8 @@ private:
     void take_back_refusals() {
         for (const Refusal& refusal : refused_) {
             Wanted& wanted = wanted_.list[refusal.wanted];
+            // A coarser scale of one force polygon would be that of all.
+            if (wanted.to_force_scale) continue;
             wanted.rim_x = refusal.rim_x;
             wanted.rim_y = refusal.rim_y;
             refusals_[wanted.name] = most_refusals;
@@ -220,7 +223,7 @@ private:
     double coarsest_scale(std::size_t band, std::size_t f, Spot room) {
         const std::size_t index = bands_.list[band].figures[f];
         const Wanted& wanted = wanted_.list[index];
-        if (!wanted.draw_or_refuse || refusals_[wanted.name] == most_refusals) return any_scale;
+        if (takes_what_comes_ || !wanted.draw_or_refuse || refusals_[wanted.name] >= most_refusals) return any_scale;
         constexpr double rounding = 1e-9;
         return layouts_[band].scale_in(f, room) * (1 + rounding);
     }
@@ -270,14 +273,27 @@ private:
         return gained > worth_another_plan;
     }
 
+    /// For what its letters took at a coarser scale; what is not known, is tried.
+    static void give_more_room(Wanted& wanted, const Drawn& drawn) {
+        constexpr double more = 6, one_line = 7;
+        if (drawn.is_refused()) {
+            (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+            return;
+        }
+        const double rim_x = drawn.size.x - wanted.extent_x / drawn.figure.scale;
+        const double rim_y = drawn.size.y - wanted.extent_y / drawn.figure.scale + drawn.caption - one_line;
+        const bool is_known = rim_x > wanted.rim_x || rim_y > wanted.rim_y;
+        wanted.rim_x = is_known ? std::max(wanted.rim_x, rim_x + 1) : wanted.rim_x + more;
+        wanted.rim_y = is_known ? std::max(wanted.rim_y, rim_y + 1) : wanted.rim_y + more;
+    }
+
     /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
         if (drawn.is_refused() || asks_for_more_room(drawn)) {
-            constexpr double more = 6;
             Wanted& wanted = wanted_.list[drawn.wanted];
             refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
             ++refusals_[wanted.name];
-            (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+            give_more_room(wanted, drawn);
             return true;
         }
         const Box& box = drawn.figure.box;
@@ -482,8 +498,9 @@ private:
     std::optional<std::vector<ResultRow>> results_;    // measured on them
     Spot first_caption_;                               // of figure 1: its corner, and the room it has
     double first_caption_width_ = 0;
-    bool corner_missing_ = false;  // one was promised to equations
-    int times_less_ = 0;           // plans anew because letters took less than was thought
+    bool corner_missing_ = false;    // one was promised to equations
+    bool takes_what_comes_ = false;  // the last round: no figure refuses its room
+    int times_less_ = 0;             // plans anew because letters took less than was thought
 };
 
 }  // namespace
