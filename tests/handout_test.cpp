@@ -97,7 +97,8 @@ TEST(Brief, HasCentresOnlyWhereTheFileAsksForThem) {
 TEST(Brief, TellsEveryAnswerOnceAndRepeatsNoSentence) {
     const Solution solution = example("stephenson_1_driver_2");
     const auto pages = lay_out(solution, brief(), fonts());
-    EXPECT_LT(words_of(pages).size(), 0.6 * static_cast<double>(words_of(lay_out(solution, {}, fonts())).size()));
+    // The full solution, too, tells in one sentence what repeats itself.
+    EXPECT_LT(words_of(pages).size(), 0.65 * static_cast<double>(words_of(lay_out(solution, {}, fonts())).size()));
     EXPECT_TRUE(says(pages, "Likewise"));
     // Of all that is found by ω = v/l one sentence is told, with the values of the others behind it.
     std::size_t sentences = 0;

@@ -1,6 +1,10 @@
 // The sketch as a figure: its layers in their order, each a group that says what role its marks play; scale bar and labels.
 #include "render/mechanism/sketch.hpp"
 
+#include <optional>
+
+#include "render/page/free_room.hpp"
+
 namespace kinegraph::render::drawing {
 
 std::string Sketch::id(std::string_view kind, std::string_view name) {
@@ -63,10 +67,24 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
                    plain(figure.caption),
                    {{"data-figure", figure.kind}, {"data-scale", shortest(figure.scale)}, {"data-unit", figure.unit}}});
     figure.marks.emplace_back(GroupEnd{});
-    place_labels(figure, context.fonts, Spot{room.x, room.y - 8}, strict ? Labelling::strict : Labelling::free,
-                 context.theme.secondary);
     const Box size_of_bar = box_of(bar);
-    move(bar, figure.box.min.x - size_of_bar.min.x, figure.box.max.y + 3 - size_of_bar.min.y);
+    const Spot bar_size{size_of_bar.width(), size_of_bar.height()};
+    constexpr double above_bar = 3, under_all = 8;
+    const auto letter = [&](Figure& on, double height) {
+        place_labels(on, context.fonts, Spot{room.x, height}, strict ? Labelling::strict : Labelling::free,
+                     context.theme.secondary);
+    };
+    // The bar stands where an edge of the figure is free, else under it.
+    Figure unlettered = figure;
+    letter(figure, room.y);
+    std::optional<Spot> place = free_place(figure.marks, figure.box, bar_size);
+    if (!place && figure.box.height() + above_bar + bar_size.y > room.y) {
+        figure = std::move(unlettered);
+        letter(figure, room.y - under_all);
+        place = free_place(figure.marks, figure.box, bar_size);
+    }
+    const Spot corner = place.value_or(Spot{figure.box.min.x, figure.box.max.y + above_bar});
+    move(bar, corner.x - size_of_bar.min.x, corner.y - size_of_bar.min.y);
     const Box at = box_of(bar);
     figure.marks.pop_back();
     for (Mark& mark : bar) figure.marks.push_back(std::move(mark));

@@ -121,4 +121,22 @@ std::vector<Spot> covered(const std::vector<Mark>& marks) {
     return spots;
 }
 
+std::optional<Spot> free_place(const std::vector<Mark>& marks, const Box& within, Spot size) {
+    const std::vector<Spot> spots = covered(marks);
+    for (const bool bottom : {true, false}) {
+        const double top = bottom ? within.max.y - size.y : within.min.y;
+        std::vector<double> taken;  // from the left
+        for (const Spot spot : spots)
+            if (spot.y > top - clear && spot.y < top + size.y + clear) taken.push_back(spot.x);
+        std::sort(taken.begin(), taken.end());
+        double left = within.min.x;
+        for (const double x : taken) {
+            if (x - clear >= left + size.x) break;
+            left = std::max(left, x + clear);
+        }
+        if (left + size.x <= within.max.x) return Spot{left, top};
+    }
+    return std::nullopt;
+}
+
 }  // namespace kinegraph::render

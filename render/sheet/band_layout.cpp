@@ -10,7 +10,9 @@ namespace {
 constexpr double caption = 7, text_gap = 5, least_beside = 25;
 constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr double hardly_readable = 10;  // mm
-constexpr double room_of_a_name = 150;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
+constexpr int most_beside = 3;          // columns of text
+constexpr int most_columns_more = 2;    // of a page of short lines, than the format has
+constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the strokes; in less, names are pushed far away
 
 /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
 double use_of(double size) { return std::log(size) - 40 / size; }
@@ -110,6 +112,15 @@ double BandLayouts::scale_in(std::size_t figure, Spot room) const {
 /// Each figure begins as large as one measure of the room lets it; that which loses least for what it gives becomes smaller
 /// until all have room beside each other.
 void BandLayouts::try_figures(BandLayout& best, BandLayout layout, Spot room) const {
+    // No room makes more of the figures than their largest scales.
+    double most = layout.worth;
+    for (const std::vector<FigureSize>& sizes : sizes_) {
+        const auto best_of = std::max_element(sizes.begin(), sizes.end(),
+                                              [](const FigureSize& a, const FigureSize& b) { return a.worth < b.worth; });
+        if (best_of == sizes.end()) return;
+        most += best_of->worth;
+    }
+    if (most <= best.worth) return;
     layout.rooms.clear();
     for (const bool stacked : {false, true}) {
         if (stacked && sizes_.size() < 2) break;
@@ -158,6 +169,38 @@ void BandLayouts::try_figures(BandLayout& best, BandLayout layout, Spot room) co
     }
 }
 
+WorthByHeight::WorthByHeight(const BandLayouts& layouts, Width width, Notch notch, double step, int most)
+    : width_(width), notch_(notch), step_(step), worth_(static_cast<std::size_t>(most) + 1, BandLayout::impossible) {
+    const std::size_t high = worth_.size() - 1;
+    worth_[high] = layouts.in(width_, static_cast<double>(high) * step_, notch_).worth;
+    fill(layouts, 0, high);
+}
+
+/// Between two heights that are known.
+void WorthByHeight::fill(const BandLayouts& layouts, std::size_t low, std::size_t high) {
+    if (worth_[low] == worth_[high]) {
+        std::fill(worth_.begin() + static_cast<std::ptrdiff_t>(low), worth_.begin() + static_cast<std::ptrdiff_t>(high),
+                  worth_[low]);
+        return;
+    }
+    if (high - low < 2) return;
+    const std::size_t middle = (low + high) / 2;
+    worth_[middle] = layouts.in(width_, static_cast<double>(middle) * step_, notch_).worth;
+    fill(layouts, low, middle);
+    fill(layouts, middle, high);
+}
+
+WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double step, int most) const {
+    const auto key = std::tuple(width, notch.left, notch.high);
+    const auto found = worth_.find(key);
+    if (found != worth_.end()) return found->second;
+    return worth_.emplace(key, WorthByHeight(*this, width, notch, step, most)).first->second;
+}
+
+bool BandLayouts::is_like(const BandLayouts& other) const {
+    return &band_ == &other.band_ && sizes_ == other.sizes_ && (equations_.width > 0) == (other.equations_.width > 0);
+}
+
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
     const double whole = format_.span(width.columns, width.of);
     BandLayout best;
@@ -167,7 +210,7 @@ BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
         BandLayout base;
         base.cornered = cornered;
         base.worth = cornered ? worth_of_corner : 0;
-        for (base.divided = format_.columns; base.divided <= format_.columns + 1; ++base.divided)
+        for (base.divided = format_.columns; base.divided <= format_.columns + most_columns_more; ++base.divided)
             try_all(best, base, whole, height, notch);
     }
     return best;
@@ -194,7 +237,7 @@ void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole
         if (left > least_beside) try_figures(best, layout, {whole, left});
     }
     layout.beside = true;
-    for (layout.columns = 1; layout.columns <= 2 && !sizes_.empty(); ++layout.columns) {
+    for (layout.columns = 1; layout.columns <= most_beside && !sizes_.empty(); ++layout.columns) {
         const double left = whole - layout.columns * (words.measure() + gap);
         if (left < least_beside || words.height(layout.columns) > above) continue;
         layout.worth = base.worth + worth_of_beside - price_of_columns * layout.columns;
@@ -231,8 +274,12 @@ void BandLayouts::try_round(BandLayout& best, BandLayout layout, double whole, d
         const auto holds = [&](double figures) {
             return words.fits(layout.text_columns(whole, words.measure(), figures, notch), height);
         };
-        if (left < least_beside || !holds(least_beside)) continue;
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
+        if (left < least_beside) continue;
+        // Not worth a search where even all of the height makes nothing better.
+        BandLayout most = best;
+        try_figures(most, layout, {left, high});
+        if (!(most.worth > best.worth) || !holds(least_beside)) continue;
         constexpr double fine = 2;
         while (high - low > fine) {
             const double middle = 0.5 * (low + high);

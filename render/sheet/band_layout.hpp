@@ -47,6 +47,7 @@ struct BandLayout {
 struct FigureSize {
     double x = 0, y = 0, worth = 0, scale = 0;
     double wider = 0;  ///< for its equations in a corner
+    bool operator==(const FigureSize&) const = default;
 };
 
 /// The text of bands as they were set, kept from one plan to the next.
@@ -69,6 +70,24 @@ private:
     std::map<std::string, Block> equations_;
 };
 
+class BandLayouts;
+
+/// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two heights at
+/// which it is the same it need not be asked for.
+class WorthByHeight {
+public:
+    WorthByHeight(const BandLayouts& layouts, Width width, Notch notch, double step, int most);
+    double at(int height) { return worth_[static_cast<std::size_t>(height)]; }
+
+private:
+    void fill(const BandLayouts& layouts, std::size_t low, std::size_t high);
+
+    Width width_;
+    Notch notch_;
+    double step_;
+    std::vector<double> worth_;
+};
+
 class BandLayouts {
 public:
     /// `force_scale`: no force polygon is drawn larger. `crowded`: figures may be so small that they are hard to read;
@@ -78,6 +97,10 @@ public:
 
     /// The best in a room so high.
     BandLayout in(Width width, double height, Notch notch = {}) const;
+    /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
+    WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
+    /// Whether another has the same figures, so that all it was asked for holds here.
+    bool is_like(const BandLayouts& other) const;
     /// The text in the columns of a page divided by so many.
     const ColumnText& text(int divided, bool cornered) const;
     /// The equations, where they may stand in a corner.
@@ -98,6 +121,7 @@ private:
     std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
     Block equations_;
     mutable std::map<std::pair<int, bool>, const ColumnText*> texts_;
+    mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
 };
 
 }  // namespace kinegraph::render

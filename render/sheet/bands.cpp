@@ -277,6 +277,7 @@ bool may_be_merged(const Message& message) {
         case Sentence::alpha_from_pair:
         case Sentence::inertia_force:
         case Sentence::inertia_couple:
+        case Sentence::second_way:
             return !message.workings.empty();
         case Sentence::two_force_body:
         case Sentence::two_force_guide:
@@ -344,8 +345,8 @@ Band& Bands::add(const std::string& question, const std::vector<std::string>& fi
 void Bands::add_step(Band& band, std::size_t statement) {
     const Statement& added = solution_.protocol.statements[statement];
     if (told_by_list(added.message.sentence)) return;
-    if (detail_ == SolutionDetail::brief && !added.equation) {
-        if (is_incidental(added.message.sentence)) return;
+    if (!added.equation) {
+        if (detail_ == SolutionDetail::brief && is_incidental(added.message.sentence)) return;
         // A sentence that repeats another of its band is told with it.
         for (const Band::Part& part : band.parts)
             for (const std::size_t other : part.kind == Kind::steps ? part.which : std::vector<std::size_t>{})

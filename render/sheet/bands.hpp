@@ -55,7 +55,7 @@ struct Band {
 /// The bands of a solution, and their text once a width is chosen.
 class Bands {
 public:
-    /// Brief: the decisive sentences, those that repeat each other in one, and the answers in the place of all results.
+    /// Sentences that repeat each other stand in one. Brief: the decisive sentences, and the answers in the place of all results.
     Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail = SolutionDetail::full);
 
     std::vector<Band> list;

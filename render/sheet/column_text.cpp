@@ -3,30 +3,32 @@
 
 #include <algorithm>
 
+#include "render/page/shapes.hpp"
+
 namespace kinegraph::render {
 namespace {
 
-constexpr double passage_gap = 4.5, grace = 1e-6;
+constexpr double passage_gap = 3.5, grace = 1e-6;
+
+bool is_wider(const Passage& passage, double measure) {
+    constexpr double ink = 0.2;
+    return (!passage.heading.marks.empty() && box_of(passage.heading.marks).max.x > measure + ink) ||
+           std::any_of(passage.rows.begin(), passage.rows.end(), [&](const Block& row) { return row.width > measure + ink; });
+}
 
 }  // namespace
 
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
     : passages_(std::move(passages)), measure_(measure) {
     const auto reduce = [scale](Block& block) { block = scaled(std::move(block), scale); };
-    if (scale == 1) return;
     for (Passage& passage : passages_) {
-        reduce(passage.heading);
-        reduce(passage.head);
-        std::for_each(passage.rows.begin(), passage.rows.end(), reduce);
+        if (scale != 1) {
+            reduce(passage.heading);
+            reduce(passage.head);
+            std::for_each(passage.rows.begin(), passage.rows.end(), reduce);
+        }
+        too_wide_ = too_wide_ || is_wider(passage, measure_);
     }
-}
-
-bool ColumnText::is_too_wide() const {
-    constexpr double ink = 0.2;
-    return std::any_of(passages_.begin(), passages_.end(), [&](const Passage& passage) {
-        return std::any_of(passage.rows.begin(), passage.rows.end(),
-                           [&](const Block& row) { return row.width > measure_ + ink; });
-    });
 }
 
 bool ColumnText::flow(const std::vector<TextColumn>& columns, double height,

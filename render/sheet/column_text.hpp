@@ -20,8 +20,8 @@ public:
 
     bool empty() const { return passages_.empty(); }
     double measure() const { return measure_; }
-    /// Whether a table is wider than its column.
-    bool is_too_wide() const;
+    /// Whether a table or a heading is wider than its column.
+    bool is_too_wide() const { return too_wide_; }
     /// The least height at which it stands in so many columns.
     double height(int columns) const;
     void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
@@ -39,6 +39,7 @@ private:
 
     std::vector<Passage> passages_;
     double measure_;
+    bool too_wide_ = false;
     mutable std::vector<double> heights_;  // by columns, once asked
     mutable double whole_ = -1;            // … of all in one
 };

@@ -15,9 +15,11 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double step = 4;       // mm: heights are multiples of it
-constexpr int least_height = 4;  // steps, of a band
-constexpr int gap_steps = static_cast<int>(row_gap / step);
+constexpr double step = 3;       // mm: heights are multiples of it
+constexpr int least_height = 5;  // steps, of a band
+constexpr int gap_steps = 3;     // at least row_gap
+constexpr int fine_grid = 13;    // columns that a page is divided into where neither three nor four serve
+static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double impossible = BandLayout::impossible, possible = 0.5 * impossible;
@@ -45,7 +47,8 @@ public:
           format_(format),
           taken_by_block_(content_of(format, true).max.y - format.block.min.y + above_block) {
         for (std::size_t cells = 1; cells <= most_cells; ++cells)
-            for (const int of : {format.columns, format.columns + 1}) {
+            for (const int of : {format.columns, format.columns + 1, fine_grid}) {
+                if (of == fine_grid && cells > 2) continue;
                 if (cells == 1 && of != format.columns) continue;
                 std::vector<int> now;
                 std::vector<std::vector<int>> all;
@@ -124,23 +127,21 @@ private:
         return free >= format_.span(split.columns[i], split.of) ? Notch{} : Notch{free, taken_by_block_};
     }
 
-    double worth_of(std::size_t band, Width width, int height, const Notch& notch) {
-        std::vector<double>& by_height = worth_[std::tuple(band, width, notch.left, notch.high)];
-        if (by_height.empty()) by_height.assign(at_index(std::max(steps_of(true), steps_of(false))) + 1, unknown);
-        double& worth = by_height[at_index(height)];
-        if (std::isnan(worth)) worth = layouts_[band].in(width, height * step, notch).worth;
-        return worth;
+    WorthByHeight& curve(std::size_t band, Width width, const Notch& notch) {
+        return layouts_[band].worth(width, notch, step, std::max(steps_of(true), steps_of(false)));
     }
     /// Of one band, or of two one under the other, with the height of the upper one then.
     std::pair<double, int> cell(std::size_t first, int count, Width width, int height, const Notch& notch) {
-        if (count == 1) return {worth_of(first, width, height, notch), height};
+        if (count == 1) return {curve(first, width, notch).at(height), height};
         const auto [found, fresh] = cells_.try_emplace(std::tuple(first, width, height, notch.left, notch.high), impossible, 0);
         std::pair<double, int>& best = found->second;
-        for (int upper = least_height; fresh && upper + gap_steps + least_height <= height; ++upper) {
-            const double above = worth_of(first, width, upper, {});
-            if (above < possible) continue;
-            const double below = worth_of(first + 1, width, height - upper - gap_steps, notch);
-            if (below > possible && above + below > best.first) best = {above + below, upper};
+        if (!fresh) return best;
+        WorthByHeight &over = curve(first, width, {}), &under = curve(first + 1, width, notch);
+        for (int upper = least_height; upper + gap_steps + least_height <= height; ++upper) {
+            const double below = under.at(height - upper - gap_steps);
+            if (below < possible) break;
+            const double above = over.at(upper);
+            if (above > possible && above + below > best.first) best = {above + below, upper};
         }
         return best;
     }
@@ -249,9 +250,8 @@ private:
     const std::vector<Band>& bands_;
     const SheetFormat& format_;
     double taken_by_block_;
-    std::array<std::vector<Split>, most_cells + 1> splits_;                                // by the number of cells
-    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;                         // by the number of bands
-    std::map<std::tuple<std::size_t, Width, double, double>, std::vector<double>> worth_;  // by height, once asked
+    std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
+    std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
     std::map<std::tuple<std::size_t, Width, int, double, double>, std::pair<double, int>> cells_;
     std::map<std::tuple<std::size_t, std::size_t, int, bool>, Row> rows_;
 };

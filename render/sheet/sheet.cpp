@@ -55,12 +55,14 @@ private:
         constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
         for (int round = 1;; ++round) {
             const std::size_t pages_before = plan_.size();
+            takes_what_comes_ = round >= most_rounds;
             plan();
             if (!refused_.empty() && plan_.size() > pages_before) take_back_refusals();
             refused_.clear();
             draw();
             const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
-            if (!drawn_otherwise() || (round >= most_rounds && !lacks_equations)) break;
+            if (round >= most_rounds && !lacks_equations) break;
+            if (!drawn_otherwise() && !takes_less_than_thought()) break;
         }
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));
@@ -72,8 +74,10 @@ private:
         std::size_t wanted = 0;
         Box room;
         int number = 0;
-        double caption = 0;  // mm that it takes
+        double promised = 0;  // the scale that the room was planned for
+        double caption = 0;   // mm that it takes
         Figure figure;
+        Spot size{};                 // of the figure alone
         std::vector<Mark> beside{};  // equations in its corner
         double height() const { return caption + figure.box.height(); }
         bool is_refused() const { return figure.scale == any_scale; }  ///< the room, by the figure
@@ -84,10 +88,15 @@ private:
 
     /// What no page holds at its best is shown smaller, then its text goes on over pages.
     void plan() {
+        std::vector<BandLayouts> before = std::move(layouts_);
         layouts_.clear();
-        for (const Band& band : bands_.list)
-            layouts_.emplace_back(texts_, band, wanted_, format_, crowded_.contains(band.question),
-                                  !cornerless_.contains(band.question));
+        for (std::size_t b = 0; b < bands_.list.size(); ++b) {
+            const Band& band = bands_.list[b];
+            BandLayouts layouts(texts_, band, wanted_, format_, crowded_.contains(band.question),
+                                !cornerless_.contains(band.question));
+            const bool same = b < before.size() && band.figures.size() > 0 && before[b].is_like(layouts);
+            layouts_.push_back(std::move(same ? before[b] : layouts));
+        }
         std::size_t lost = 0;
         plan_ = plan_pages(layouts_, bands_.list, format_, lost);
         if (!plan_.empty()) {
@@ -102,6 +111,8 @@ private:
     void take_back_refusals() {
         for (const Refusal& refusal : refused_) {
             Wanted& wanted = wanted_.list[refusal.wanted];
+            // A coarser scale of one force polygon would be that of all.
+            if (wanted.to_force_scale) continue;
             wanted.rim_x = refusal.rim_x;
             wanted.rim_y = refusal.rim_y;
             refusals_[wanted.name] = most_refusals;
@@ -128,6 +139,7 @@ private:
         rest.figures.clear();
         rest.draws_mechanism = false;
         band.end_row = rest.first_row = band.first_row + (rows * 2 + 2) / 3 - (rows == 2 ? 1 : 0);
+        layouts_.clear();
         bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
     }
 
@@ -171,6 +183,8 @@ private:
                 drawn_[placed.band].emplace_back(draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y},
                                                            ++number, coarsest_scale(placed.band, f, {size.x - wider, size.y})));
             drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
+            drawn.promised = layouts_[placed.band].scale_in(f, {size.x - wider, size.y});
+            drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
             if (layout.cornered && !drawn.is_refused()) set_in_corner(drawn, placed.band);
             letter_details_on(drawn.figure, context_, details);
@@ -215,14 +229,13 @@ private:
         }
         return known.emplace_back(std::move(drawn)).figure;
     }
-    /// The coarsest scale at which a figure takes its room: two steps beyond what this promises, a few times; any_scale: it is
-    /// drawn as it comes.
+    /// The coarsest scale at which a figure takes its room: what this promises, a few times; any_scale: it is drawn as it comes.
     double coarsest_scale(std::size_t band, std::size_t f, Spot room) {
         const std::size_t index = bands_.list[band].figures[f];
         const Wanted& wanted = wanted_.list[index];
-        if (!wanted.draw_or_refuse || refusals_[wanted.name] == most_refusals) return any_scale;
+        if (takes_what_comes_ || !wanted.draw_or_refuse || refusals_[wanted.name] >= most_refusals) return any_scale;
         constexpr double rounding = 1e-9;
-        return next_scale(next_scale(layouts_[band].scale_in(f, room))) * (1 + rounding);
+        return layouts_[band].scale_in(f, room) * (1 + rounding);
     }
     Drawn draw_into(std::size_t wanted, Spot room, int number, double coarsest) {
         constexpr double one_line = 7;
@@ -239,14 +252,58 @@ private:
         return drawn;
     }
 
+    bool is_coarser_than_promised(const Drawn& drawn) const {
+        const Wanted& wanted = wanted_.list[drawn.wanted];
+        constexpr double rounding = 1e-6;
+        return !wanted.empty && !wanted.fills && !wanted.spare && !wanted.asked &&
+               drawn.figure.scale > drawn.promised * (1 + rounding);
+    }
+    /// … and is given more room for it: a few times, then it is taken as it comes.
+    bool asks_for_more_room(const Drawn& drawn) {
+        return is_coarser_than_promised(drawn) && refusals_[wanted_.list[drawn.wanted].name] < most_refusals;
+    }
+    /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few times.
+    bool takes_less_than_thought() {
+        constexpr int most_times = 2;
+        constexpr double air = 1, worth_another_plan = 3, one_line = 7;
+        if (++times_less_ > most_times) return false;
+        double gained = 0;
+        for (const auto& [band, figures] : drawn_)
+            for (const Drawn& drawn : figures) {
+                Wanted& wanted = wanted_.list[drawn.wanted];
+                if (wanted.empty || wanted.fills || wanted.spare) continue;
+                const auto learn = [&](double& rim, double taken) {
+                    const double known = std::clamp(taken + air, 2.0, rim);
+                    gained = std::max(gained, rim - known);
+                    rim = known;
+                };
+                learn(wanted.rim_x, drawn.size.x - wanted.extent_x / drawn.figure.scale);
+                learn(wanted.rim_y, drawn.size.y - wanted.extent_y / drawn.figure.scale + drawn.caption - one_line);
+            }
+        return gained > worth_another_plan;
+    }
+
+    /// For what its letters took at a coarser scale; what is not known, is tried.
+    static void give_more_room(Wanted& wanted, const Drawn& drawn) {
+        constexpr double more = 6, one_line = 7;
+        if (drawn.is_refused()) {
+            (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+            return;
+        }
+        const double rim_x = drawn.size.x - wanted.extent_x / drawn.figure.scale;
+        const double rim_y = drawn.size.y - wanted.extent_y / drawn.figure.scale + drawn.caption - one_line;
+        const bool is_known = rim_x > wanted.rim_x || rim_y > wanted.rim_y;
+        wanted.rim_x = is_known ? std::max(wanted.rim_x, rim_x + 1) : wanted.rim_x + more;
+        wanted.rim_y = is_known ? std::max(wanted.rim_y, rim_y + 1) : wanted.rim_y + more;
+    }
+
     /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
-        if (drawn.is_refused()) {
-            constexpr double more = 10;
+        if (drawn.is_refused() || asks_for_more_room(drawn)) {
             Wanted& wanted = wanted_.list[drawn.wanted];
             refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
             ++refusals_[wanted.name];
-            (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
+            give_more_room(wanted, drawn);
             return true;
         }
         const Box& box = drawn.figure.box;
@@ -284,7 +341,7 @@ private:
                     continue;
                 }
                 Wanted& wanted = wanted_.list[drawn.wanted];
-                if (wanted.to_force_scale) {
+                if (wanted.to_force_scale && !asks_for_more_room(drawn)) {
                     least = std::min(least, drawn.figure.scale);
                     most = std::max(most, drawn.figure.scale);
                 }
@@ -451,7 +508,9 @@ private:
     std::optional<std::vector<ResultRow>> results_;    // measured on them
     Spot first_caption_;                               // of figure 1: its corner, and the room it has
     double first_caption_width_ = 0;
-    bool corner_missing_ = false;  // one was promised to equations
+    bool corner_missing_ = false;    // one was promised to equations
+    bool takes_what_comes_ = false;  // the last round: no figure refuses its room
+    int times_less_ = 0;             // plans anew because letters took less than was thought
 };
 
 }  // namespace

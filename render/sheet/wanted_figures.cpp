@@ -111,7 +111,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_x = extent.width();
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
-    mechanism.least = 38;
+    mechanism.least = 30;
     mechanism.weight = context_.solution.act_of_motion ? 2 : 1.2;
     return mechanism;
 }
@@ -135,6 +135,7 @@ void WantedFigures::collect_forces(bool joukowsky) {
                                return closed_polygon_figure(context_, p, x, y, scale, fixed);
                            });
     }
+    keep_forces_readable();
     add_free_bodies();
     if (!(joukowsky || found_by_works(s)) || no_lever(s) != NoLever::drawn) return;
     Wanted lever;
@@ -259,6 +260,16 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
         return draw(x, y, fixed ? scale : force_scale, fixed);
     };
     add(std::move(wanted));
+}
+
+/// All have one scale: at it the largest must be readable.
+void WantedFigures::keep_forces_readable() {
+    constexpr double least = 24;
+    Wanted* largest = nullptr;
+    const auto size = [](const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); };
+    for (Wanted& each : list)
+        if (each.to_force_scale && each.name != "forces" && (largest == nullptr || size(each) > size(*largest))) largest = &each;
+    if (largest != nullptr) largest->least = std::max(largest->least, least);
 }
 
 /// In the order of the bodies, pins after them.
@@ -443,7 +454,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.empty = scene.empty();
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
-    wanted.least = 36;
+    wanted.least = 30;
     wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();

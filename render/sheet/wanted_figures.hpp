@@ -80,6 +80,7 @@ private:
     void add_polygons_of_bodies(const DrawingContext& context);
     void add_superposition();
     void leave_room_for(std::size_t polygons);
+    void keep_forces_readable();
     void add_curvature();
     void add_loops();
     void add_displacements();

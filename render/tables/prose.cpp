@@ -15,7 +15,7 @@ Block heading_block(const DrawingContext& context, double measure, const std::st
             set_text(block.marks, small, {shaped.width + 4, 3.6}, context.theme.secondary, "text");
     }
     block.width = measure;
-    block.height = 6.2;
+    block.height = 5.6;
     return block;
 }
 
@@ -26,7 +26,7 @@ Block paragraph_block(const DrawingContext& context, double measure, const RichT
     if (!number.empty())
         set_text(block.marks, context.fonts.shape(one_piece(number), context.theme.body_text), {0, baseline},
                  context.theme.secondary, "text");
-    const double lead = 4.1 / 9 * context.theme.body_text;
+    const double lead = 3.85 / 9 * context.theme.body_text;
     for (const ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
         set_text(block.marks, each, {indent, baseline}, context.theme.text, "text");
         baseline += lead;

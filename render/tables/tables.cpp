@@ -16,7 +16,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double pitch = 4.4;  // of table rows
+constexpr double pitch = 4.05;  // of table rows
 
 Path rule(double from, double to, double y, double width, Colour colour) {
     return line({from, y}, {to, y}, {width, colour, {}, false});
@@ -644,13 +644,13 @@ std::vector<Block> centre_lines(const DrawingContext& context, double width) {
         for (std::size_t k = 0; k < wrapped.size(); ++k) {
             set_text(block.marks, wrapped[k], {indent, baseline}, theme.text, "text");
             // The coordinates end the last line, or stand on their own.
-            if (k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room) baseline += 4.1;
+            if (k + 1 < wrapped.size() || wrapped[k].width + 3 + where.width > room) baseline += 3.85;
         }
         set_right(block.marks, where, width, baseline, theme.text);
-        baseline += 4.1;
+        baseline += 3.85;
         belong(block.marks, 0, centre.statement);
         block.width = width;
-        block.height = std::max(pitch + 0.2, baseline - 3.2 + 0.5);
+        block.height = std::max(pitch, baseline - 3.2 + 0.5);
         lines.push_back(std::move(block));
     }
     return lines;
@@ -671,10 +671,10 @@ std::vector<Block> body_lines(const DrawingContext& context, double width) {
         for (const ShapedLine& each :
              context.fonts.wrap(describe(body, context.solution, context.language), theme.body_text, width - x)) {
             set_text(block.marks, each, {x, baseline}, theme.text, "text");
-            baseline += 4.1;
+            baseline += 3.85;
         }
         block.width = width;
-        block.height = std::max(4.8, baseline - 3.2 + 0.7);
+        block.height = std::max(4.4, baseline - 3.2 + 0.7);
         lines.push_back(std::move(block));
     }
     return lines;
