@@ -69,15 +69,23 @@ std::string told(const Guard& guard) {
 }
 
 /// Bodies in the file's order and forces by name: in which order they were resolved, and by which points of concurrency, is a
-/// choice of the planner's.
+/// choice of the planner's; whether a resultant comes by a funicular polygon depends on where lines meet on the sheet.
 void put_in_order(Solution& solution) {
     const auto by_name = [](const auto& a, const auto& b) { return name_of(a.symbol) < name_of(b.symbol); };
-    for (FreeBody& body : solution.free_bodies) {
-        std::sort(body.forces.begin(), body.forces.end(), by_name);
-        body.meets.clear();
-    }
-    std::sort(solution.free_bodies.begin(), solution.free_bodies.end(),
-              [](const FreeBody& a, const FreeBody& b) { return std::pair(a.body, a.pin) < std::pair(b.body, b.pin); });
+    const auto put_bodies_in_order = [&](std::vector<FreeBody>& bodies) {
+        for (FreeBody& body : bodies) {
+            std::sort(body.forces.begin(), body.forces.end(), by_name);
+            body.meets.clear();
+            body.sums.clear();
+            body.funicular.reset();
+        }
+        std::sort(bodies.begin(), bodies.end(),
+                  [](const FreeBody& a, const FreeBody& b) { return std::pair(a.body, a.pin) < std::pair(b.body, b.pin); });
+    };
+    put_bodies_in_order(solution.free_bodies);
+    if (solution.superposition)
+        for (Superposition::Part& part : solution.superposition->parts) put_bodies_in_order(part.bodies), part.together.clear();
+    solution.taken_together.clear();
     if (!solution.virtual_work) return;
     auto& entries = solution.virtual_work->entries;
     std::sort(entries.begin(), entries.end(), by_name);

@@ -76,8 +76,9 @@ TEST(Workings, ABodyThatTranslatesHasNoOmegaSquared) {
 
 TEST(Workings, ATriangleIsOfThreeForces) {
     const Solution solution = example("exam_2001");  // body 5: weight, inertia, the rod's force and the guide's
-    EXPECT_TRUE(has(said(solution, Sentence::polygon), "force polygon of body 5"));
+    EXPECT_TRUE(has(said(solution, Sentence::polygon_at), "body 5"));
     EXPECT_FALSE(has(said(solution, Sentence::triangle), "body 5"));
+    EXPECT_FALSE(has(said(solution, Sentence::triangle_at), "body 5"));
 }
 
 TEST(Workings, TheInertiaForceIsAStep) {

@@ -687,15 +687,7 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         if (const Spot at = paper_spot(meet.place); contains(near, at)) extent.include(at);
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
-    // Arrows and symbols do not shrink with the mechanism: where they alone are too much for the room, it is the room that is
-    // wrong.
-    constexpr double least_shown = 35;
-    const FitPolicy policy{.room = Spot{room_x, room_y},
-                           .first = first,
-                           .asked = asked,
-                           .keeps_asked = true,
-                           .extent = std::max(extent.width(), extent.height()),
-                           .least_shown = std::min(least_shown, 0.5 * std::max(extent.width(), extent.height()) / first)};
+    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true};
     return fit(policy, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, load.empty() ? "" : legal_id("load-" + load) + "-");
         draw_in_colour(sketch);

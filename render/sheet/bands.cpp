@@ -293,6 +293,19 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
     return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
 }
 
+/// The body cut free beside which a sentence stands: that whose polygon it closes, or on which it adds up forces.
+const FreeBody* drawn_beside(const Solution& solution, StatementIndex statement) {
+    const std::vector<const FreeBody*> closed = closed_by(solution, statement);
+    if (!closed.empty()) return closed.front();
+    const auto adds_up = [&](const FreeBody& body) {
+        return std::any_of(body.sums.begin(), body.sums.end(), [&](const AppliedForce& sum) {
+            return sum.force_statement == statement || sum.line_statement == statement;
+        });
+    };
+    const auto found = std::find_if(solution.free_bodies.begin(), solution.free_bodies.end(), adds_up);
+    return found == solution.free_bodies.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
@@ -442,17 +455,15 @@ void Bands::collect_forces() {
             add_step(list[parts.back()], i);
             continue;
         }
-        // A sentence that closes a body's polygon stands beside it.
         std::size_t home = at_lines;
         for (const TakenTogether& together : solution_.taken_together)
             if (together.statement == StatementIndex(i))
                 for (std::size_t b = at_lines; b < list.size(); ++b)
                     if (list[b].question == render::name_of(solution_, together)) home = b;
-        const std::vector<const FreeBody*> closed = closed_by(solution_, StatementIndex(i));
-        if (!closed.empty())
+        if (const FreeBody* body = drawn_beside(solution_, StatementIndex(i)))
             for (std::size_t b = at_lines; b < list.size(); ++b)
                 for (const std::size_t figure : list[b].figures)
-                    if (wanted_.list[figure].name == render::name_of(solution_, *closed.front())) home = b;
+                    if (wanted_.list[figure].name == render::name_of(solution_, *body)) home = b;
         add_step(list[home], i);
     }
     if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
