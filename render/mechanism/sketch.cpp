@@ -70,19 +70,10 @@ void Sketch::close(Figure& figure, Spot room, bool fixed, double bar_scale, cons
     const Box size_of_bar = box_of(bar);
     const Spot bar_size{size_of_bar.width(), size_of_bar.height()};
     constexpr double above_bar = 3, under_all = 8;
-    const auto letter = [&](Figure& on, double height) {
-        place_labels(on, context.fonts, Spot{room.x, height}, strict ? Labelling::strict : Labelling::free,
-                     context.theme.secondary);
-    };
+    place_labels(figure, context.fonts, Spot{room.x, room.y - under_all}, strict ? Labelling::strict : Labelling::free,
+                 context.theme.secondary);
     // The bar stands where an edge of the figure is free, else under it.
-    Figure unlettered = figure;
-    letter(figure, room.y);
-    std::optional<Spot> place = free_place(figure.marks, figure.box, bar_size);
-    if (!place && figure.box.height() + above_bar + bar_size.y > room.y) {
-        figure = std::move(unlettered);
-        letter(figure, room.y - under_all);
-        place = free_place(figure.marks, figure.box, bar_size);
-    }
+    const std::optional<Spot> place = free_place(figure.marks, figure.box, bar_size);
     const Spot corner = place.value_or(Spot{figure.box.min.x, figure.box.max.y + above_bar});
     move(bar, corner.x - size_of_bar.min.x, corner.y - size_of_bar.min.y);
     const Box at = box_of(bar);
