@@ -2,6 +2,7 @@
 #include "render/sheet/band_layout.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 
 namespace kinegraph::render {
@@ -81,8 +82,12 @@ void BandTexts::forget(const std::string& question) {
 BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
                          bool cornered)
     : all_texts_(texts), band_(band), format_(format) {
-    for (const std::size_t figure : band.figures)
+    for (const std::size_t figure : band.figures) {
         sizes_.push_back(sizes_of(wanted.list[figure], format, wanted.force_scale, crowded));
+        double most = BandLayout::impossible;
+        for (const FigureSize& size : sizes_.back()) most = std::max(most, size.worth);
+        most_worth_ += most;
+    }
     if (!cornered || sizes_.size() != 1) return;
     const Wanted& polygon = wanted.list[band.figures.front()];
     if (!polygon.wider_for || polygon.empty) return;
@@ -109,63 +114,88 @@ double BandLayouts::scale_in(std::size_t figure, Spot room) const {
     return sizes_[figure].back().scale;
 }
 
+/// The sizes that figures take beside or under each other. A plan asks thousands of times: few figures need no memory.
+struct BandLayouts::Share {
+    boost::container::small_vector<std::size_t, 6> taken;
+    double worth = 0, length = 0;
+    int shown = 0;
+};
+
 /// Each figure begins as large as one measure of the room lets it; that which loses least for what it gives becomes smaller
 /// until all have room beside each other.
-void BandLayouts::try_figures(BandLayout& best, BandLayout layout, Spot room) const {
-    // No room makes more of the figures than their largest scales.
-    double most = layout.worth;
-    for (const std::vector<FigureSize>& sizes : sizes_) {
-        const auto best_of = std::max_element(sizes.begin(), sizes.end(),
-                                              [](const FigureSize& a, const FigureSize& b) { return a.worth < b.worth; });
-        if (best_of == sizes.end()) return;
-        most += best_of->worth;
+std::optional<BandLayouts::Share> BandLayouts::share(Spot room, bool stacked, bool cornered) const {
+    const double whole = stacked ? room.y : room.x, wide = stacked ? room.x : room.y;
+    Share found;
+    found.taken.resize(sizes_.size());
+    const auto size = [&](std::size_t f) -> const FigureSize& { return sizes_[f][found.taken[f]]; };
+    for (std::size_t f = 0; f < sizes_.size(); ++f) {
+        while (found.taken[f] < sizes_[f].size() && across(size(f), stacked) > wide) ++found.taken[f];
+        if (found.taken[f] == sizes_[f].size()) return std::nullopt;
     }
-    if (most <= best.worth) return;
-    layout.rooms.clear();
+    const auto length = [&] {
+        double sum = 0;
+        for (std::size_t f = 0; f < sizes_.size(); ++f)
+            if (const double own = along(size(f), stacked, cornered); own > 0) sum += own + (sum > 0 ? gap : 0);
+        return sum;
+    };
+    while ((found.length = length()) > whole) {
+        std::optional<std::size_t> smaller;
+        double least = 0;
+        for (std::size_t f = 0; f < sizes_.size(); ++f) {
+            if (found.taken[f] + 1 == sizes_[f].size()) continue;
+            const FigureSize& next = sizes_[f][found.taken[f] + 1];
+            const double given = along(size(f), stacked, cornered) - along(next, stacked, cornered);
+            const double price = (size(f).worth - next.worth) / std::max(given, 0.1);
+            if (!smaller || price < least) smaller = f, least = price;
+        }
+        if (!smaller) return std::nullopt;
+        ++found.taken[*smaller];
+    }
+    for (std::size_t f = 0; f < sizes_.size(); ++f) {
+        found.worth += size(f).worth;
+        found.shown += along(size(f), stacked, cornered) > 0 ? 1 : 0;
+    }
+    return found;
+}
+
+double BandLayouts::along(const FigureSize& size, bool stacked, bool cornered) {
+    return stacked ? size.y : size.x + (cornered ? size.wider : 0);
+}
+double BandLayouts::across(const FigureSize& size, bool stacked) { return stacked ? size.x : size.y; }
+
+/// No room makes more of the figures than their largest scales.
+bool BandLayouts::may_improve(const BandLayout& best, const BandLayout& layout) const {
+    return layout.worth + most_worth_ > best.worth;
+}
+
+bool BandLayouts::improves(const BandLayout& best, const BandLayout& layout, Spot room) const {
+    if (!may_improve(best, layout)) return false;
     for (const bool stacked : {false, true}) {
         if (stacked && sizes_.size() < 2) break;
-        const auto along = [&](const FigureSize& size) { return stacked ? size.y : size.x + (layout.cornered ? size.wider : 0); };
-        const auto across = [&](const FigureSize& size) { return stacked ? size.x : size.y; };
+        const auto found = share(room, stacked, layout.cornered);
+        if (found && layout.worth + found->worth > best.worth) return true;
+    }
+    return false;
+}
+
+void BandLayouts::try_figures(BandLayout& best, const BandLayout& layout, Spot room) const {
+    if (!may_improve(best, layout)) return;
+    for (const bool stacked : {false, true}) {
+        if (stacked && sizes_.size() < 2) break;
+        const auto found = share(room, stacked, layout.cornered);
+        if (!found || !(layout.worth + found->worth > best.worth)) continue;
         const double whole = stacked ? room.y : room.x, wide = stacked ? room.x : room.y;
-        std::vector<std::size_t> taken(sizes_.size(), 0);
-        const auto size = [&](std::size_t f) -> const FigureSize& { return sizes_[f][taken[f]]; };
-        bool possible = true;
-        for (std::size_t f = 0; f < sizes_.size() && possible; ++f) {
-            while (taken[f] < sizes_[f].size() && across(size(f)) > wide) ++taken[f];
-            possible = taken[f] < sizes_[f].size();
-        }
-        const auto length = [&] {
-            double sum = 0;
-            for (std::size_t f = 0; f < sizes_.size(); ++f)
-                if (along(size(f)) > 0) sum += along(size(f)) + (sum > 0 ? gap : 0);
-            return sum;
-        };
-        while (possible && length() > whole) {
-            std::optional<std::size_t> smaller;
-            double least = 0;
-            for (std::size_t f = 0; f < sizes_.size(); ++f) {
-                if (taken[f] + 1 == sizes_[f].size()) continue;
-                const FigureSize& next = sizes_[f][taken[f] + 1];
-                const double price = (size(f).worth - next.worth) / std::max(along(size(f)) - along(next), 0.1);
-                if (!smaller || price < least) smaller = f, least = price;
-            }
-            if ((possible = smaller.has_value())) ++taken[*smaller];
-        }
-        if (!possible) continue;
-        BandLayout found = layout;
-        found.stacked = stacked;
-        double shown = 0;
-        for (std::size_t f = 0; f < sizes_.size(); ++f) {
-            found.worth += size(f).worth;
-            shown += along(size(f)) > 0 ? 1 : 0;
-        }
+        best = layout;
+        best.stacked = stacked;
+        best.worth = layout.worth + found->worth;
+        best.rooms.clear();
         // What is left is everybody's.
-        const double share = (whole - length()) / std::max(shown, 1.0);
+        const double left = (whole - found->length) / std::max(found->shown, 1);
         for (std::size_t f = 0; f < sizes_.size(); ++f) {
-            const double own = along(size(f)) > 0 ? along(size(f)) + share : 0;
-            found.rooms.push_back(own > 0 ? (stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
+            const double needed = along(sizes_[f][found->taken[f]], stacked, layout.cornered);
+            const double own = needed > 0 ? needed + left : 0;
+            best.rooms.push_back(own > 0 ? (stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
         }
-        if (found.worth > best.worth) best = std::move(found);
     }
 }
 
@@ -277,9 +307,7 @@ void BandLayouts::try_round(BandLayout& best, BandLayout layout, double whole, d
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
         if (left < least_beside) continue;
         // Not worth a search where even all of the height makes nothing better.
-        BandLayout most = best;
-        try_figures(most, layout, {left, high});
-        if (!(most.worth > best.worth) || !holds(least_beside)) continue;
+        if (!improves(best, layout, {left, high}) || !holds(least_beside)) continue;
         constexpr double fine = 2;
         while (high - low > fine) {
             const double middle = 0.5 * (low + high);

@@ -113,12 +113,19 @@ public:
 private:
     void try_round(BandLayout& best, BandLayout layout, double whole, double height, Notch notch) const;
     void try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const;
-    void try_figures(BandLayout& best, BandLayout layout, Spot room) const;
+    void try_figures(BandLayout& best, const BandLayout& layout, Spot room) const;
+    bool may_improve(const BandLayout& best, const BandLayout& layout) const;
+    bool improves(const BandLayout& best, const BandLayout& layout, Spot room) const;
+    struct Share;
+    std::optional<Share> share(Spot room, bool stacked, bool cornered) const;
+    static double along(const FigureSize& size, bool stacked, bool cornered);
+    static double across(const FigureSize& size, bool stacked);
 
     BandTexts& all_texts_;
     const Band& band_;
     const SheetFormat& format_;
     std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
+    double most_worth_ = 0;                       // of all figures
     Block equations_;
     mutable std::map<std::pair<int, bool>, const ColumnText*> texts_;
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch

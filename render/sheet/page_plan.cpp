@@ -18,7 +18,6 @@ namespace {
 constexpr double step = 3;       // mm: heights are multiples of it
 constexpr int least_height = 5;  // steps, of a band
 constexpr int gap_steps = 3;     // at least row_gap
-constexpr int fine_grid = 13;    // columns that a page is divided into where neither three nor four serve
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -47,8 +46,7 @@ public:
           format_(format),
           taken_by_block_(content_of(format, true).max.y - format.block.min.y + above_block) {
         for (std::size_t cells = 1; cells <= most_cells; ++cells)
-            for (const int of : {format.columns, format.columns + 1, fine_grid}) {
-                if (of == fine_grid && cells > 2) continue;
+            for (const int of : {format.columns, format.columns + 1}) {
                 if (cells == 1 && of != format.columns) continue;
                 std::vector<int> now;
                 std::vector<std::vector<int>> all;
