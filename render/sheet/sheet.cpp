@@ -271,7 +271,7 @@ private:
         for (const auto& [band, figures] : drawn_)
             for (const Drawn& drawn : figures) {
                 Wanted& wanted = wanted_.list[drawn.wanted];
-                if (wanted.empty || wanted.fills || wanted.spare) continue;
+                if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) continue;
                 const auto learn = [&](double& rim, double taken) {
                     const double known = std::clamp(taken + air, 2.0, rim);
                     gained = std::max(gained, rim - known);

@@ -111,7 +111,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_x = extent.width();
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
-    mechanism.least = 30;
+    mechanism.least = 40;
     mechanism.weight = context_.solution.act_of_motion ? 2 : 1.2;
     return mechanism;
 }
