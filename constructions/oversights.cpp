@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "engine/units.hpp"
 
@@ -83,7 +84,9 @@ private:
         }
     }
 
+    /// Two bodies want one pin, however many points they share.
     void miss_pin(BodyIndex first, PointIndex at, BodyIndex second, PointIndex other) {
+        if (!unjoined_.insert({first, second}).second) return;
         named_.insert({first, second});
         found_.push_back(
             {Sentence::unjoined_pin,
@@ -167,6 +170,7 @@ private:
     const Pose& pose_;
     std::vector<std::vector<const Joint*>> joints_of_;
     std::set<BodyIndex> named_;
+    std::set<std::pair<BodyIndex, BodyIndex>> unjoined_;
     std::vector<Message> found_;
 };
 

@@ -424,7 +424,7 @@ private:
         candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
         candidate.leader_to = foot - 0.5 * back;
         candidate.thread = {0.5 * (candidate.leader_from + candidate.leader_to),
-                            {length(candidate.leader_to - candidate.leader_from) / 2, 0.1},
+                            {length(candidate.leader_to - candidate.leader_from) / 2, 0.3},
                             back};
     }
 

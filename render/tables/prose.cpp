@@ -1,6 +1,9 @@
 // Headings and paragraphs.
 #include "render/tables/prose.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "render/page/shapes.hpp"
 
 namespace kinegraph::render {
@@ -27,12 +30,21 @@ Block paragraph_block(const DrawingContext& context, double measure, const RichT
         set_text(block.marks, context.fonts.shape(one_piece(number), context.theme.body_text), {0, baseline},
                  context.theme.secondary, "text");
     const double lead = 3.85 / 9 * context.theme.body_text;
+    double under = 0;  // the ink of the line before
     for (const ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
-        set_text(block.marks, each, {indent, baseline}, context.theme.text, "text");
-        baseline += lead;
+        std::vector<Mark> line;
+        set_text(line, each, {indent, 0}, context.theme.text, "text");
+        // What stands over and under letters may ask for more than the lead.
+        constexpr double clear = 0.15;
+        const Box ink = box_of(line);
+        if (!block.marks.empty() && block.height > 0) baseline += std::max(lead, under - ink.min.y + clear);
+        under = ink.max.y;
+        move(line, 0, baseline);
+        block.marks.insert(block.marks.end(), std::make_move_iterator(line.begin()), std::make_move_iterator(line.end()));
+        block.height = baseline;
     }
     block.width = measure;
-    block.height = baseline - 3.2 + 0.7;
+    block.height = baseline + lead - 3.2 + 0.7;
     return block;
 }
 
