@@ -421,10 +421,12 @@ private:
         const Spot foot = box.centre + Spot{std::clamp(at.x, -box.half.x, box.half.x), std::clamp(at.y, -box.half.y, box.half.y)};
         const Spot back = unit(foot - request.anchor);
         candidate.leader = true;
-        candidate.leader_from = request.anchor + std::max(0.6, request.clearance - 0.9) * back;
+        // To a link's number the leader begins on the link itself.
+        const bool on_it = request.toward && !request.along;
+        candidate.leader_from = request.anchor + (on_it ? 0 : std::max(0.6, request.clearance - 0.9)) * back;
         candidate.leader_to = foot - 0.5 * back;
         candidate.thread = {0.5 * (candidate.leader_from + candidate.leader_to),
-                            {length(candidate.leader_to - candidate.leader_from) / 2, 0.3},
+                            {length(candidate.leader_to - candidate.leader_from) / 2, 0.1},
                             back};
     }
 
@@ -840,8 +842,8 @@ bool is_closed(const Figure& figure) {
 constexpr double leader_dot = 0.38;  // its radius, mm
 
 /// It runs onto a line that it names, and as far as the symbol of a point.
-void draw_leader(std::vector<Mark>& marks, const LabelRequest& request, const Candidate& place, Colour colour) {
-    const Spot from = request.toward && !request.along ? request.anchor : place.leader_from;
+void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour) {
+    const Spot from = place.leader_from;
     marks.emplace_back(line(from, place.leader_to, {0.18, colour, {}, false}));
     marks.emplace_back(disc(from, leader_dot, colour));
 }
@@ -849,7 +851,7 @@ void draw_leader(std::vector<Mark>& marks, const LabelRequest& request, const Ca
 void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped, Colour leaders) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-    if (place.leader) draw_leader(figure.marks, request, place, leaders);
+    if (place.leader) draw_leader(figure.marks, place, leaders);
     const Spot centre = place.box.centre;
     if (request.balloon > 0) {
         const double round = 2 * std::numbers::pi * request.balloon;
