@@ -16,7 +16,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double pitch = 4.05;  // of table rows
+constexpr double pitch = 4.25;  // of table rows
 
 Path rule(double from, double to, double y, double width, Colour colour) {
     return line({from, y}, {to, y}, {width, colour, {}, false});
