@@ -195,8 +195,9 @@ private:
         for (std::size_t e = 0; e < count; ++e) {
             Displacements::Effort effort;
             effort.given = static_cast<int>(e);
-            effort.value = found.efforts[e];
-            if (others[e]) effort.ratio = others[e]->to_double();
+            // Where no efforts balance the loads, none of them has a value.
+            if (found.balanced) effort.value = found.efforts[e];
+            if (found.balanced && others[e]) effort.ratio = others[e]->to_double();
             found_.efforts.push_back(std::move(effort));
         }
     }

@@ -106,7 +106,7 @@ std::optional<EffortRows::Efforts> EffortRows::here(const Places& places, const 
 EffortRows::Efforts EffortRows::of(const Displacements& found) {
     Efforts efforts;
     for (const Displacements::Effort& each : found.efforts)
-        efforts.push_back(found.balanced && each.value ? std::optional(each.value->to_double()) : std::nullopt);
+        efforts.push_back(each.value ? std::optional(each.value->to_double()) : std::nullopt);
     return efforts;
 }
 
