@@ -320,17 +320,23 @@ private:
     std::optional<Error> gap_between_samples() const {
         for (std::size_t order = 0; order < 3; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
-                if (const auto gap = first_gap(found_.laws[i].by_order.at(order), problem_.constants, problem_.from.to_double(),
-                                               problem_.to.to_double()))
+                if (const auto gap = gap_within(found_.laws[i].by_order.at(order), problem_.constants, problem_.from.to_double(),
+                                                problem_.to.to_double()))
                     return not_finite(problem_.laws[i], order, gap->is_infinite, gap->at);
         const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr;
         if (graph == nullptr) return std::nullopt;
         const double per = graph->f.law.variable_unit.to_double();
-        for (std::size_t i = 1; i < found_.course.size(); ++i) {
-            const auto [first, last] = std::minmax(found_.course[i - 1].place.x, found_.course[i].place.x);
-            for (const Expression& each : found_.of_path->by_order)
-                if (last > first && first_gap(each, problem_.constants, first / per, last / per))
-                    return path_ends(*graph, found_.course[i].time);
+        const auto by_x = [](const auto& a, const auto& b) { return a.place.x < b.place.x; };
+        const auto [least, most] = std::minmax_element(found_.course.begin(), found_.course.end(), by_x);
+        for (const Expression& each : found_.of_path->by_order) {
+            if (!(least->place.x < most->place.x)) break;
+            const auto gap = gap_within(each, problem_.constants, least->place.x / per, most->place.x / per);
+            if (!gap) continue;
+            const auto beyond = [&](const auto& at) {
+                return (at.place.x - gap->at * per) * (found_.course.front().place.x - gap->at * per) <= 0;
+            };
+            const auto there = std::find_if(found_.course.begin(), found_.course.end(), beyond);
+            return path_ends(*graph, there == found_.course.end() ? problem_.to.to_double() : there->time);
         }
         return std::nullopt;
     }

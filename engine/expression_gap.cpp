@@ -105,8 +105,11 @@ public:
         if (!here.is_doubtful()) return std::nullopt;
         const double middle = from + (to - from) / 2;
         if (to - from > fine * whole_ && middle > from && middle < to) {
-            const auto first = find(from, middle);
-            return first ? first : find(middle, to);
+            // Where values are larger a pole is nearer.
+            const bool left = size_at(from + (middle - from) / 2) > size_at(middle + (to - middle) / 2);
+            const auto found = left ? find(from, middle) : find(middle, to);
+            if (found) return found;
+            return left ? find(middle, to) : find(from, middle);
         }
         if (here.has_pole) return ExpressionGap{middle, true};
         for (const double at : {from, middle, to})
@@ -115,6 +118,11 @@ public:
     }
 
 private:
+    /// Infinite where it has no value.
+    double size_at(double variable) const {
+        const double size = std::abs(estimate(of_, constants_, variable).value);
+        return std::isnan(size) ? std::numeric_limits<double>::infinity() : size;
+    }
     Range range(const Expression& of, const Range& variable) const {
         switch (of.kind) {
             case Kind::number:
@@ -156,7 +164,7 @@ private:
 
 }  // namespace
 
-std::optional<ExpressionGap> first_gap(const Expression& of, const NamedConstants& constants, double from, double to) {
+std::optional<ExpressionGap> gap_within(const Expression& of, const NamedConstants& constants, double from, double to) {
     return Search(of, constants, to - from).find(from, to);
 }
 

@@ -12,8 +12,8 @@ struct ExpressionGap {
     double at = 0;            ///< the variable there, within 1e-9 of the interval
     bool is_infinite = true;  ///< a pole; else a root, a logarithm or an inverse function of what it has no value for
 };
-/// The first of [from, to]; nothing where there is none. An expression that is too entangled to be decided within some thousand
+/// One within [from, to]; nothing where there is none. An expression that is too entangled to be decided within some thousand
 /// intervals has none that is told.
-std::optional<ExpressionGap> first_gap(const Expression& of, const NamedConstants& constants, double from, double to);
+std::optional<ExpressionGap> gap_within(const Expression& of, const NamedConstants& constants, double from, double to);
 
 }  // namespace kinegraph
