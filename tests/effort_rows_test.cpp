@@ -55,7 +55,7 @@ Find by_work() {
 }
 Find by_forces() {
     Find find;
-    find.forces = true;
+    find.velocity = find.acceleration = find.forces = true;
     return find;
 }
 
@@ -82,9 +82,10 @@ INSTANTIATE_TEST_SUITE_P(Examples, SameEfforts,
                                          std::pair("gas_force", "effort M"), std::pair("lever_on_springs", "effort M_2"),
                                          std::pair("sluice_gate_travel", "effort F_G")));
 
-std::string slider_crank(const std::string& more) {
+std::string slider_crank(const std::string& more, const std::string& angle = "60") {
     return R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1,
-      "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": 60},
+      "points": {"O": [0, 0], "A": {"from": "O", "distance": 50, "angle": )" +
+           angle + R"(},
                  "B": {"meet": [{"circle": "A", "radius": 150}, {"line": [0, 0], "angle": 0}], "near": [170, 0]}},
       "bodies": {"2": {"points": ["O", "A"]}, "3": {"points": ["A", "B"]}, "4": {"points": ["B"]}},
       "joints": [{"revolute": "O", "bodies": [1, 2]}, {"revolute": "A", "bodies": [2, 3]}, {"revolute": "B", "bodies": [3, 4]},
@@ -108,14 +109,14 @@ TEST(EffortRows, SliderCrankHasItsClosedForm) {
 }
 
 TEST(EffortRows, APositionThatLeavesTheEffortOpenHasNoRow) {
-    // With the crank along the slide a force there balances no couple on the crank.
+    // With the crank along the slide, as drawn, a force there balances no couple on the crank.
     Rows rows(slider_crank(R"("loads": [{"couple": "C", "body": 2, "value": 7}],
-                              "effort": {"force": "F", "body": 4, "at": "B", "along": 0})"),
+                              "effort": {"force": "F", "body": 4, "at": "B", "along": 0})",
+                           "0"),
               by_work());
-    EXPECT_NEAR(rows.at(1, "effort F"), -7 / slide_ratio(std::numbers::pi / 3 + 1), 1e-9);
-    const double inner = 2 * std::numbers::pi / 3;
-    EXPECT_TRUE(std::isfinite(rows.at(inner - 1e-3, "effort F")));
-    EXPECT_FALSE(rows.cycle().row(inner));
+    EXPECT_NEAR(rows.at(1, "effort F"), -7 / slide_ratio(1), 1e-9);
+    EXPECT_FALSE(rows.cycle().row(0));
+    EXPECT_NEAR(rows.at(1e-3, "effort F"), -7 / slide_ratio(1e-3), 1e-3);
 }
 
 TEST(EffortRows, ACouplerThatTranslatesWhereItIsMovedToDoesNoWork) {
@@ -154,7 +155,7 @@ TEST(EffortRows, RandomLoadsAreBalancedAsByForces) {
     std::mt19937 random(20261123);
     std::uniform_real_distribution<double> any(-9, 9);
     const auto number = [&] { return std::to_string(any(random)); };
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 4; ++i) {
         std::string more = R"("masses": {"3": {"mass": 2, "centre": "A", "inertia": 0.01}}, "gravity": [0, -9.81],)";
         if (i % 2 == 1) more += R"("inertia forces": true,)";
         more += R"("loads": [{"force": "F", "body": 4, "at": "B", "value": [)" + number() + "," + number() +
@@ -162,7 +163,7 @@ TEST(EffortRows, RandomLoadsAreBalancedAsByForces) {
                 R"(}, {"force": "H", "body": 3, "at": "A", "magnitude": )" + number() +
                 R"(, "along": ["O", "B"]}], "effort": {"couple": "M", "body": 2})";
         Rows works(slider_crank(more), by_work()), forces(slider_crank(more), by_forces());
-        for (const double turn : {-1.3, 0.2, 2.9, 5.5}) {
+        for (const double turn : {-1.3, 2.9}) {
             const double expected = forces.at(turn, "effort M");
             EXPECT_NEAR(works.at(turn, "effort M"), expected, 1e-9 * std::max(1.0, std::abs(expected))) << more;
             EXPECT_NEAR(works.moved(turn).displacements->efforts.at(0).value->to_double(), expected,
