@@ -176,6 +176,10 @@ private:
         return std::nullopt;
     }
 
+    /// An effort's column holds what virtual work found where reactions do not.
+    static bool is_effort_by_work(const Quantity& held, const Quantity& column) {
+        return held.kind == Quantity::Kind::virtual_effort && column.kind == Quantity::Kind::effort && held.given == column.given;
+    }
     /// Holds the row of a value against the check.
     void hold_against_check(const Solution& solution, const std::vector<double>& row) {
         size_ = std::max(size_, solution.pose.size.to_double());
@@ -183,7 +187,8 @@ private:
             const Column& column = columns_[i];
             if (column.kind == Column::Kind::result)
                 for (const CheckRow& each : solution.checks)
-                    if (each.quantity == column.quantity) difference_.hold(i, column, row[i], each.numeric, row[0]);
+                    if (each.quantity == column.quantity || is_effort_by_work(each.quantity, column.quantity))
+                        difference_.hold(i, column, row[i], each.numeric, row[0]);
             if (column.kind == Column::Kind::named && solution.problem)
                 for (const ProblemValue& each : solution.problem->values)
                     if (each.name.en == column.name && each.numeric) difference_.hold(i, column, row[i], *each.numeric, row[0]);

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "constructions/effort_rows.hpp"
+#include "constructions/givens_here.hpp"
 #include "constructions/largest_difference.hpp"
 #include "constructions/named_results.hpp"
 #include "constructions/solve.hpp"
@@ -15,6 +17,7 @@
 #include "engine/drivers.hpp"
 #include "engine/moved.hpp"
 #include "engine/replay.hpp"
+#include "engine/result_names.hpp"
 
 namespace kinegraph {
 namespace {
@@ -27,12 +30,16 @@ Vector exactly(const Spot& a) { return {Exact::from_double(a.x), Exact::from_dou
 Spot unit_of(const Spot& a) { return (1 / std::hypot(a.x, a.y)) * a; }
 
 /// What is found at each position: the file's `find` without what has no column.
-Find found_in_rows(const Find& asked) {
+Find found_in_rows(const Mechanism& mechanism) {
+    const Find& asked = mechanism.find;
     Find find;
     find.stated = true;
-    find.velocity = !asked.stated || asked.velocity || !asked.relative_motion.empty() || asked.curvature;
-    find.acceleration = !asked.stated || asked.acceleration || !asked.relative_motion.empty() || asked.curvature;
+    const bool whole_motion = !asked.stated || !asked.relative_motion.empty() || asked.curvature || asked.equations ||
+                              (asked.virtual_work && mechanism.inertia_forces);
+    find.velocity = whole_motion || asked.velocity;
+    find.acceleration = whole_motion || asked.acceleration;
     find.forces = !asked.stated || asked.forces;
+    find.virtual_work = asked.virtual_work && !mechanism.efforts.empty();
     return find;
 }
 
@@ -47,39 +54,6 @@ struct PlannedPosition {
     std::vector<Source> sources;                ///< by column
 };
 
-bool hangs_on_position(const Given& given, const Mechanism& mechanism, int driver) {
-    const auto between = [](const Bearing& bearing) { return std::holds_alternative<Bearing::Between>(bearing.form); };
-    switch (given.kind) {
-        case Given::Kind::place:
-        case Given::Kind::guide:
-        case Given::Kind::guide_unit:
-        case Given::Kind::normal:
-        case Given::Kind::other_normal:
-        case Given::Kind::tangent:
-        case Given::Kind::push:
-            return true;
-        case Given::Kind::load_unit:
-        case Given::Kind::load_unit_back: {
-            const Load& load = mechanism.loads[at_index(given.index)];
-            if (const auto* distributed = std::get_if<DistributedLoad>(&load)) return between(distributed->along);
-            const auto* force = std::get_if<ForceLoad>(&load);
-            return force == nullptr || between(force->magnitude->second);
-        }
-        case Given::Kind::load_magnitude: {
-            const Load& load = mechanism.loads[at_index(given.index)];
-            const auto* spring = std::get_if<SpringLoad>(&load);
-            return std::holds_alternative<TorsionLoad>(load) || (spring != nullptr && spring->elastic);
-        }
-        case Given::Kind::effort_unit:
-            return between(std::get<ForceEffort>(mechanism.efforts[at_index(given.index)]).along);
-        case Given::Kind::driver_velocity:
-        case Given::Kind::driver_acceleration:
-            return static_cast<int>(given.index) == driver && law_of(mechanism.drivers[at_index(driver)]) != nullptr;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
 
 // --- rows ---------------------------------------------------------------------------------------------------------------------
@@ -92,15 +66,13 @@ public:
           driver_(course.driver),
           law_(law_of(mechanism.drivers[at_index(driver_)])),
           positions_(std::move(positions)),
-          mover_(mechanism, pose) {
+          mover_(mechanism, pose),
+          givens_(mechanism, pose),
+          effort_rows_(mechanism, givens_) {
         const Driver& given = mechanism.drivers[at_index(driver_)];
         turns_ = turns(given);
         rate_ = rate_along(course);
         if (law_ != nullptr) drawn_ = {law_->drawn.to_double(), law_->at(law_->drawn.to_double()).s};
-        for (std::size_t k = 0; k < mechanism.joints.size(); ++k) {
-            const auto& pushes = mechanism.joints[k].pushes;
-            senses_.push_back(pushes && dot(*pushes, pose.normals[k]).sign() < 0 ? -1 : 1);
-        }
         find_directions();
     }
 
@@ -113,6 +85,7 @@ public:
             columns_ = {{Column::Kind::turn, {}, "turn", turns_ ? QuantityKind::angle : QuantityKind::length}};
             if (law_ != nullptr || rate_ != 0) columns_.push_back({Column::Kind::time, {}, "time", QuantityKind::time});
             for (Column& column : columns_found(solution)) columns_.push_back(std::move(column));
+            add_efforts_by_work(solution);
             values_.resize(columns_.size());
             solution.mechanism.find = mechanism_.find;
             check_mechanism_ = solution.mechanism;
@@ -128,15 +101,16 @@ public:
     std::optional<std::span<const double>> row(double at) {
         if (!go_to(at)) return std::nullopt;
         PlannedPosition* plan = replayed();
-        if (plan == nullptr) {
+        if (plan != nullptr && !fill(*plan)) return std::nullopt;
+        if (plan == nullptr || !has_efforts_replayed()) {
             // Its own verdicts may drown in doubles where something is nearly special (a body nearly at rest): its values are
             // exact.
             const Solution solution = planned_here();
             keep(solution);
             if (!fill_from(solution)) return std::nullopt;
-        } else if (!fill(*plan)) {
-            return std::nullopt;
+            efforts_here_ = solution.displacements ? EffortRows::of(*solution.displacements) : EffortRows::Efforts();
         }
+        if (!fill_efforts()) return std::nullopt;
         if (is_checked_) hold_against_check();
         return values_;
     }
@@ -217,12 +191,13 @@ private:
     Solution planned_here() {
         ++planned_;
         Moved moved = mover_.moved(positions_, Exact::from_double(positions_.coordinate()));
-        moved.mechanism.find = found_in_rows(mechanism_.find);
+        moved.mechanism.find = found_in_rows(mechanism_);
         put_rates(moved.mechanism);
         return solve(std::move(moved.mechanism), std::move(moved.pose), [&moved] { return moved.finer; });
     }
 
     PlannedPosition& keep(const Solution& solution) {
+        if (solution.displacements) effort_rows_.keep(*solution.displacements);
         const std::vector<FoundValue> entries = found_values(solution);
         std::vector<ElementIndex> wanted;
         for (const FoundValue& entry : entries)
@@ -234,8 +209,7 @@ private:
             {},
             std::vector<PlannedPosition::Source>(columns_.size())};
         for (std::size_t i = 0; i < record.program.givens.size(); ++i)
-            if (hangs_on_position(record.program.givens[i], mechanism_, driver_))
-                plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
+            if (hangs_here(record.program.givens[i])) plan.moving.emplace_back(static_cast<int>(i), record.program.givens[i]);
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const auto found = std::find_if(entries.begin(), entries.end(),
                                             [&](const FoundValue& entry) { return entry.quantity == columns_[i].quantity; });
@@ -264,57 +238,15 @@ private:
         return plan.replay.run();
     }
 
-    ValueOf<double> value_here(const Given& given) const {
-        const std::size_t i = at_index(given.index);
-        const auto between = [&](PointIndex from, PointIndex to) {
-            return unit_of(places_.points[at_index(to)] - places_.points[at_index(from)]);
-        };
-        const auto along = [&](const Bearing& bearing) {
-            const auto& ends = std::get<Bearing::Between>(bearing.form);
-            return between(ends.from, ends.to);
-        };
-        switch (given.kind) {
-            case Given::Kind::place:
-                return PointOf<double>{places_.points[i].x, places_.points[i].y, 1};
-            case Given::Kind::guide:
-                return places_.guides[i];
-            case Given::Kind::guide_unit:
-                return unit_of(places_.guides[i]);
-            case Given::Kind::normal:
-                return places_.normals[i];
-            case Given::Kind::tangent:
-                return places_.tangents[i];
-            case Given::Kind::push:
-                return senses_[i] * places_.normals[i];
-            case Given::Kind::other_normal: {
-                const Spot &n = places_.normals[i], &t = places_.tangents[i];
-                return (2 * dot(n, t) / squared_length(t)) * t - n;
-            }
-            case Given::Kind::driver_velocity:
-                return state_.first;
-            case Given::Kind::driver_acceleration:
-                return state_.second;
-            case Given::Kind::effort_unit:
-                return along(std::get<ForceEffort>(mechanism_.efforts[i]).along);
-            default:
-                break;
-        }
-        const Load& load = mechanism_.loads[i];
-        if (const auto* force = std::get_if<ForceLoad>(&load)) return along(force->magnitude->second);
-        if (const auto* distributed = std::get_if<DistributedLoad>(&load)) return along(distributed->along);
-        if (const auto* torsion = std::get_if<TorsionLoad>(&load)) return -torsion->stiffness.to_double() * turned_here(*torsion);
-        const auto& ends = std::get<SpringLoad>(load).between;
-        if (given.kind == Given::Kind::load_magnitude) {
-            const SpringLoad::Elastic& elastic = *std::get<SpringLoad>(load).elastic;
-            const Spot apart = places_.points[at_index(ends[1])] - places_.points[at_index(ends[0])];
-            return elastic.stiffness.to_double() * (std::hypot(apart.x, apart.y) - elastic.free_length.to_double());
-        }
-        return given.kind == Given::Kind::load_unit ? between(ends[0], ends[1]) : between(ends[1], ends[0]);
+    bool hangs_here(const Given& given) const {
+        if (given.kind == Given::Kind::driver_velocity || given.kind == Given::Kind::driver_acceleration)
+            return static_cast<int>(given.index) == driver_ && law_ != nullptr;
+        return givens_.hangs(given);
     }
-
-    /// rad
-    double turned_here(const TorsionLoad& torsion) const {
-        return torsion.turned.to_double() + positions_.turn(torsion.bodies[0]) - positions_.turn(torsion.bodies[1]);
+    ValueOf<double> value_here(const Given& given) const {
+        if (given.kind == Given::Kind::driver_velocity) return state_.first;
+        if (given.kind == Given::Kind::driver_acceleration) return state_.second;
+        return givens_.value(given, places_, positions_);
     }
 
     /// X of a slide, or the common tangent of a contact or a curved slot.
@@ -342,7 +274,7 @@ private:
     /// `found(i)` gives the vector or scalar that column i is a part of. False: not all of them are found and finite.
     template <class Found>
     bool fill_each(Found found) {
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
+        for (std::size_t i = 0; i < columns_.size() - by_work_.size(); ++i) {
             const auto place = place_value(columns_[i]);
             const auto result = place ? std::nullopt : found(i);
             if (!place && !result) return false;
@@ -377,12 +309,65 @@ private:
         return column.quantity.component == Quantity::Component::x ? vector.x : vector.y;
     }
 
+    // --- by virtual work ------------------------------------------------------------------------------------------------------
+    /// The last columns: efforts that displacements give, and reactions do not.
+    void add_efforts_by_work(const Solution& solution) {
+        if (!solution.displacements) return;
+        const EffortRows::Efforts found = EffortRows::of(*solution.displacements);
+        for (std::size_t e = 0; e < found.size(); ++e) {
+            const bool by_forces = e < solution.efforts.size() && solution.efforts[e].value;
+            if (!found[e] || by_forces) continue;
+            add_columns({.kind = Kind::effort, .given = static_cast<int>(e)}, mechanism_, {}, columns_);
+            by_work_.push_back(e);
+        }
+        if (!by_work_.empty() && mechanism_.inertia_forces) find_columns_of_masses(solution);
+    }
+    void find_columns_of_masses(const Solution& solution) {
+        const auto column = [&](const Quantity& quantity) {
+            return static_cast<std::size_t>(
+                std::find_if(columns_.begin(), columns_.end(), [&](const Column& each) { return each.quantity == quantity; }) -
+                columns_.begin());
+        };
+        for (const Mass& mass : mechanism_.masses) {
+            const auto centre = std::find_if(solution.points.begin(), solution.points.end(), [&](const PointMotion& each) {
+                return each.point == mass.centre &&
+                       std::find(each.bodies.begin(), each.bodies.end(), mass.body) != each.bodies.end();
+            });
+            MassColumns& columns = mass_columns_.emplace_back();
+            columns.alpha = column({.kind = Kind::alpha, .body = mass.body});
+            if (centre == solution.points.end()) continue;
+            columns.x = column(acceleration_of(*centre).along(Quantity::Component::x));
+            columns.y = column(acceleration_of(*centre).along(Quantity::Component::y));
+        }
+    }
+    /// Of a body at rest, or of a point of the frame, there is no column.
+    double value_in(std::size_t column) const { return column < columns_.size() ? values_[column] : 0; }
+    /// With the accelerations of this row.
+    bool has_efforts_replayed() {
+        if (by_work_.empty()) return true;
+        std::vector<EffortRows::Acceleration> masses;
+        for (const MassColumns& each : mass_columns_)
+            masses.push_back({{value_in(each.x), value_in(each.y)}, value_in(each.alpha)});
+        auto found = effort_rows_.here(places_, positions_, masses);
+        if (!found) return false;
+        efforts_here_ = *std::move(found);
+        return true;
+    }
+    /// False: the position leaves one of them open.
+    bool fill_efforts() {
+        for (std::size_t i = 0; i < by_work_.size(); ++i) {
+            if (by_work_[i] >= efforts_here_.size() || !efforts_here_[by_work_[i]]) return false;
+            values_[columns_.size() - by_work_.size() + i] = *efforts_here_[by_work_[i]];
+        }
+        return true;
+    }
+
     // --- by check -------------------------------------------------------------------------------------------------------------
     void hold_against_check() {
         put_into_check_pose();
         const NumericMotion motion = check_motion(check_mechanism_, check_pose_);
         std::optional<NumericForces> forces;
-        if (has_forces_) forces = check_forces(check_mechanism_, check_pose_, motion);
+        if (has_forces_ || !by_work_.empty()) forces = check_forces(check_mechanism_, check_pose_, motion);
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const Column& column = columns_[i];
             if (column.kind != Column::Kind::result && column.kind != Column::Kind::along) continue;
@@ -394,7 +379,8 @@ private:
         put_rates(check_mechanism_);
         for (std::size_t i = 0; i < mechanism_.loads.size(); ++i)
             if (const auto* torsion = std::get_if<TorsionLoad>(&mechanism_.loads[i]))
-                std::get<TorsionLoad>(check_mechanism_.loads[i]).turned = Exact::from_double(turned_here(*torsion));
+                std::get<TorsionLoad>(check_mechanism_.loads[i]).turned =
+                    Exact::from_double(GivensHere::turned(*torsion, positions_));
         const auto put = [](const std::vector<Spot>& from, std::vector<Vector>& to) {
             for (std::size_t i = 0; i < from.size(); ++i)
                 if (from[i].x != 0 || from[i].y != 0 || !to[i].is_zero()) to[i] = exactly(from[i]);
@@ -467,11 +453,20 @@ private:
     double rate_ = 0;  ///< zero: no time
     Positions positions_;
     Mover mover_;
-    std::vector<double> senses_, directions_;
+    GivensHere givens_;
+    EffortRows effort_rows_;
+    std::vector<double> directions_;
     Places places_;
     std::vector<Column> columns_;
     std::vector<double> values_;
     bool has_forces_ = false, is_checked_ = true;
+    std::vector<std::size_t> by_work_;  ///< efforts, by index in the mechanism, that the last columns hold
+    /// Where the acceleration of a mass stands in a row; beyond its end: it has none.
+    struct MassColumns {
+        std::size_t x = ~std::size_t(0), y = ~std::size_t(0), alpha = ~std::size_t(0);
+    };
+    std::vector<MassColumns> mass_columns_;  ///< by Mechanism::masses, where their inertia does work
+    EffortRows::Efforts efforts_here_;
     std::list<PlannedPosition> kept_;
     int planned_ = 0;
     Mechanism check_mechanism_;

@@ -65,7 +65,8 @@ std::vector<Driver> candidates(const Mechanism& mechanism) {
 
 class Displacer {
 public:
-    explicit Displacer(const Solution& solution) : solution_(solution), mechanism_(solution.mechanism) {}
+    Displacer(const Solution& solution, const FinerPose& finer)
+        : solution_(solution), finer_(finer), mechanism_(solution.mechanism) {}
 
     Displacements find() {
         if (mechanism_.motion) {
@@ -148,7 +149,7 @@ private:
         displaced.exercise.reset();
         displaced.find = {};
         displaced.find.stated = displaced.find.velocity = true;
-        auto moved = solve_displaced(std::move(displaced), solution_.pose.bits);
+        auto moved = solve_displaced(std::move(displaced), solution_.pose, finer_);
         if (!moved || !moved->virtual_work) {
             found_.why_not = {"the motion was not found", "il moto non è stato trovato"};
             return;
@@ -164,13 +165,12 @@ private:
     /// One equation for each freedom, linear in the efforts: eliminated by both ways of finding works.
     void find_efforts() {
         const std::size_t count = mechanism_.efforts.size();
-        std::vector<std::vector<Exact>> drawn;
-        std::vector<std::vector<Exact>> by_ratios;
+        WorkEquations drawn, by_ratios;
         bool have_ratios = true;
         for (const Displacements::Freedom& freedom : found_.freedoms) {
             const VirtualWork& work = *freedom.moved->virtual_work;
-            std::vector<Exact>& row = drawn.emplace_back(count + 1);
-            std::vector<Exact>& other = by_ratios.emplace_back(count + 1);
+            std::vector<Exact>& row = drawn.rows.emplace_back(count + 1);
+            std::vector<Exact>& other = by_ratios.rows.emplace_back(count + 1);
             for (const VirtualWork::Share& share : work.shares) {
                 row[at(share.effort)] = share.rests ? Exact(0) : *share.power;
                 const auto ratio =
@@ -186,15 +186,18 @@ private:
                 total += ratio.value_or(0);
             }
             other[count] = Exact::from_double(-total);
-            largest_.push_back(size_of(work));
+            drawn.largest.push_back(size_of(work));
+            by_ratios.largest.push_back(size_of(work));
         }
-        const auto values = eliminated(std::move(drawn), true);
-        const auto others = have_ratios ? eliminated(std::move(by_ratios), false) : std::vector<std::optional<Exact>>(count);
+        const WorkEquations::Found found = std::move(drawn).solved(count);
+        found_.balanced = found.balanced;
+        const auto others = have_ratios ? std::move(by_ratios).solved(count).efforts : std::vector<std::optional<Exact>>(count);
         for (std::size_t e = 0; e < count; ++e) {
             Displacements::Effort effort;
             effort.given = static_cast<int>(e);
-            effort.value = values[e];
-            if (others[e]) effort.ratio = others[e]->to_double();
+            // Where no efforts balance the loads, none of them has a value.
+            if (found.balanced) effort.value = found.efforts[e];
+            if (found.balanced && others[e]) effort.ratio = others[e]->to_double();
             found_.efforts.push_back(std::move(effort));
         }
     }
@@ -205,52 +208,12 @@ private:
                 {largest, length(entry.force) * length(entry.velocity), std::abs((entry.couple * entry.omega).to_double())});
         return largest;
     }
-    /// Rows [efforts | right side]; `judges`: by it the works are said to vanish or not.
-    std::vector<std::optional<Exact>> eliminated(std::vector<std::vector<Exact>> rows, bool judges) {
-        const std::size_t count = mechanism_.efforts.size();
-        constexpr double noise = 1e-12;
-        std::vector<std::size_t> pivot_of(count, rows.size());
-        std::vector<double> largest(rows.size(), 0);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            for (std::size_t j = 0; j < count; ++j) largest[i] = std::max(largest[i], std::abs(rows[i][j].to_double()));
-        std::vector<bool> used(rows.size());
-        for (std::size_t j = 0; j < count; ++j) {
-            std::size_t best = rows.size();
-            double size = 0;
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                if (const double own = std::abs(rows[i][j].to_double());
-                    !used[i] && own > noise * largest[i] && (best == rows.size() || own > size))
-                    best = i, size = own;
-            if (best == rows.size()) continue;
-            used[best] = true;
-            pivot_of[j] = best;
-            for (std::size_t i = 0; i < rows.size(); ++i) {
-                if (i == best || rows[i][j].is_zero()) continue;
-                const Exact share = rows[i][j] / rows[best][j];
-                for (std::size_t k = 0; k <= count; ++k) rows[i][k] -= share * rows[best][k];
-                rows[i][j] = 0;
-            }
-        }
-        std::vector<std::optional<Exact>> values(count);
-        for (std::size_t j = 0; j < count; ++j) {
-            if (pivot_of[j] == rows.size()) continue;
-            const std::vector<Exact>& row = rows[pivot_of[j]];
-            bool alone = true;
-            for (std::size_t k = 0; k < count; ++k)
-                alone = alone && (k == j || std::abs(row[k].to_double()) <= noise * largest[pivot_of[j]]);
-            if (alone) values[j] = row[count] / row[j];
-        }
-        for (std::size_t i = 0; judges && i < rows.size(); ++i)
-            if (!used[i] && std::abs(rows[i][count].to_double()) > noise * largest_[i]) found_.balanced = false;
-        return values;
-    }
-
     const Solution& solution_;
+    const FinerPose& finer_;
     const Mechanism& mechanism_;
     std::vector<Driver> drivers_;
     std::size_t of_file_ = 0;
     std::vector<Load> loads_;
-    std::vector<double> largest_;  // by freedom: the largest work that what is given could do
     Displacements found_;
 };
 
@@ -268,8 +231,8 @@ void hold_against_check(Solution& solution, const Displacements& found) {
 
 }  // namespace
 
-void add_displacements(Solution& solution) {
-    const auto found = std::make_shared<const Displacements>(Displacer(solution).find());
+void add_displacements(Solution& solution, const FinerPose& finer) {
+    const auto found = std::make_shared<const Displacements>(Displacer(solution, finer).find());
     for (const Displacements::Freedom& freedom : found->freedoms)
         for (const Message& remark : freedom.moved->remarks) {
             const Sentence said = remark.sentence;

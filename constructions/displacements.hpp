@@ -9,6 +9,7 @@ namespace kinegraph {
 /// Finds them for a solved mechanism: along its own drivers where these move it wholly, else along coordinates chosen in the
 /// file's order (turns about hinges of the frame, slides on the frame, other turns, other slides, points). Adds the rows that
 /// hold efforts against the check of forces, and the remarks on displacements that differ from the check of motion.
-void add_displacements(Solution& solution);
+/// `finer`: its pose with twice the bits, where that is not drawn from the file.
+void add_displacements(Solution& solution, const FinerPose& finer = {});
 
 }  // namespace kinegraph

@@ -8,6 +8,7 @@
 #include "engine/algebra.hpp"
 #include "engine/assert.hpp"
 #include "engine/check_point_motion.hpp"
+#include "engine/expression_gap.hpp"
 
 namespace kinegraph {
 namespace {
@@ -151,6 +152,7 @@ public:
         if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr)
             walk_.emplace(*graph, *found_.of_path, problem_.constants);
         if (auto why = sample()) return why;
+        if (auto why = gap_between_samples()) return why;
         const double at = problem_.at.to_double();
         if (walk_) walk_.emplace(std::get<GraphPath>(*problem_.path), *found_.of_path, problem_.constants);
         const State state = state_at(at);
@@ -249,22 +251,11 @@ private:
     /// Which law has no finite value there, or which derivative.
     std::optional<Error> why_none(const State& state, double time, const std::string& where) const {
         if (is_finite(state.place) && is_finite(state.velocity) && is_finite(state.acceleration)) return std::nullopt;
-        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()), Words("the velocity of ", "la velocità di "),
-                                                 Words("the acceleration of ", "l’accelerazione di ")};
         for (std::size_t order = 0; order < 3; ++order)
             for (std::size_t i = 0; i < problem_.laws.size(); ++i)
                 if (!std::isfinite(values_of(i, time).at(order).value))
-                    return not_finite(problem_.laws[i], orders.at(order), values_of(i, time).at(order).value, time);
-        if (problem_.path)
-            if (const auto* graph = std::get_if<GraphPath>(&*problem_.path))
-                return Error{
-                    ErrorCode::bad_input,
-                    graph->f.where,
-                    {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
-                     "shorten the interval, or begin elsewhere (\"start\")",
-                     "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
-                     "accorciare l’intervallo, o partire altrove (\"start\")",
-                     number_text(time)}};
+                    return not_finite(problem_.laws[i], order, std::isinf(values_of(i, time).at(order).value), time);
+        if (const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr) return path_ends(*graph, time);
         return Error{ErrorCode::bad_input,
                      where,
                      {"these numbers are too large to be computed with; check the units",
@@ -279,15 +270,27 @@ private:
         std::replace(with_comma.begin(), with_comma.end(), '.', ',');
         return {text, with_comma};
     }
-    Error not_finite(const StatedLaw& law, const Words& order, double value, double time) const {
-        const Words how = std::isinf(value) ? Words("is infinite", "è infinita")
-                                            : Words("is not real, or is infinite,", "non è reale, o è infinita,");
+    static Error path_ends(const GraphPath& graph, double time) {
+        return {ErrorCode::bad_input,
+                graph.f.where,
+                {"this path, as far as the point goes at t = {0} s, is not real or has an infinite slope or curvature; "
+                 "shorten the interval, or begin elsewhere (\"start\")",
+                 "questa traiettoria, dove il punto arriva per t = {0} s, non è reale o ha pendenza o curvatura infinita; "
+                 "accorciare l’intervallo, o partire altrove (\"start\")",
+                 number_text(time)}};
+    }
+    /// `order`: of the derivative.
+    Error not_finite(const StatedLaw& law, std::size_t order, bool is_infinite, double time) const {
+        static const std::array<Words, 3> orders{Words("{0}", "{0}", std::string()), Words("the velocity of ", "la velocità di "),
+                                                 Words("the acceleration of ", "l’accelerazione di ")};
+        const Words how = is_infinite ? Words("is infinite", "è infinita")
+                                      : Words("is not real, or is infinite,", "non è reale, o è infinita,");
         return Error{
             ErrorCode::bad_input,
             law.where,
             {"{0}{1} {2} at t = {3} s; choose an interval \"from\" … \"to\" without that instant, or correct the law",
              "{0}{1} {2} per t = {3} s; scegliere un intervallo \"from\" … \"to\" senza quell’istante, o correggere la legge",
-             order, Words(law.symbol), how, number_text(time)}};
+             orders.at(order), Words(law.symbol), how, number_text(time)}};
     }
 
     // ----- over the interval
@@ -310,6 +313,30 @@ private:
                 last = time;
             }
             found_.course.push_back(at_of(state, time, problem_.form == Form::path ? state.first[0].value : way));
+        }
+        return std::nullopt;
+    }
+    /// A pole, or the end of a root, may lie where no sample does.
+    std::optional<Error> gap_between_samples() const {
+        for (std::size_t order = 0; order < 3; ++order)
+            for (std::size_t i = 0; i < problem_.laws.size(); ++i)
+                if (const auto gap = gap_within(found_.laws[i].by_order.at(order), problem_.constants, problem_.from.to_double(),
+                                                problem_.to.to_double()))
+                    return not_finite(problem_.laws[i], order, gap->is_infinite, gap->at);
+        const auto* graph = problem_.path ? std::get_if<GraphPath>(&*problem_.path) : nullptr;
+        if (graph == nullptr) return std::nullopt;
+        const double per = graph->f.law.variable_unit.to_double();
+        const auto by_x = [](const auto& a, const auto& b) { return a.place.x < b.place.x; };
+        const auto [least, most] = std::minmax_element(found_.course.begin(), found_.course.end(), by_x);
+        for (const Expression& each : found_.of_path->by_order) {
+            if (!(least->place.x < most->place.x)) break;
+            const auto gap = gap_within(each, problem_.constants, least->place.x / per, most->place.x / per);
+            if (!gap) continue;
+            const auto beyond = [&](const auto& at) {
+                return (at.place.x - gap->at * per) * (found_.course.front().place.x - gap->at * per) <= 0;
+            };
+            const auto there = std::find_if(found_.course.begin(), found_.course.end(), beyond);
+            return path_ends(*graph, there == found_.course.end() ? problem_.to.to_double() : there->time);
         }
         return std::nullopt;
     }

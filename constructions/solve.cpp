@@ -508,6 +508,19 @@ void draw(Solution& solution, bool displaces = false) {
         .run();
 }
 
+/// The same pose, with the directions of these drivers.
+Pose driven_as(const Mechanism& mechanism, Pose pose) {
+    const std::size_t count = mechanism.drivers.size();
+    pose.driver_directions.assign(count, {});
+    pose.driver_units.assign(count, {});
+    for (std::size_t i = 0; i < count; ++i)
+        if (const auto* point = std::get_if<PointDriver>(&mechanism.drivers[i])) {
+            pose.driver_directions[i] = direction_of(point->along, pose);
+            pose.driver_units[i] = unit_along(pose.driver_directions[i], pose.bits);
+        }
+    return pose;
+}
+
 }  // namespace
 
 Result<Solution> solve(Mechanism mechanism) {
@@ -530,14 +543,22 @@ Result<Solution> solve(Mechanism mechanism) {
     return solution;
 }
 
-Result<Solution> solve_displaced(Mechanism mechanism, int bits) {
-    auto pose = draw_pose(mechanism, bits);
+Result<Solution> solve_displaced(Mechanism mechanism, const Pose& like, const FinerPose& finer) {
+    auto pose = draw_pose(mechanism, like.bits);
     if (!pose) return tl::unexpected(std::move(pose.error()));
     Solution solution;
     solution.mechanism = std::move(mechanism);
     solution.pose = *std::move(pose);
-    solution.mobility = mobility_of(solution.mechanism, solution.pose);
-    draw(solution, true);
+    solution.pose.exact = like.exact;
+    solution.pose.leftover = like.leftover;
+    if (!finer) {
+        solution.mobility = mobility_of(solution.mechanism, solution.pose);
+        draw(solution, true);
+        return solution;
+    }
+    const FinerPose with_drivers = [&] { return driven_as(solution.mechanism, finer()); };
+    solution.mobility = mobility_of(solution.mechanism, solution.pose, with_drivers);
+    Solver(solution, with_drivers, true).run();
     return solution;
 }
 
@@ -549,7 +570,7 @@ Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer) {
     Solver(solution, finer).run();
     find_contacts(solution);
     add_equations(solution);
-    if (solution.mechanism.find.virtual_work) add_displacements(solution);
+    if (solution.mechanism.find.virtual_work) add_displacements(solution, finer);
     return solution;
 }
 

@@ -14,7 +14,9 @@ Result<Solution> solve(Mechanism mechanism);
 Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer);
 
 /// The velocities alone of a mechanism whose drivers move at the rate one or rest, and the powers of its loads and of one unit of
-/// each effort in them: virtual displacements and works (Solution::virtual_work; none where the motion is not found).
-Result<Solution> solve_displaced(Mechanism mechanism, int bits);
+/// each effort in them: virtual displacements and works (Solution::virtual_work; none where the motion is not found). In the
+/// place of `pose`, which may have been drawn with other drivers and loads; `finer` as of `solve`, empty where the pose is the
+/// file's.
+Result<Solution> solve_displaced(Mechanism mechanism, const Pose& pose, const FinerPose& finer);
 
 }  // namespace kinegraph

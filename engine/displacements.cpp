@@ -1,5 +1,8 @@
 #include "engine/displacements.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <variant>
 
 namespace kinegraph {
@@ -36,6 +39,71 @@ std::vector<EffortValue> efforts_found(const Solution& solution) {
         if (!effort.value && each.value) effort.value = *each.value;
     }
     return efforts;
+}
+
+namespace {
+
+/// Gauss and Jordan: each effort in the equation in which it does most.
+class Elimination {
+public:
+    Elimination(std::vector<std::vector<Exact>> rows, std::size_t count)
+        : rows_(std::move(rows)), count_(count), pivot_of_(count, rows_.size()), used_(rows_.size()) {
+        for (const auto& row : rows_) {
+            double largest = 0;
+            for (std::size_t j = 0; j < count; ++j) largest = std::max(largest, std::abs(row[j].to_double()));
+            largest_.push_back(largest);
+        }
+        for (std::size_t j = 0; j < count_; ++j) take(j);
+    }
+    bool is_used(std::size_t row) const { return used_[row]; }
+    const Exact& rest(std::size_t row) const { return rows_[row][count_]; }
+    /// None where it stands in no equation, or never alone.
+    std::optional<Exact> value(std::size_t j) const {
+        if (pivot_of_[j] == rows_.size()) return std::nullopt;
+        const std::vector<Exact>& row = rows_[pivot_of_[j]];
+        for (std::size_t k = 0; k < count_; ++k)
+            if (k != j && std::abs(row[k].to_double()) > noise * largest_[pivot_of_[j]]) return std::nullopt;
+        return row[count_] / row[j];
+    }
+
+    static constexpr double noise = 1e-12;  ///< below it a work is what rounding left of zero
+
+private:
+    void take(std::size_t j) {
+        std::size_t best = rows_.size();
+        double size = 0;
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            if (const double own = std::abs(rows_[i][j].to_double());
+                !used_[i] && own > noise * largest_[i] && (best == rows_.size() || own > size))
+                best = i, size = own;
+        if (best == rows_.size()) return;
+        used_[best] = true;
+        pivot_of_[j] = best;
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            if (i == best || rows_[i][j].is_zero()) continue;
+            const Exact share = rows_[i][j] / rows_[best][j];
+            for (std::size_t k = 0; k <= count_; ++k) rows_[i][k] -= share * rows_[best][k];
+            rows_[i][j] = 0;
+        }
+    }
+
+    std::vector<std::vector<Exact>> rows_;
+    std::size_t count_;
+    std::vector<std::size_t> pivot_of_;  ///< by effort; past the end: none
+    std::vector<bool> used_;
+    std::vector<double> largest_;
+};
+
+}  // namespace
+
+WorkEquations::Found WorkEquations::solved(std::size_t count) && {
+    const Elimination elimination(std::move(rows), count);
+    Found found;
+    for (std::size_t j = 0; j < count; ++j) found.efforts.push_back(elimination.value(j));
+    for (std::size_t i = 0; i < largest.size(); ++i)
+        if (!elimination.is_used(i) && std::abs(elimination.rest(i).to_double()) > Elimination::noise * largest[i])
+            found.balanced = false;
+    return found;
 }
 
 bool is_turn(const Driver& driver) { return std::holds_alternative<SpinDriver>(driver); }

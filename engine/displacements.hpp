@@ -39,6 +39,19 @@ struct Displacements {
     bool balanced = true;  ///< false: no efforts make all works vanish
 };
 
+/// The works, one equation for each freedom, linear in the efforts.
+struct WorkEquations {
+    std::vector<std::vector<Exact>>
+        rows;                     ///< of each freedom: the work of one unit of each effort, then minus that of what is given
+    std::vector<double> largest;  ///< by freedom: the largest work that what is given could do
+
+    struct Found {
+        std::vector<std::optional<Exact>> efforts;  ///< none: left open
+        bool balanced = true;                       ///< false: no efforts make all works vanish
+    };
+    Found solved(std::size_t efforts) &&;
+};
+
 /// "theta 2", "theta 3 on 2", "s D": the coordinate of a driver.
 std::string coordinate_name(const Mechanism& mechanism, const Driver& driver);
 /// Whether it is an angle.

@@ -1,7 +1,13 @@
 // The motion of a point and positions of a body, read.
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "engine/pose.hpp"
 #include "engine/problem_reader.hpp"
@@ -22,6 +28,36 @@ Words length_words(double si, const KnownUnit& unit) {
     std::string with_comma = value;
     std::replace(with_comma.begin(), with_comma.end(), '.', ',');
     return {value, with_comma};
+}
+
+/// A quantity whose unit is no one's own, "2 m/s^3", "0.4 1/s", as a formula: "= 2*(1 m)/(1 s)^3". Nothing where it is no such
+/// thing.
+std::optional<std::string> with_unit_put_together(std::string_view text) {
+    const std::size_t space = text.find(' ');
+    if (space == std::string_view::npos || is_formula(text)) return std::nullopt;
+    constexpr auto spelt =
+        std::to_array<std::pair<std::string_view, std::string_view>>({{"²", "^2"}, {"³", "^3"}, {"·", "*"}, {" ", "*"}});
+    std::string formula = "= " + std::string(text.substr(0, space)) + "*";
+    std::string_view rest = text.substr(space + 1);
+    while (!rest.empty()) {
+        const auto* const other =
+            std::find_if(spelt.begin(), spelt.end(), [&](const auto& each) { return rest.starts_with(each.first); });
+        const auto letters = static_cast<std::size_t>(
+            std::find_if_not(rest.begin(), rest.end(), [](unsigned char c) { return std::isalpha(c) != 0; }) - rest.begin());
+        if (other != spelt.end()) {
+            formula += other->second;
+            rest.remove_prefix(other->first.size());
+        } else if (letters > 0) {
+            formula += "(1 " + std::string(rest.substr(0, letters)) + ")";
+            rest.remove_prefix(letters);
+        } else if (std::string_view("0123456789/*^-()").find(rest.front()) != std::string_view::npos) {
+            formula += rest.front();
+            rest.remove_prefix(1);
+        } else {
+            return std::nullopt;
+        }
+    }
+    return formula;
 }
 
 const Words& an_expression() {
@@ -81,7 +117,11 @@ std::optional<Measured> ProblemReader::read_constant(JsonValue member) {
               {"a number, a quantity as \"20 m/s\" or a formula", "un numero, una grandezza come \"20 m/s\" o una formula"});
         return std::nullopt;
     }
-    auto value = read_measured(member.text(), [this](std::string_view name) { return look_up_constant(name); });
+    const auto look_up = [this](std::string_view name) { return look_up_constant(name); };
+    auto value = read_measured(member.text(), look_up);
+    if (!value && member.is_string())
+        if (const auto formula = with_unit_put_together(member.text()))
+            if (auto read = read_measured(*formula, look_up)) value = std::move(read);
     if (value && member.is_string() && !is_formula(member.text()) && value->is_bare)
         value = tl::make_unexpected(Words("{0} has no unit; add one, or write the number without quotes",
                                           "{0} non ha unità; aggiungerla, o scrivere il numero senza virgolette",

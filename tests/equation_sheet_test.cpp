@@ -80,12 +80,16 @@ TEST(EquationText, ProjectsWithTheRightSigns) {
         EXPECT_NE(all.find(std::string("  ") + line + "\n"), std::string::npos) << line << "\n" << all;
     };
     has(text("slider_crank"), "sin β = − λ sin α");
-    has(text("slider_crank"), "Λ_c = (d c)/(d α) = − a (sin α − cos α tan β) = −50.839 mm/rad");
+    has(text("slider_crank"), "Λ_c = dc/dα = − a (sin α − cos α tan β) = −50.839 mm/rad");
     has(text("slider_crank_offset"), "sin β = − λ sin α − d/b");
     has(text("slider_crank_offset"), "c = a cos α + b cos β = 160.99 mm");
     has(text("cam_roller_follower"), "cos β = − λ cos α");
     has(text("cam_roller_follower"), "c = a sin α + b sin β = 65.679 mm");
     has(text("planetary_train"), "R_2 (α̇ − γ̇) + R_3 (β̇ − γ̇) = 0");
+    // Of two drivers partial derivatives, the mixed ones too (by differences of the loop's solution).
+    has(text("five_bar"), "Λ_β,δ = ∂β/∂δ = 0.65655");
+    has(text("five_bar"), "Λ′_β,α,δ = ∂^2β/∂α ∂δ = 0.3004");
+    EXPECT_EQ(text("slider_driven_dead_point").find("Velocity ratios"), std::string::npos) << "nothing under a heading";
 }
 
 /// ω and α of the SCARA's forearm relative to the arm: the groups add up to what the polygons say.

@@ -127,6 +127,22 @@ TEST(PointMotion, UnitsAreTheFilesWhereAnExpressionHasNone) {
     EXPECT_NEAR(set.place.x.to_double(), 4, 1e-15);
 }
 
+TEST(PointMotion, ConstantsHaveUnitsPutTogether) {
+    const PointMotionSolution found = motion_of(moving(
+        R"~("x": "j*t^3/6", "y": "R*exp(k*t)", "constants": {"j": "6 m/s³", "R": "2 m", "k": "0.5 1/s"}, "at": 1, "to": 2)~"));
+    EXPECT_NEAR(found.velocity.x.to_double(), 3, 1e-14);
+    EXPECT_NEAR(found.velocity.y.to_double(), std::exp(0.5), 1e-14);
+}
+
+TEST(PointMotion, WhatIsFiniteIsNotTakenForAPole) {
+    const auto follows = [](const std::string& law) {
+        return motion_of(moving(R"~("x": ")~" + law + R"~(", "at": 0.5, "to": 1)~")).course.size() > 1;
+    };
+    for (const char* law : {"(1 - t^2)^(5/2)", "1/(t^2 - t + 0.2501)", "sqrt(t^2 + 1e-6)", "tan(t) + atan(1/(t + 0.001))",
+                            "exp(-t)*cos(20*t)/(1 + t^2)", "log(1 + t)*asin(t/2)"})
+        EXPECT_TRUE(follows(law)) << law;
+}
+
 TEST(PointMotion, ConstructionIsOnRecord) {
     const PointMotionSolution found = motion_of(example("motion/projectile"));
     const Protocol& record = found.record;
@@ -259,6 +275,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{R"~("x": "sqrt(R)", "constants": {"R": "2 m"})~", "/motion/x", "no quantity is that root"},
         Refused{R"~("x": "sqrt(t - 5)")~", "/motion/x", "not real"}, Refused{R"~("x": "sqrt(t)")~", "/motion/x", "infinite"},
         Refused{R"~("x": "1/(t - 1)")~", "/motion/x", "infinite"}, Refused{R"~("x": "log(t)")~", "/motion/x", "not real"},
+        // Where no sample lies, and before and behind which all is finite.
+        Refused{R"~("x": "tan(t)")~", "/motion/x", "infinite at t = 1.570796 s"},
+        Refused{R"~("x": "1/(t - 1.2345)^2")~", "/motion/x", "infinite at t = 1.2345 s"},
+        Refused{R"~("x": "1/(t^2 - 2.2222*t + 1.23454321)")~", "/motion/x", "infinite at t = 1.1111"},
+        Refused{R"~("x": "sqrt((t - 1.234)*(t - 1.235))")~", "/motion/x", "at t = 1.23"},
+        Refused{R"~("path": {"y": "1/x", "start": -2}, "s": "1000*t")~", "/motion/path/y", "this path"},
+        Refused{R"~("x": "k*t", "constants": {"k": "2 m/q"})~", "/motion/constants/k", "unknown unit"},
         Refused{R"~("x": "10^10^10")~", "/motion/x", "an exponent must be"},
         Refused{R"~("x": "((10^1000)^1000)^1000")~", "/motion/x", "digits"},
         Refused{R"~("x": "((t^100)^100)^100")~", "/motion/x", "degree above"},

@@ -17,7 +17,7 @@ constexpr double widest_between = 4, least_between = 1.6;  // columns of a table
 /// A table's lines, its columns as wide as what stands in them.
 std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std::vector<Formula>>& rows,
                             double between = widest_between) {
-    constexpr double under_head = 1.4, under_line = 0.4;
+    constexpr double under_head = 1.4, under_line = 0.4, under_table = 1.3;
     std::vector<std::vector<SetLine>> cells;
     std::vector<double> wide;
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -46,7 +46,7 @@ std::vector<Block> lines_of(const DrawingContext& context, const std::vector<std
             x += wide[c] + between;
         }
         line.width = whole;
-        line.height = up + down + (r == 0 ? under_head : under_line);
+        line.height = up + down + (r == 0 ? under_head : r + 1 == cells.size() ? under_table : under_line);
         if (r == 0) {
             const double y = line.height - under_head / 2;
             line.marks.emplace_back(render::line({0, y}, {whole, y}, {context.theme.thin, context.theme.text, {}, false}));

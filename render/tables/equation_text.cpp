@@ -399,10 +399,11 @@ private:
         for (const Side& each : known_sides(loop)) sum.push_back(side(each, sign_of(each, lead)));
         const Formula p = Formula::letter("p", numbered(index)), sigma = Formula::letter("sigma", numbered(index));
         set(equal(p + Formula::power(Formula::letter("e"), imaginary() + sigma), joined(sum)));
-        set(equal(p, Formula::upright(amount(loop.solved.resultant, QuantityKind::length, mechanism_.units, language_, digits) +
-                                      ", ")) +
-            equal(sigma,
-                  Formula::upright(amount(loop.solved.direction, QuantityKind::angle, mechanism_.units, language_, digits))));
+        const auto told = [&](double si, QuantityKind kind) {
+            return trimmed(amount(si, kind, mechanism_.units, language_, digits));
+        };
+        set(equal(p, Formula::upright(told(loop.solved.resultant, QuantityKind::length) + ", ")) +
+            equal(sigma, Formula::upright(told(loop.solved.direction, QuantityKind::angle))));
     }
     void write_two_turns(const Equations::Loop& loop, std::size_t index) {
         say({"With what is known as one vector, the law of cosines gives both angles:",
@@ -486,7 +487,7 @@ private:
         const Side& first = loop.sides[at_index(loop.solved.first)];
         say({"The sliding side is what is known, as one vector:", "Il lato scorrevole è la somma delle grandezze note:"});
         write_resultant(loop, index);
-        set(equal(name(first.length), Formula::letter("p", numbered(index))) + Formula::upright(",") +
+        set(equal(name(first.length), Formula::letter("p", numbered(index))) + Formula::upright(", ") +
             equal(angle(first.angle), Formula::letter("sigma", numbered(index))));
     }
 
@@ -733,35 +734,54 @@ private:
         return joined({own});
     }
 
-    static Formula derivative(Formula of, Formula by, int order) {
-        const Formula d = Formula::upright("d");
-        if (order == 1) return Formula::fraction(d + std::move(of), d + std::move(by));
-        return Formula::fraction(square(d) + std::move(of), d + square(std::move(by)));
+    /// d of/d by; of several drivers' coordinates ∂ of/∂ by.
+    Formula derivative(LetterIndex of, LetterIndex by) const {
+        const Formula d = Formula::upright(e_.free.size() > 1 ? "∂" : "d");
+        return Formula::fraction(d + name(of), d + name(by));
     }
-    std::string ratio_unit(LetterIndex of, LetterIndex by, int order) const {
-        const std::string length = mechanism_.units.length.symbol;
-        const std::string above = letter(of).is_angle ? "rad" : length, below = letter(by).is_angle ? "rad" : length;
-        if (order == 1) return above == below ? "" : " " + above + "/" + below;
-        return letter(by).is_angle ? (letter(of).is_angle ? "" : " " + length + "/rad²") : " " + above + "/" + below + "²";
+    Formula second_derivative(LetterIndex of, LetterIndex first, LetterIndex second) const {
+        const Formula d = Formula::upright(e_.free.size() > 1 ? "∂" : "d");
+        Formula below = first == second ? d + square(name(first)) : d + name(first) + d + name(second);
+        return Formula::fraction(square(d) + name(of), std::move(below));
     }
-    double ratio_in_units(LetterIndex of, LetterIndex by, double si, int order) const {
+    /// The index of Λ: the coordinate, and of several drivers' which of them.
+    std::string index_of(LetterIndex of, std::initializer_list<LetterIndex> by) const {
+        std::string index = plain_sub(of);
+        if (e_.free.size() > 1)
+            for (const LetterIndex each : by) index += "," + plain_sub(each);
+        return index;
+    }
+    /// What rad or m of `of` is for each of the others, in the file's unit of length.
+    std::string ratio_unit(LetterIndex of, std::initializer_list<LetterIndex> by) const {
+        const std::string& length = mechanism_.units.length.symbol;
+        int lengths = letter(of).is_angle ? 0 : 1, turns = letter(of).is_angle ? 1 : 0;
+        for (const LetterIndex each : by) --(letter(each).is_angle ? turns : lengths);
+        const auto power = [](int of_unit) { return of_unit == 2 ? "²" : ""; };
+        // An angle is told where a length stands beside it.
+        if (lengths == 0) return "";
+        if (lengths > 0) return " " + length + (turns < 0 ? std::string("/rad") + power(-turns) : "");
+        return std::string(turns > 0 ? " rad" : " 1") + "/" + length + power(-lengths);
+    }
+    double ratio_in_units(LetterIndex of, std::initializer_list<LetterIndex> by, double si) const {
         if (!letter(of).is_angle) si /= length_unit();
-        if (!letter(by).is_angle) si *= order == 1 ? length_unit() : length_unit() * length_unit();
+        for (const LetterIndex each : by)
+            if (!letter(each).is_angle) si *= length_unit();
         return si;
     }
+    Formula ratio_value(LetterIndex of, std::initializer_list<LetterIndex> by, double si) const {
+        return Formula::sign("=") +
+               Formula::upright(trimmed(number(ratio_in_units(of, by, si), digits, language_)) + ratio_unit(of, by));
+    }
     void write_ratios() {
-        if (e_.free.empty()) return;
-        heading({"Velocity ratios", "Rapporti di velocità"});
+        bool told = false;
         for (std::size_t j = 0; j < e_.unknowns.size(); ++j)
             for (std::size_t k = 0; k < e_.free.size(); ++k) {
                 if (!e_.ratios[j][k]) continue;
+                if (!std::exchange(told, true)) heading({"Velocity ratios", "Rapporti di velocità"});
                 const LetterIndex of = e_.unknowns[j], by = e_.free[k];
-                Formula line = equal(Formula::letter("Lambda", plain_sub(of)), derivative(name(of), name(by), 1));
+                Formula line = equal(Formula::letter("Lambda", index_of(of, {by})), derivative(of, by));
                 if (auto closed = closed_ratio(of, by)) line += Formula::sign("=") + *std::move(closed);
-                line += Formula::sign("=") +
-                        Formula::upright(trimmed(number(ratio_in_units(of, by, *e_.ratios[j][k], 1), digits, language_)) +
-                                         ratio_unit(of, by, 1));
-                set(std::move(line));
+                set(std::move(line) + ratio_value(of, {by}, *e_.ratios[j][k]));
             }
     }
     std::string plain_sub(LetterIndex of) const { return unicode_letter(letter(of).symbol) + letter(of).sub; }
@@ -797,14 +817,17 @@ private:
         for (const Equations::Block& block : e_.blocks) write_block(block, 2);
         write_second_ratios();
     }
+    /// Of two drivers the mixed ones too.
     void write_second_ratios() {
         for (std::size_t j = 0; j < e_.unknowns.size(); ++j)
-            for (std::size_t k = 0; k < e_.free.size(); ++k) {
-                const LetterIndex of = e_.unknowns[j], by = e_.free[k];
-                const double value = ratio_in_units(of, by, e_.second_ratios[j][k][k].value_or(0), 2);
-                set(equal(Formula::primed("Lambda", plain_sub(of), 1), derivative(name(of), name(by), 2)) + Formula::sign("=") +
-                    Formula::upright(trimmed(number(value, digits, language_)) + ratio_unit(of, by, 2)));
-            }
+            for (std::size_t k = 0; k < e_.free.size(); ++k)
+                for (std::size_t l = k; l < e_.free.size(); ++l) {
+                    const LetterIndex of = e_.unknowns[j], first = e_.free[k], second = e_.free[l];
+                    const auto& found = e_.second_ratios[j][k][l];
+                    if (!found) continue;
+                    set(equal(Formula::primed("Lambda", index_of(of, {first, second}), 1), second_derivative(of, first, second)) +
+                        ratio_value(of, {first, second}, *found));
+                }
     }
 
     // --- open chains ----------------------------------------------------------------------------------------------------------
@@ -845,8 +868,8 @@ private:
         const std::string point = mechanism_.point(reach.point).name;
         const BodyIndex observer = letter(own).against;
         say(Words("With the terms in {0} apart, as seen by an observer on body {1}: transport and relative motion:",
-                  "Separando i termini in {0}, per un osservatore sul corpo {1}: trascinamento e moto relativo:",
-                  spoken_dotted(own), observer == none ? std::string("?") : mechanism_.body(observer).name));
+                  "Separando i termini in {0}, per un osservatore sul corpo {1}: trascinamento e moto relativo:", spoken(own),
+                  observer == none ? std::string("?") : mechanism_.body(observer).name));
         Group transport, relative, coriolis;
         std::vector<Signed> v_t, v_r;
         std::array<double, 2> vt{0, 0}, vr{0, 0};
@@ -905,10 +928,8 @@ private:
         for (const LetterIndex each : letters) sum += (dots == 1 ? letter(each).rate : letter(each).acceleration).value_or(0);
         return sum;
     }
-    std::string spoken_dotted(LetterIndex index) const { return spoken(index); }
 
-    // --- values beside the polygons'
-    // --------------------------------------------------------------------------------------------
+    // --- values beside the polygons' ------------------------------------------------------------------------------------------
 
     struct Drawn {
         std::optional<double> rate, acceleration;
@@ -968,8 +989,7 @@ private:
         items_.push_back({Kind::table, {}, {}, std::move(rows)});
     }
 
-    // --- dead points
-    // ------------------------------------------------------------------------------------------------------------
+    // --- dead points ----------------------------------------------------------------------------------------------------------
 
     std::string list_of(const std::vector<double>& values, LetterIndex of) const {
         std::string text;

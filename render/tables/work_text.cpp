@@ -263,10 +263,10 @@ private:
             return;
         }
         if (!found_.balanced)
-            say({"No effort makes all the works vanish: the loads are not in equilibrium.",
-                 "Nessun valore delle azioni incognite annulla il lavoro: i carichi non sono in equilibrio."});
+            return say({"No effort makes all the works vanish: the loads are not in equilibrium.",
+                        "Nessun valore delle azioni incognite annulla tutti i lavori: i carichi non sono in equilibrio."});
         const bool all = std::all_of(found_.efforts.begin(), found_.efforts.end(), [](const auto& each) { return each.value; });
-        if (found_.balanced && all)
+        if (all)
             say(found_.freedoms.size() > 1
                     ? Words("As the coordinates are independent, every bracket vanishes, and together they give:",
                             "Poiché le coordinate sono indipendenti, ogni parentesi è nulla, e dal sistema si ottiene:")

@@ -70,6 +70,7 @@ std::string latex_of_upright(std::string_view text) {
                                                      {"⁻", "-"}});
     constexpr auto known = std::to_array<Spelling>({{"−", "-"},
                                                     {"°", "^{\\circ}"},
+                                                    {"∂", "\\partial "},
                                                     {"×", "\\times "},
                                                     {"·", "\\cdot "},
                                                     {"–", "\\text{--}"},
@@ -256,17 +257,27 @@ Formula& Formula::operator+=(Formula more) {
     return *this;
 }
 
+bool Formula::stands_close() const { return kind == Kind::text && (as_plain.starts_with(' ') || as_plain.starts_with(',')); }
+
+bool Formula::is_differential() const {
+    if (kind == Kind::power) return parts[0].is_differential();
+    return kind == Kind::text && (as_plain == "d" || as_plain == "∂") && text.front().face == Face::regular;
+}
+
 std::string Formula::plain() const {
     const auto inner = [](const Formula& part) {
         const std::string own = part.plain();
-        return part.kind == Kind::row && part.parts.size() > 1 ? "(" + own + ")" : own;
+        const bool alone = part.kind != Kind::row || part.parts.size() < 2 || part.parts.front().is_differential();
+        return alone ? own : "(" + own + ")";
     };
     switch (kind) {
         case Kind::row: {
             std::string all;
             for (std::size_t i = 0; i < parts.size(); ++i) {
-                const bool close = i == 0 || parts[i].kind == Kind::sign || parts[i - 1].kind == Kind::sign || all.ends_with(' ');
-                all += (close ? "" : " ") + parts[i].plain();
+                const std::string own = parts[i].plain();
+                const bool close = i == 0 || parts[i].kind == Kind::sign || parts[i - 1].kind == Kind::sign ||
+                                   all.ends_with(' ') || parts[i].stands_close() || parts[i - 1].is_differential();
+                all += (close ? "" : " ") + own;
             }
             return all;
         }

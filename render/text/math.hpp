@@ -54,6 +54,11 @@ public:
     std::string plain() const;
     std::string latex() const;
 
+    /// Whether it brings its own distance from what stands before: " m/s", ", ".
+    bool stands_close() const;
+    /// An upright d or ∂, or a power of it, to which what follows stands close.
+    bool is_differential() const;
+
     Kind kind = Kind::row;
     RichText text;         ///< of text and sign
     std::string as_latex;  ///< the same in LaTeX
