@@ -97,9 +97,18 @@ private:
         }
     }
 
-    std::vector<Group> groups() const {
-        std::vector<Group> result = wholes_;
+    std::vector<Group> groups(const Run& run) const {
+        // A whole of which a part was resolved already is no short cut.
+        const auto is_begun = [&](const Group& group) {
+            const std::vector<int> outer = model_.outer_bonds(group);
+            return std::any_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; });
+        };
+        std::vector<Group> result;
+        for (const Group& whole : wholes_)
+            if (!is_begun(whole)) result.push_back(whole);
         for (const MemberIndex member : model_.moving_members()) result.push_back({member});
+        for (const Group& whole : wholes_)
+            if (is_begun(whole)) result.push_back(whole);
         // Bodies that slide in one another, taken together; then any two that touch.
         for (const bool only_guides : {true, false}) {
             for (const Bond& bond : model_.bonds()) {
@@ -118,7 +127,7 @@ private:
     /// The rules, until no more follows.
     void advance(const std::vector<Load>& loads, Run& run) {
         fit(run);
-        const auto all = groups();
+        std::vector<Group> all;
         // A rule that does not apply leaves no stroke.
         const auto leads_on = [&](auto rule) {
             if (trials_ > 0 && attempts_left_-- <= 0) return false;
@@ -137,8 +146,9 @@ private:
         };
         const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
         const auto past_pins = [&](const auto& group) { return leads_on([&] { return through_pin(group, loads, run); }); };
-        while (!all_known(run) && (any(direct) || any(beside_couples) || any(past_pins))) {
-        }
+        do {
+            all = groups(run);
+        } while (!all_known(run) && (any(direct) || any(beside_couples) || any(past_pins)));
         run.complete = all_known(run);
     }
 
@@ -193,11 +203,13 @@ private:
     /// A sentence of a body, or of several taken together: they are its first argument.
     void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
         std::string names;
-        constexpr std::size_t most_names = 4;
-        if (group.size() > most_names)
+        constexpr std::ptrdiff_t most_names = 4;
+        const auto bodies = std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
+        if (bodies > most_names)
             names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
         else
-            for (const MemberIndex member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
+            for (const MemberIndex member : group)
+                if (!model_.is_pin(member) || bodies < 2) names += (names.empty() ? "" : " + ") + model_.member_name(member);
         arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
         say(sentence, std::move(arguments), source, group);
     }
@@ -392,7 +404,8 @@ private:
     std::vector<Actor> actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
         std::vector<Actor> actors;
         for (const Load& load : loads)
-            if (in(group, load.member)) actors.push_back({load.symbol, load.force, load.place, -1});
+            if (in(group, load.member) && !model_.is_inner(load, group))
+                actors.push_back({load.symbol, load.force, load.place, -1});
         for (const int b : model_.outer_bonds(group)) {
             const Bond& bond = model_.bonds()[at(b)];
             const Reaction& reaction = run.reactions[at(b)];
@@ -406,6 +419,7 @@ private:
         return actors;
     }
     std::string names_of(const Group& group) const {
+        if (is_whole(group) && wholes_.size() == 1) return "";  // all that is given
         std::string names;
         for (const MemberIndex member : group)
             if (!model_.is_pin(member) || group.size() == 1) names += (names.empty() ? "" : ",") + model_.member_name(member);
@@ -651,26 +665,30 @@ private:
             return board_.choose_along(axis, board_.vector(a.place, b.place)) > 0;
         });
     }
-    /// Forces along a line and at a place off it that balance known ones: pole, rays and strings. Nothing: not for a drawing of
-    /// one body, or a string would not meet its line.
+    /// Forces along a line and at a place off it that balance known ones: pole, rays and strings. Nothing: nobody draws it (in a
+    /// trial, of a pin, of a couple, of very many forces, so deep that it leaves the sheet), or a string would not meet its line.
     std::optional<Strings> strings(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
                                    PlaceOnDrawing place) {
-        constexpr std::size_t most = 6;
-        const bool drawn = trials_ == 0 && group.size() == 1 && !model_.is_pin(group.front());
+        const bool several = group.size() > 1;
+        const std::size_t most = several ? 12 : 6;
+        const bool drawn = trials_ == 0 && (several || !model_.is_pin(group.front()));
         if (!drawn || actors.empty() || actors.size() > most) return std::nullopt;
         if (!std::all_of(actors.begin(), actors.end(), [](const Actor& actor) { return actor.force.has_value(); }))
             return std::nullopt;
         sort_along(actors, place, line.place);
         Strings found;
-        found.member = group.front();
+        found.group = group;
         found.corners = {board_.pole<Plane::force>()};
         for (const Actor& actor : actors) {
             found.known.push_back(actor.symbol);
             found.corners.push_back(board_.carry(found.corners.back(), *actor.force));
         }
-        // As far from the forces as they are long: the strings are then a quarter as deep as they are wide, at most.
+        const auto distance = several ? pole_distance(found.corners, sum) : Exact(1);
+        if (!distance) return std::nullopt;
         const Force half = board_.scale<Plane::force>(board_.number(Exact(1) / 2), sum);
-        found.pole = board_.carry(board_.carry(found.corners.front(), half), board_.turn(sum));
+        const Force away =
+            *distance == Exact(1) ? board_.turn(sum) : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
+        found.pole = board_.carry(board_.carry(found.corners.front(), half), away);
         found.vertices = {place};
         std::optional<LineOn<drawing>> outer;
         for (std::size_t i = 0; i <= actors.size(); ++i) {
@@ -683,12 +701,38 @@ private:
             if (i == actors.size() && i > 1 && !board_.parallel(*outer, string)) found.resultant = board_.meet(*outer, string);
             found.vertices.push_back(*board_.meet(string, next));
         }
+        if (several && is_deep(found.vertices, actors, line)) return std::nullopt;
         const auto closing = board_.direction(board_.vector(found.vertices.back(), found.vertices.front()));
         const auto dividing =
             board_.meet(board_.through(found.corners.back(), line.direction), board_.through(found.pole, closing));
         KG_ASSERT(dividing && !board_.is_at_infinity(*dividing), "the closing line joins a place to a line that misses it");
         found.dividing = *dividing;
         return found;
+    }
+    /// Times the sum of the forces. As far from them as they are long: strings between parallel forces are then a quarter as deep
+    /// as they are wide, at most. Nothing: the sum is small beside what is added.
+    std::optional<Exact> pole_distance(const std::vector<PointOn<Plane::force>>& corners, Force sum) {
+        for (const int times : {1, 2, 4}) {
+            const Force reach = board_.scale<Plane::force>(board_.number(Exact(5) / 4 * Exact(times)), sum);
+            const bool near = std::all_of(corners.begin() + 1, corners.end(), [&](PointOn<Plane::force> corner) {
+                return !board_.choose_longer(board_.vector(corners.front(), corner), reach);
+            });
+            if (near) return Exact(times);
+        }
+        return std::nullopt;
+    }
+    /// Whether a string leads farther from where it begins than a few times the structure reaches.
+    bool is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line) {
+        constexpr int times = 2;
+        const auto reach = [&](PlaceOnDrawing place) {
+            return board_.scale<drawing>(board_.number(times), board_.vector(vertices.front(), place));
+        };
+        return std::any_of(vertices.begin() + 1, vertices.end(), [&](PlaceOnDrawing vertex) {
+            const auto away = board_.vector(vertices.front(), vertex);
+            return board_.choose_longer(away, reach(line.place)) &&
+                   std::all_of(actors.begin(), actors.end(),
+                               [&](const Actor& actor) { return board_.choose_longer(away, reach(actor.place)); });
+        });
     }
     /// Both reactions, and the strings of the sentence said last.
     std::pair<Force, Force> by_strings(Strings found, int line, int pin, Force sum, const Group& group, Run& run) {
@@ -726,6 +770,7 @@ private:
         if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
             const auto met = board_.meet(model_.line_of(known), given.line);
             if (board_.coincide(*met, place)) return false;
+            if (several_by_strings(group, line, pin, known, loads, run)) return true;
             say_resultant(group, known, loads, run);
             if (is_far(*met, place, known.place, given.place))
                 if (auto found = strings(group, {{symbol_of_known(group, loads, run), known.force, known.place, -1}},
@@ -758,6 +803,24 @@ private:
         say_of(group, Sentence::parallel_forces, {symbol_on(line, group), symbol_on(pin, group)}, "Ritter");
         settle(line, *along, given.place, group, run);
         settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
+        return true;
+    }
+
+    /// More than two forces on a structure, of several directions: one funicular polygon adds them and parts the sum.
+    bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads,
+                            Run& run) {
+        constexpr std::size_t few = 2;
+        if (group.size() == 1) return false;
+        const std::vector<Actor> actors = actors_on(group, loads, run);
+        if (actors.size() <= few) return false;
+        const Action given = *run.reactions[at(line)].action;
+        const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
+        auto found = strings(group, actors, *known.force, given, place);
+        if (!found) return false;
+        say_of(group, Sentence::funicular_several, {symbol_on(line, group), symbol_on(pin, group), found->known}, "Culmann");
+        const auto [along, at_pin] = by_strings(*std::move(found), line, pin, *known.force, group, run);
+        settle(line, along, given.place, group, run);
+        settle(pin, at_pin, place, group, run);
         return true;
     }
 

@@ -31,7 +31,7 @@ public:
         for (const FreeBody& body : context.solution.free_bodies)
             if (body.polygon == polygon) sums_ = body.sums, funicular_ = body.funicular;
         for (const TakenTogether& together : context.solution.taken_together)
-            if (together.polygon == polygon) sums_ = together.sums;
+            if (together.polygon == polygon) sums_ = together.sums, funicular_ = together.funicular;
         // So thin that its sides would lie on each other.
         constexpr double thin = 0.035;
         if (scene_.vectors.empty()) return;
@@ -236,6 +236,9 @@ Box extent_of(const Solution& solution, const std::vector<int>& polygons) {
     return all;
 }
 
+/// What is taken together is the truss then.
+bool is_truss_whole(const Solution& solution) { return solution.truss && solution.free_bodies.empty(); }
+
 /// Polygons in rows, each with its body's name above and its table below.
 class Rows {
 public:
@@ -300,7 +303,8 @@ private:
         }
         for (const TakenTogether& together : solution.taken_together)
             if (together.polygon == item.polygon) {
-                item.title = titled("bodies together", names_of(solution.mechanism, together));
+                item.title = is_truss_whole(solution) ? one_piece(capital(word("truss whole", context_.language)), Face::bold)
+                                                      : titled("bodies together", names_of(solution.mechanism, together));
                 item.statement = together.statement;
             }
         if (!solution.superposition) return;

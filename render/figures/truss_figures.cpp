@@ -6,6 +6,7 @@
 
 #include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
+#include "render/figures/strings.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
@@ -62,6 +63,8 @@ public:
         for (const Truss::External& external : truss_.externals) draw_external(external);
         for (const Truss::Space& space : truss_.spaces) name_space(space);
         draw_whole();
+        for (const TakenTogether& together : solution_.taken_together)
+            if (together.funicular) draw_strings_of(*together.funicular, together.sums);
         std::vector<std::vector<int>> drawn;
         for (const Truss::Cut& cut : truss_.cuts) {
             if (std::find(drawn.begin(), drawn.end(), cut.bars) == drawn.end()) draw_section(cut);
@@ -211,6 +214,38 @@ private:
                            at, 1.8, meet.statement)
                 .names = {meet.name};
         }
+    }
+    /// Over the truss, each between the lines of two forces; the resultant stands where the outer ones meet.
+    void draw_strings_of(const FreeBody::Funicular& funicular, const std::vector<AppliedForce>& sums) {
+        draw_strings(sketch_, funicular);
+        const auto lead_to = [&](Spot pin, Spot along, Spot at) {
+            if (std::abs(cross(along, at - pin)) > 0.05 || length(at - pin) < 1) return;
+            sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+            belong(sketch_.construction, sketch_.construction.size() - 1, funicular.statement);
+        };
+        for (const Truss::External& external : truss_.externals)
+            for (const Recorded<Vector>& vertex : funicular.vertices)
+                lead_to(spot(external.pin), paper_direction(*external.force), sketch_.spot(*vertex));
+        for (const AppliedForce& sum : sums) draw_resultant(sum, funicular);
+    }
+    void draw_resultant(const AppliedForce& sum, const FreeBody::Funicular& funicular) {
+        constexpr double size = 14;
+        const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
+        if (!contains(grown(sketch_.mechanism_box(), 0.6 * sketch_.size()), at)) return;
+        // The outer strings as far as they meet.
+        const auto& vertices = funicular.vertices;
+        for (const Spot end : {sketch_.spot(*vertices[1]), sketch_.spot(*vertices[vertices.size() - 2])})
+            if (length(at - end) > 1) {
+                sketch_.construction.emplace_back(line(end, at, {sketch_.theme.thin, sketch_.theme.secondary, dashes(), false}));
+                belong(sketch_.construction, sketch_.construction.size() - 1, funicular.statement);
+            }
+        const std::size_t first = sketch_.construction.size();
+        draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
+        belong(sketch_.construction, first, sum.force_statement);
+        LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
+                                                at + 0.5 * size * along, 1.2, sum.force_statement);
+        label.toward = at + size * along;
+        label.names = {name_of(sum.symbol)};
     }
     static Spot beyond(Spot from, Spot to) {
         const Spot off = to - from;
@@ -467,8 +502,11 @@ Box extent_of_plan(const Solution& solution) {
 
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y) {
     const Subject subject(context.solution);
-    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
-                                      std::max(room_y - 40, 10.0), std::nullopt);
+    Box extent = subject.box;
+    for (const TakenTogether& together : context.solution.taken_together)
+        if (together.funicular) include_strings(extent, *together.funicular, grown(subject.box, 0.6 * subject.size()));
+    const double first =
+        choose_scale(extent.width(), extent.height(), std::max(room_x - 30, 10.0), std::max(room_y - 40, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y},
                            .first = first,
                            .asked = asked_scale(subject.mechanism, "mechanism"),

@@ -424,7 +424,10 @@ void Bands::collect_curvature() {
 
 void Bands::collect_forces() {
     // In brief the mechanism is drawn once, and the bodies cut free have their lines of action.
-    const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty();
+    const bool has_strings = std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
+                                         [](const TakenTogether& together) { return together.funicular.has_value(); });
+    const bool drawn_already =
+        detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() && !has_strings;
     // What is said of its lines stands with the first body then.
     const std::size_t at_lines = list.size();
     if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;
@@ -469,7 +472,10 @@ std::vector<std::size_t> Bands::collect_superposition() {
     for (const Superposition::Part& part : solution_.superposition->parts) {
         const std::string load = "load-" + render::name_of(solution_.mechanism, part);
         bands.push_back(list.size());
-        add(load, {"lines-" + load, "forces-" + load});
+        std::vector<std::string> figures{"lines-" + load};
+        for (const FreeBody& body : part.bodies) figures.push_back(render::name_of(solution_, body) + "-" + load);
+        figures.push_back("forces-" + load);
+        add(load, figures);
     }
     bands.push_back(list.size());
     add("sums", {"sums"});
@@ -478,8 +484,10 @@ std::vector<std::size_t> Bands::collect_superposition() {
 
 /// The truss, its plan and what is said of both in one; then the bars.
 void Bands::collect_truss() {
-    Band& band = add("truss", {"truss", "cremona"});
-    band.draws_mechanism = true;
+    std::vector<std::string> figures{"truss"};
+    for (const TakenTogether& together : solution_.taken_together) figures.push_back(render::name_of(solution_, together));
+    figures.emplace_back("cremona");
+    add("truss", figures).draws_mechanism = true;
     const std::size_t home = list.size() - 1;
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i)
         if (solution_.protocol.statements[i].section == Topic::forces) add_step(list[home], i);
