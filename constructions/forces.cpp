@@ -146,9 +146,10 @@ private:
         };
         const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
         const auto past_pins = [&](const auto& group) { return leads_on([&] { return through_pin(group, loads, run); }); };
+        const auto alongside = [&](const auto& group) { return leads_on([&] { return parallel_to_all(group, loads, run); }); };
         do {
             all = groups(run);
-        } while (!all_known(run) && (any(direct) || any(beside_couples) || any(past_pins)));
+        } while (!all_known(run) && (any(direct) || any(alongside) || any(beside_couples) || any(past_pins)));
         run.complete = all_known(run);
     }
 
@@ -381,6 +382,23 @@ private:
         return true;
     }
 
+    /// All other forces on a body are parallel, known or not: across them nothing balances a force at its pin.
+    bool parallel_to_all(const Group& group, const std::vector<Load>& loads, Run& run) {
+        const auto [pins, guides, fixed, couples, clamps] = sorted(unknown_of(group, run), run);
+        if (pins.size() != 1 || !clamps.empty() || guides.size() + fixed.size() < 2) return false;
+        const DirectionHandle along =
+            fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
+        const auto is_along = [&](DirectionHandle direction) { return board_.parallel(along, direction); };
+        if (!std::all_of(fixed.begin(), fixed.end(), [&](int b) { return is_along(run.reactions[at(b)].action->direction); }) ||
+            !std::all_of(guides.begin(), guides.end(), [&](int b) { return is_along(model_.bonds()[at(b)].direction); }))
+            return false;
+        const Wrench known = model_.known_on(group, loads, run);
+        if (known.force && !is_along(board_.direction(*known.force))) return false;
+        say_of(group, Sentence::three_parallel_lines, {symbol_on(pins[0], group)});
+        settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, along), run);
+        return true;
+    }
+
     /// What is known on a body passes its pin: moments about that leave none to the guide, so its reaction passes there too.
     bool through_pin(const Group& group, const std::vector<Load>& loads, Run& run) {
         const auto [pins, guides, fixed, couples, clamps] = sorted(unknown_of(group, run), run);
@@ -427,7 +445,7 @@ private:
     }
     /// Several known forces are one first: its line is what meets the others.
     void say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
-        constexpr std::size_t most = 6;
+        const std::size_t most = is_whole(group) ? 12 : 6;
         if (trials_ > 0 || !known.force) return;
         const std::vector<Actor> actors = actors_on(group, loads, run);
         if (actors.size() < 2 || actors.size() > most) return;
@@ -683,30 +701,51 @@ private:
             found.known.push_back(actor.symbol);
             found.corners.push_back(board_.carry(found.corners.back(), *actor.force));
         }
-        const auto distance = several ? pole_distance(found.corners, sum) : Exact(1);
-        if (!distance) return std::nullopt;
-        const Force half = board_.scale<Plane::force>(board_.number(Exact(1) / 2), sum);
-        const Force away =
-            *distance == Exact(1) ? board_.turn(sum) : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
-        found.pole = board_.carry(board_.carry(found.corners.front(), half), away);
+        for (const auto pole : poles(found.corners, sum, several)) {
+            const Board::Mark before = board_.mark();
+            found.pole = pole;
+            if (draw_strings(found, actors, line, place, several)) return found;
+            board_.rewind(before);
+        }
+        return std::nullopt;
+    }
+    /// Through the place and from known line to known line; false: a string does not meet its line, or leaves the sheet.
+    bool draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place, bool several) {
         found.vertices = {place};
+        found.resultant.reset();
         std::optional<LineOn<drawing>> outer;
         for (std::size_t i = 0; i <= actors.size(); ++i) {
             const auto ray = board_.direction(board_.vector(found.pole, found.corners[i]));
             const LineOn<drawing> string = board_.through(found.vertices.back(), ray);
             const LineOn<drawing> next =
                 i < actors.size() ? board_.through(actors[i].place, board_.direction(*actors[i].force)) : line.line;
-            if (board_.parallel(string, next)) return std::nullopt;
+            if (board_.parallel(string, next)) return false;
             if (!outer) outer = string;
             if (i == actors.size() && i > 1 && !board_.parallel(*outer, string)) found.resultant = board_.meet(*outer, string);
             found.vertices.push_back(*board_.meet(string, next));
         }
-        if (several && is_deep(found.vertices, actors, line)) return std::nullopt;
+        if (several && is_deep(found.vertices, actors, line)) return false;
+        if (board_.coincide(found.vertices.back(), found.vertices.front())) return false;
         const auto closing = board_.direction(board_.vector(found.vertices.back(), found.vertices.front()));
         const auto dividing =
             board_.meet(board_.through(found.corners.back(), line.direction), board_.through(found.pole, closing));
         KG_ASSERT(dividing && !board_.is_at_infinity(*dividing), "the closing line joins a place to a line that misses it");
         found.dividing = *dividing;
+        return true;
+    }
+    /// Beside the middle of the sum. Of several bodies also farther along it: the strings then run aslant to it, where its own
+    /// perpendicular would not lead to the lines.
+    std::vector<PointOn<Plane::force>> poles(const std::vector<PointOn<Plane::force>>& corners, Force sum, bool several) {
+        const auto distance = several ? pole_distance(corners, sum) : Exact(1);
+        if (!distance) return {};
+        const Force away =
+            *distance == Exact(1) ? board_.turn(sum) : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
+        std::vector<PointOn<Plane::force>> found;
+        for (const Exact& share : {Exact(1) / 2, Exact(3) / 2, Exact(-1) / 2}) {
+            const Force along = board_.scale<Plane::force>(board_.number(share), sum);
+            found.push_back(board_.carry(board_.carry(corners.front(), along), away));
+            if (!several) break;
+        }
         return found;
     }
     /// Times the sum of the forces. As far from them as they are long: strings between parallel forces are then a quarter as deep
@@ -721,18 +760,16 @@ private:
         }
         return std::nullopt;
     }
-    /// Whether a string leads farther from where it begins than a few times the structure reaches.
+    /// Whether a string ends farther from where its force acts than the structure reaches.
     bool is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line) {
-        constexpr int times = 2;
-        const auto reach = [&](PlaceOnDrawing place) {
-            return board_.scale<drawing>(board_.number(times), board_.vector(vertices.front(), place));
-        };
-        return std::any_of(vertices.begin() + 1, vertices.end(), [&](PlaceOnDrawing vertex) {
-            const auto away = board_.vector(vertices.front(), vertex);
-            return board_.choose_longer(away, reach(line.place)) &&
-                   std::all_of(actors.begin(), actors.end(),
-                               [&](const Actor& actor) { return board_.choose_longer(away, reach(actor.place)); });
-        });
+        auto reach = board_.vector(vertices.front(), line.place);
+        for (const Actor& actor : actors)
+            if (const auto away = board_.vector(vertices.front(), actor.place); board_.choose_longer(away, reach)) reach = away;
+        for (std::size_t i = 0; i < vertices.size() - 1; ++i) {
+            const PlaceOnDrawing acts_at = i < actors.size() ? actors[i].place : line.place;
+            if (board_.choose_longer(board_.vector(acts_at, vertices[i + 1]), reach)) return true;
+        }
+        return false;
     }
     /// Both reactions, and the strings of the sentence said last.
     std::pair<Force, Force> by_strings(Strings found, int line, int pin, Force sum, const Group& group, Run& run) {
@@ -748,8 +785,8 @@ private:
         return {first, second};
     }
     /// So far away that nobody draws to it.
-    bool is_far(PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two) {
-        constexpr int times = 12;
+    bool is_far(PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two, bool of_whole) {
+        const int times = of_whole ? 1 : 12;
         const auto away = board_.vector(place, met);
         for (const PlaceOnDrawing near : {one, two})
             if (!board_.choose_longer(away, board_.scale<drawing>(board_.number(times), board_.vector(place, near))))
@@ -770,9 +807,10 @@ private:
         if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
             const auto met = board_.meet(model_.line_of(known), given.line);
             if (board_.coincide(*met, place)) return false;
-            if (several_by_strings(group, line, pin, known, loads, run)) return true;
+            const bool far = is_far(*met, place, known.place, given.place, is_whole(group));
+            if (several_by_strings(group, line, pin, known, far, loads, run)) return true;
             say_resultant(group, known, loads, run);
-            if (is_far(*met, place, known.place, given.place))
+            if (far)
                 if (auto found = strings(group, {{symbol_of_known(group, loads, run), known.force, known.place, -1}},
                                          *known.force, given, place)) {
                     say_of(group, Sentence::funicular_far, {symbol_on(line, group), symbol_on(pin, group)}, "Culmann");
@@ -806,13 +844,13 @@ private:
         return true;
     }
 
-    /// More than two forces on a structure, of several directions: one funicular polygon adds them and parts the sum.
-    bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads,
+    /// More than two forces on a structure, of several directions, or two whose sum meets the line `far` away: one funicular
+    /// polygon adds them and parts the sum.
+    bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far, const std::vector<Load>& loads,
                             Run& run) {
-        constexpr std::size_t few = 2;
-        if (group.size() == 1) return false;
+        if (!is_whole(group)) return false;
         const std::vector<Actor> actors = actors_on(group, loads, run);
-        if (actors.size() <= few) return false;
+        if (actors.size() < (far ? 2U : 3U)) return false;
         const Action given = *run.reactions[at(line)].action;
         const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
         auto found = strings(group, actors, *known.force, given, place);

@@ -20,6 +20,15 @@ void draw_strings(Sketch& sketch, const FreeBody::Funicular& funicular) {
     };
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) string(*vertices[i], *vertices[i + 1], i + 1, {});
     string(*vertices.back(), *vertices.front(), vertices.size(), dashes());
+    if (!funicular.resultant) return;
+    // The outer strings as far as they meet, on the line of the resultant.
+    const Spot meet = sketch.spot(*funicular.resultant);
+    if (!contains(grown(sketch.mechanism_box(), 0.6 * sketch.size()), meet)) return;
+    for (const Spot end : {sketch.spot(*vertices[1]), sketch.spot(*vertices[vertices.size() - 2])}) {
+        if (length(meet - end) < 1) continue;
+        sketch.construction.emplace_back(line(end, meet, {theme.thin, theme.secondary, dashes(), false}));
+        belong(sketch.construction, sketch.construction.size() - 1, funicular.statement);
+    }
 }
 
 void include_strings(Box& box, const FreeBody::Funicular& funicular, const Box& near) {

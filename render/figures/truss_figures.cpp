@@ -184,36 +184,62 @@ private:
         return length(out) > 1e-6 ? best + (1.8 * away / length(out)) * out : best;
     }
 
-    /// The line of all that is given, and those of the reactions, as far as they meet near.
+    /// The line of all that is given, and those of the reactions, to where they meet or towards it.
     void draw_whole() {
         if (!truss_.whole || truss_.whole->meets.empty()) return;
         const Truss::Whole& whole = *truss_.whole;
-        const Box view = grown(sketch_.mechanism_box(), 0.6 * sketch_.size());
+        const Box view = grown(sketch_.mechanism_box(), 1.1 * sketch_.size());
         for (const Truss::Whole::Meet& meet : whole.meets) {
             const Spot at = sketch_.spot(*meet.place);
-            if (!contains(view, at)) continue;
+            const bool near = contains(view, at);
             const std::size_t first = sketch_.construction.size();
             for (const Truss::External& external : truss_.externals) {
                 if (external.joint == none) continue;
                 const Spot pin = spot(external.pin), along = paper_direction(*external.force);
-                if (std::abs(cross(along, at - pin)) > 0.05) continue;
-                sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+                if (std::abs(cross(along, at - pin)) > 0.05 + 1e-9 * length(at - pin)) continue;
+                if (near)
+                    sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+                else
+                    point_to(at, pin, meet);
             }
-            const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
-            constexpr double half = 16;
-            if (std::abs(cross(along, at - through)) < 0.05) {
-                sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
-                draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
-                           sketch_.theme.secondary, dashes());
+            if (near) {
+                draw_line_of_whole(whole, at);
+                sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
+                belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
+                sketch_
+                    .add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language),
+                               sketch_.theme.text, at, 1.8, meet.statement)
+                    .names = {meet.name};
             }
-            sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
             belong(sketch_.construction, first, meet.statement);
-            belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
-            sketch_
-                .add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language), sketch_.theme.text,
-                           at, 1.8, meet.statement)
-                .names = {meet.name};
         }
+    }
+    void draw_line_of_whole(const Truss::Whole& whole, Spot at) {
+        constexpr double half = 16;
+        const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
+        if (std::abs(cross(along, at - through)) > 0.05) return;
+        sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
+        draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline, sketch_.theme.secondary,
+                   dashes());
+        const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
+                                         [](const Truss::External& external) { return external.joint == none; });
+        if (loads < 2) return;  // it is that load, which has its letter
+        LabelRequest& label = sketch_.add_label(typeset(Symbol{Symbol::Letter::F, "R", {}}, sketch_.context.language),
+                                                sketch_.theme.text, at - 0.5 * half * along, 1.2, whole.statement);
+        label.toward = at;
+        label.names = {"F_R"};
+    }
+    /// A meet outside of the drawing: an arrow from a pin that points there, and how far it is.
+    void point_to(Spot meet, Spot pin, const Truss::Whole::Meet& named) {
+        constexpr double off = 6, size = 16;
+        const double away = length(meet - pin);
+        if (!std::isfinite(away)) return;  // past the range of doubles
+        const Spot along = (1 / away) * (meet - pin), tip = pin + (off + size) * along;
+        draw_arrow(sketch_.construction, pin + off * along, tip, sketch_.theme.thin, sketch_.theme.secondary, dashes());
+        RichText text = typeset(Symbol{Symbol::Letter::point, named.name, ""}, sketch_.context.language);
+        if (const auto from = name_of_point_at(sketch_, pin)) append(text, how_far(sketch_, *from, text, away));
+        LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.text, tip, 1.2, named.statement);
+        label.names = {named.name};
     }
     /// Over the truss, each between the lines of two forces; the resultant stands where the outer ones meet.
     void draw_strings_of(const FreeBody::Funicular& funicular, const std::vector<AppliedForce>& sums) {
@@ -226,19 +252,12 @@ private:
         for (const Truss::External& external : truss_.externals)
             for (const Recorded<Vector>& vertex : funicular.vertices)
                 lead_to(spot(external.pin), paper_direction(*external.force), sketch_.spot(*vertex));
-        for (const AppliedForce& sum : sums) draw_resultant(sum, funicular);
+        for (const AppliedForce& sum : sums) draw_resultant(sum);
     }
-    void draw_resultant(const AppliedForce& sum, const FreeBody::Funicular& funicular) {
+    void draw_resultant(const AppliedForce& sum) {
         constexpr double size = 14;
         const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
         if (!contains(grown(sketch_.mechanism_box(), 0.6 * sketch_.size()), at)) return;
-        // The outer strings as far as they meet.
-        const auto& vertices = funicular.vertices;
-        for (const Spot end : {sketch_.spot(*vertices[1]), sketch_.spot(*vertices[vertices.size() - 2])})
-            if (length(at - end) > 1) {
-                sketch_.construction.emplace_back(line(end, at, {sketch_.theme.thin, sketch_.theme.secondary, dashes(), false}));
-                belong(sketch_.construction, sketch_.construction.size() - 1, funicular.statement);
-            }
         const std::size_t first = sketch_.construction.size();
         draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
         belong(sketch_.construction, first, sum.force_statement);

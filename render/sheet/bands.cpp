@@ -61,15 +61,9 @@ public:
             case Kind::results:
                 return table(part.which, results);
             case Kind::reactions:
-                return under("forces", reaction_lines(context_, measure_));
-            case Kind::bars: {
-                // Its head stands again where it goes on.
-                std::vector<Block> lines = bar_lines(context_, measure_);
-                Passage passage = under("bars", {});
-                passage.head = std::move(lines.front());
-                passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
-                return passage;
-            }
+                return table_under("forces", reaction_lines(context_, measure_));
+            case Kind::bars:
+                return table_under("bars", bar_lines(context_, measure_));
             case Kind::lever:
                 return under("lever", {joukowsky_block(context_, measure_)});
             case Kind::equations:
@@ -91,6 +85,14 @@ private:
                 heading_block(context_, measure_, words + ", " + word("continued", context_.language), note),
                 {},
                 std::move(rows)};
+    }
+    /// Its head, the first line, stands again where it goes on.
+    Passage table_under(const std::string& title, std::vector<Block> lines) const {
+        Passage passage = under(title, {});
+        if (lines.empty()) return passage;
+        passage.head = std::move(lines.front());
+        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+        return passage;
     }
     Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
         return paragraph_block(context_, measure_, text, indent, number_text);
