@@ -494,8 +494,11 @@ bool ForceModel::is_body_on_bars(const Group& group) const {
         bars += is_bar(member) ? 1 : 0;
         bodies += !is_pin(member) && !is_bar(member) ? 1 : 0;
     }
-    // Pins that bars share are no bodies; where there is no other, one pin is what the bars hold.
-    return bodies == 1 || (bodies == 0 && bars + 1 == static_cast<std::ptrdiff_t>(group.size()));
+    // Pins that bars share are no bodies, but what a pin bears the body does not feel. Where there is no other, one pin is what
+    // the bars hold.
+    const bool pin_loaded =
+        std::any_of(group.begin(), group.end(), [&](MemberIndex member) { return is_pin(member) && is_loaded(member); });
+    return (bodies == 1 && !pin_loaded) || (bodies == 0 && bars + 1 == static_cast<std::ptrdiff_t>(group.size()));
 }
 
 std::vector<int> ForceModel::outer_bonds(const Group& group) const {

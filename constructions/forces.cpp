@@ -210,7 +210,8 @@ private:
             names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
         else
             for (const MemberIndex member : group)
-                if (!model_.is_pin(member) || bodies < 2) names += (names.empty() ? "" : " + ") + model_.member_name(member);
+                if (!model_.is_pin(member) || bodies < 2)  // "2 + 3", but "2+C" of a body with its pin: that is no other body
+                    names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
         arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
         say(sentence, std::move(arguments), source, group);
     }
@@ -701,16 +702,19 @@ private:
             found.known.push_back(actor.symbol);
             found.corners.push_back(board_.carry(found.corners.back(), *actor.force));
         }
-        for (const auto pole : poles(found.corners, sum, several)) {
-            const Board::Mark before = board_.mark();
-            found.pole = pole;
-            if (draw_strings(found, actors, line, place, several)) return found;
-            board_.rewind(before);
-        }
+        // The first whose strings stay beside the structure, or not far from it.
+        for (const Exact& deepest : {Exact(1), Exact(3) / 2})
+            for (const auto pole : poles(found.corners, sum, several)) {
+                const Board::Mark before = board_.mark();
+                found.pole = pole;
+                if (draw_strings(found, actors, line, place) && !(several && is_deep(found.vertices, actors, line, deepest)))
+                    return found;
+                board_.rewind(before);
+            }
         return std::nullopt;
     }
-    /// Through the place and from known line to known line; false: a string does not meet its line, or leaves the sheet.
-    bool draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place, bool several) {
+    /// Through the place and from known line to known line; false: a string does not meet its line.
+    bool draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place) {
         found.vertices = {place};
         found.resultant.reset();
         std::optional<LineOn<drawing>> outer;
@@ -724,7 +728,6 @@ private:
             if (i == actors.size() && i > 1 && !board_.parallel(*outer, string)) found.resultant = board_.meet(*outer, string);
             found.vertices.push_back(*board_.meet(string, next));
         }
-        if (several && is_deep(found.vertices, actors, line)) return false;
         if (board_.coincide(found.vertices.back(), found.vertices.front())) return false;
         const auto closing = board_.direction(board_.vector(found.vertices.back(), found.vertices.front()));
         const auto dividing =
@@ -760,11 +763,13 @@ private:
         }
         return std::nullopt;
     }
-    /// Whether a string ends farther from where its force acts than the structure reaches.
-    bool is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line) {
+    /// Whether a string ends farther from where its force acts than so many times what the structure reaches.
+    bool is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line,
+                 const Exact& times) {
         auto reach = board_.vector(vertices.front(), line.place);
         for (const Actor& actor : actors)
             if (const auto away = board_.vector(vertices.front(), actor.place); board_.choose_longer(away, reach)) reach = away;
+        reach = board_.scale<drawing>(board_.number(times), reach);
         for (std::size_t i = 0; i < vertices.size() - 1; ++i) {
             const PlaceOnDrawing acts_at = i < actors.size() ? actors[i].place : line.place;
             if (board_.choose_longer(board_.vector(acts_at, vertices[i + 1]), reach)) return true;
@@ -784,14 +789,16 @@ private:
         run.strings.push_back(std::move(found));
         return {first, second};
     }
-    /// So far away that nobody draws to it.
-    bool is_far(PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two, bool of_whole) {
-        const int times = of_whole ? 1 : 12;
+    /// So far away that nobody draws to it; from a whole, farther than it reaches.
+    bool is_far(const Group& group, PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two) {
+        const int times = is_whole(group) ? 1 : 12;
+        std::vector<PlaceOnDrawing> near{one, two};
+        if (is_whole(group))
+            for (const int b : model_.outer_bonds(group)) near.push_back(model_.bonds()[at(b)].place);
         const auto away = board_.vector(place, met);
-        for (const PlaceOnDrawing near : {one, two})
-            if (!board_.choose_longer(away, board_.scale<drawing>(board_.number(times), board_.vector(place, near))))
-                return false;
-        return true;
+        return std::all_of(near.begin(), near.end(), [&](PlaceOnDrawing each) {
+            return board_.choose_longer(away, board_.scale<drawing>(board_.number(times), board_.vector(place, each)));
+        });
     }
 
     bool line_and_pin(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads, Run& run) {
@@ -807,7 +814,7 @@ private:
         if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
             const auto met = board_.meet(model_.line_of(known), given.line);
             if (board_.coincide(*met, place)) return false;
-            const bool far = is_far(*met, place, known.place, given.place, is_whole(group));
+            const bool far = is_far(group, *met, place, known.place, given.place);
             if (several_by_strings(group, line, pin, known, far, loads, run)) return true;
             say_resultant(group, known, loads, run);
             if (far)

@@ -205,11 +205,11 @@ private:
             });
         }
         std::string id = one_by_one_ ? "forces" : "forces-truss";
-        for (const MemberIndex member : balanced.group) {
-            if (model_.is_pin(member)) continue;
-            together.bodies.push_back(model_.body_of(member));
-            if (one_by_one_) id += "-" + model_.member_name(member);
-        }
+        for (const MemberIndex member : balanced.group)
+            if (!model_.is_pin(member)) together.bodies.push_back(model_.body_of(member));
+        // Of one body and its pin it is not the body's own.
+        for (const MemberIndex member : balanced.group)
+            if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2)) id += "-" + model_.member_name(member);
         for (const Added& added : run.added)
             if (added.group == balanced.group) together.sums.push_back(applied_sum(added));
         together.polygon = add_force_polygon(Polygon::Kind::body_forces, id + suffix());

@@ -195,7 +195,7 @@ TEST(ParallelToAll, AGerberBeamOfThreeSpansNeedsNoSuperposition) {
     EXPECT_EQ(reaction_at(solution, "D"), (Vector{0, 11}));
     // P_1 is written with its letter, and polygons have a scale that can be read.
     const std::vector<Page> pages = sheet_of(solution);
-    EXPECT_FALSE(pages::says(pages, "P_1"));
+    EXPECT_FALSE(pages::says(pages, "F_P_1"));
     EXPECT_FALSE(pages::says(pages, "× 10"));
 }
 
