@@ -512,7 +512,13 @@ private:
 
 }  // namespace
 
-Box extent_of_truss(const Solution& solution) { return Subject(solution).box; }
+Box extent_of_truss(const Solution& solution) {
+    const Subject subject(solution);
+    Box extent = subject.box;
+    for (const TakenTogether& together : solution.taken_together)
+        if (together.funicular) include_strings(extent, *together.funicular, grown(subject.box, 0.6 * subject.size()));
+    return extent;
+}
 
 Box extent_of_plan(const Solution& solution) {
     const PolygonScene scene = polygon_scene(solution, solution.truss->polygon);
@@ -521,9 +527,7 @@ Box extent_of_plan(const Solution& solution) {
 
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y) {
     const Subject subject(context.solution);
-    Box extent = subject.box;
-    for (const TakenTogether& together : context.solution.taken_together)
-        if (together.funicular) include_strings(extent, *together.funicular, grown(subject.box, 0.6 * subject.size()));
+    const Box extent = extent_of_truss(context.solution);
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 30, 10.0), std::max(room_y - 40, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y},

@@ -220,8 +220,14 @@ const DrawingContext& WantedFigures::context_at(StatementIndex statement) const 
 
 void WantedFigures::add_truss() {
     Wanted wanted = mechanism("truss", false);
+    const Box extent = extent_of_truss(context_.solution);
+    const double bars = std::max(wanted.extent_x, wanted.extent_y);
+    wanted.extent_x = extent.width();
+    wanted.extent_y = extent.height();
     wanted.rim_x = wanted.rim_y = 44;
-    wanted.least = 60;
+    // The bars, between whose letters strings run, too.
+    constexpr double least_of_bars = 60;
+    wanted.least = least_of_bars * std::max(extent.width(), extent.height()) / std::max(bars, 1e-30);
     wanted.weight = 1.5;
     wanted.draw = [this](double x, double y) { return truss_figure(context_, x, y); };
     add(std::move(wanted));
