@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -43,9 +44,11 @@ public:
     }
     const NamedMeets& meets() const { return meets_; }
 
-    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame.
-    Run whole(const Group& hung) {
+    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame, and
+    /// rollers; `bars`: the names of the bars among these.
+    Run whole(const Group& hung, std::map<MemberIndex, std::string> bars) {
         of_truss_ = true;
+        bar_names_ = std::move(bars);
         Run run = fresh();
         const Board::Mark before = board_.mark();
         for (const MemberIndex member : hung) lines({member}, model_.loads(), run, false);
@@ -212,7 +215,11 @@ private:
             for (const MemberIndex member : group)
                 if (!model_.is_pin(member) || bodies < 2)  // "2 + 3", but "2+C" of a body with its pin: that is no other body
                     names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
-        arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
+        const auto bar = group.size() == 1 ? bar_names_.find(group.front()) : bar_names_.end();
+        if (bar != bar_names_.end())
+            arguments.insert(arguments.begin(), BodyName{bar->second, true});
+        else
+            arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
         say(sentence, std::move(arguments), source, group);
     }
     /// Pins come after the bodies.
@@ -1404,14 +1411,15 @@ private:
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
     bool redundant_;
-    std::vector<Group> wholes_;           ///< structures hung on the frame, which no effort moves: cut free whole first
-    long attempts_left_ = 500'000;        ///< of rules in trials: nobody draws on a system that large
-    int trials_ = 0;                      ///< trials under way, one in the other
-    bool of_truss_ = false;               ///< what is cut free whole is a truss
-    std::string mark_;                    ///< of the member whose loads act alone just now
-    StatementIndex statement_ = none;     ///< said last
-    NamedMeets meets_;                    ///< by member
-    std::vector<NamedMeet> named_meets_;  ///< all, each with its letter
+    std::vector<Group> wholes_;     ///< structures hung on the frame, which no effort moves: cut free whole first
+    long attempts_left_ = 500'000;  ///< of rules in trials: nobody draws on a system that large
+    int trials_ = 0;                ///< trials under way, one in the other
+    bool of_truss_ = false;         ///< what is cut free whole is a truss
+    std::map<MemberIndex, std::string> bar_names_;
+    std::string mark_;                                            ///< of the member whose loads act alone just now
+    StatementIndex statement_ = none;                             ///< said last
+    NamedMeets meets_;                                            ///< by member
+    std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
     std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
@@ -1467,7 +1475,9 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
                        {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
     board.state(std::move(opening));
     Rules rules(model, board, mechanism, {}, false);
-    const Run whole = rules.whole(hung_bars(model, board, truss));
+    std::map<MemberIndex, std::string> names;
+    for (const TrussStructure::Bar& bar : truss.bars) names.emplace(member_of(bar.body), bar.name);
+    const Run whole = rules.whole(hung_bars(model, board, truss), std::move(names));
     TrussDrawing drawing(model, board, mechanism, truss, whole);
     if (drawing.resolve()) {
         const Run run = drawing.run(whole);

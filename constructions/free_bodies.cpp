@@ -163,7 +163,8 @@ private:
             const std::vector<int> outer = model_.outer_bonds(balanced.group);
             if (!std::all_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; })) continue;
             const Strings* strings = strings_of(balanced, run);
-            if (!one_by_one_ && strings == nullptr) continue;  // the plan of the truss has what closes
+            // The plan of a truss has what closes, but no rays and no diagonal of Culmann's.
+            if (!one_by_one_ && strings == nullptr && !has_diagonal(balanced, run)) continue;
             std::vector<std::pair<MemberIndex, Side>> sides;
             for (const Load& load : *loads_)
                 if (load.force && in(balanced.group, load.member) && !model_.is_inner(load, balanced.group))
@@ -186,6 +187,15 @@ private:
                 }
             if (sides.size() > 2) draw_together(balanced, std::move(sides), strings, run);
         }
+    }
+    /// What is known and a force that is sought were added.
+    static bool has_diagonal(const Balanced& balanced, const Run& run) {
+        const auto is_sought = [&](int b) {
+            return std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+        };
+        return std::any_of(run.added.begin(), run.added.end(), [&](const Added& added) {
+            return added.group == balanced.group && std::any_of(added.bonds.begin(), added.bonds.end(), is_sought);
+        });
     }
     /// By which the group was balanced; null: otherwise.
     static const Strings* strings_of(const Balanced& balanced, const Run& run) {
@@ -210,8 +220,16 @@ private:
         // Of one body and its pin it is not the body's own.
         for (const MemberIndex member : balanced.group)
             if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2)) id += "-" + model_.member_name(member);
+        std::vector<const Added*> leading;
         for (const Added& added : run.added)
-            if (added.group == balanced.group) together.sums.push_back(applied_sum(added));
+            if (added.group == balanced.group) {
+                together.sums.push_back(applied_sum(added));
+                leading.push_back(&added);
+            }
+        if (strings == nullptr)
+            std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+                return rank_in(leading, a.second) < rank_in(leading, b.second);
+            });
         together.polygon = add_force_polygon(Polygon::Kind::body_forces, id + suffix());
         Face face;
         Corner here = board_.pole<Plane::force>();
@@ -285,15 +303,15 @@ private:
     void put_in_order(std::vector<Side>& sides, const std::vector<const Added*>& leading) {
         sort_round(sides);
         if (leading.empty()) return;
-        const auto rank = [&](const Side& side) {
-            return std::find_if(leading.begin(), leading.end(),
-                                [&](const Added* added) {
-                                    return side.bond < 0 ||
-                                           std::find(added->bonds.begin(), added->bonds.end(), side.bond) != added->bonds.end();
-                                }) -
-                   leading.begin();
+        std::stable_sort(sides.begin(), sides.end(),
+                         [&](const Side& a, const Side& b) { return rank_in(leading, a) < rank_in(leading, b); });
+    }
+    /// By the first sum that it is part of.
+    static std::ptrdiff_t rank_in(const std::vector<const Added*>& leading, const Side& side) {
+        const auto has_it = [&](const Added* added) {
+            return side.bond < 0 || std::find(added->bonds.begin(), added->bonds.end(), side.bond) != added->bonds.end();
         };
-        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return rank(a) < rank(b); });
+        return std::find_if(leading.begin(), leading.end(), has_it) - leading.begin();
     }
 
     /// As the corners of its rays have them: what is known, the force of the line, that of the place.

@@ -255,7 +255,7 @@ std::set<std::string> bars_on(const std::vector<Page>& pages) {
     return bars;
 }
 
-class TrussSentence : public testing::TestWithParam<std::string> {
+class TrussSentence : public testing::Test {
 protected:
     void expect_on_sheet(const Solution& solution, const std::vector<Page>& pages) {
         labels_ = labels_on(pages);
@@ -268,7 +268,8 @@ protected:
             const std::string said = english(statement.message);
             for (const Argument& argument : statement.message.arguments) expect_on_sheet(solution, argument, said);
             const bool draws = sentence != Sentence::truss_whole && sentence != Sentence::truss_stuck &&
-                               sentence != Sentence::truss_closes && sentence != Sentence::known_resultant;
+                               sentence != Sentence::truss_closes && sentence != Sentence::known_resultant &&
+                               sentence != Sentence::two_force_body;  // of a bar, which is there
             EXPECT_TRUE(!draws || drawn.contains(i)) << said;
             if (sentence != Sentence::truss_plan) continue;
             for (const char letter : std::get<std::string>(statement.message.arguments.front()))
@@ -283,6 +284,9 @@ private:
         };
         if (const auto* names = std::get_if<Names>(&argument)) {
             for (const std::string& name : *names) EXPECT_TRUE(!has_bar(name) || bars_.contains(name)) << name << " of: " << said;
+        }
+        if (const auto* bar = std::get_if<BodyName>(&argument); bar && has_bar(bar->name)) {
+            EXPECT_TRUE(bars_.contains(bar->name)) << bar->name << " of: " << said;
         }
         if (const auto* point = std::get_if<PointName>(&argument)) {
             if (has_bar(point->name))
@@ -305,13 +309,35 @@ private:
     std::set<std::string> labels_, bars_;
 };
 
-TEST_P(TrussSentence, HasTheLinesThatItNamesOnTheSheet) {
+class TrussExample : public TrussSentence, public testing::WithParamInterface<std::string> {};
+
+TEST_P(TrussExample, HasTheLinesThatItsSentencesName) {
     const Solution solution = example(GetParam());
     ASSERT_TRUE(solution.truss);
     expect_on_sheet(solution, sheet_of(solution));
 }
-INSTANTIATE_TEST_SUITE_P(Examples, TrussSentence, testing::Values("truss_simple", "truss_roof_wind"),
+INSTANTIATE_TEST_SUITE_P(Examples, TrussExample, testing::Values("truss_simple", "truss_roof_wind"),
                          [](const testing::TestParamInfo<std::string>& each) { return each.param; });
+
+/// A truss on three links, which no two of meet on the load: Culmann's line over it, with its diagonal in a polygon.
+TEST_F(TrussSentence, OfATrussOnThreeLinksHasCulmannsLine) {
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1,
+      "points": {"A": [0,0], "B": [4,0], "C": [8,0], "D": [2,3], "E": [6,3], "P": [-2,-2], "Q": [4,-3], "R": [8,-3]},
+      "bodies": {"2": ["A","B"], "3": ["B","C"], "4": ["A","D"], "5": ["D","B"], "6": ["D","E"], "7": ["B","E"], "8": ["E","C"],
+                 "9": ["P","A"], "10": ["Q","B"], "11": ["R","C"]},
+      "joints": [{"revolute": "A", "bodies": [2,4,9]}, {"revolute": "B", "bodies": [2,3,5,7,10]}, {"revolute": "C", "bodies": [3,8,11]},
+                 {"revolute": "D", "bodies": [4,5,6]}, {"revolute": "E", "bodies": [6,7,8]}, {"revolute": "P", "bodies": [1,9]},
+                 {"revolute": "Q", "bodies": [1,10]}, {"revolute": "R", "bodies": [1,11]}],
+      "loads": [{"force": "F_D", "pin": "D", "value": [3000, -8000]}, {"force": "F_E", "pin": "E", "value": [0, -6000]}]})");
+    ASSERT_TRUE(solution.truss);
+    EXPECT_TRUE(solution.unsolved.empty());
+    EXPECT_TRUE(says(solution, Sentence::culmann_line));
+    const std::vector<Page> pages = sheet_of(solution);
+    expect_on_sheet(solution, pages);
+    EXPECT_TRUE(labels_on(pages).contains("F_HK"));
+    EXPECT_TRUE(figures_on(pages).contains("forces-truss"));
+    EXPECT_TRUE(pages::says(pages, "Bar AP carries a force along itself."));
+}
 
 TEST(TrussSteps, ShowTheStringsAndTheirPolygon) {
     const std::set<std::string> figures = figures_on(lay_out_steps(example("truss_simple"), {}, fonts()));

@@ -64,7 +64,10 @@ public:
         for (const Truss::Space& space : truss_.spaces) name_space(space);
         draw_whole();
         for (const TakenTogether& together : solution_.taken_together)
-            if (together.funicular) draw_strings_of(*together.funicular, together.sums);
+            if (together.funicular)
+                draw_strings_of(*together.funicular, together.sums);
+            else
+                for (const AppliedForce& sum : together.sums) draw_line_of_meets(sum);
         std::vector<std::vector<int>> drawn;
         for (const Truss::Cut& cut : truss_.cuts) {
             if (std::find(drawn.begin(), drawn.end(), cut.bars) == drawn.end()) draw_section(cut);
@@ -213,6 +216,33 @@ private:
             }
             belong(sketch_.construction, first, meet.statement);
         }
+    }
+    /// Culmann's line, which joins two meets, with what acts along it.
+    void draw_line_of_meets(const AppliedForce& sum) {
+        if (!truss_.whole) return;
+        constexpr double size = 14;
+        const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
+        std::vector<Spot> on;
+        for (const Truss::Whole::Meet& meet : truss_.whole->meets)
+            if (const Spot spot = sketch_.spot(*meet.place); std::abs(cross(along, spot - at)) < 0.05 + 1e-9 * length(spot - at))
+                on.push_back(spot);
+        if (on.size() < 2) return;
+        const Box view = grown(sketch_.mechanism_box(), 1.1 * sketch_.size());
+        const std::size_t first = sketch_.construction.size();
+        for (const bool turned_round : {false, true}) {
+            const Spot from = turned_round ? on[1] : on[0], to = turned_round ? on[0] : on[1];
+            if (!contains(view, from)) continue;
+            const Spot off = (1 / length(to - from)) * (to - from);
+            const double reach = contains(view, to) ? length(to - from) : 2 * size;
+            sketch_.construction.emplace_back(line(from - 6.0 * off, from + reach * off, sketch_.axis()));
+        }
+        const Spot tail = at + 2.0 * along;
+        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
+        belong(sketch_.construction, first, sum.force_statement);
+        LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
+                                                tail + 0.5 * size * along, 1.2, sum.force_statement);
+        label.toward = tail + size * along;
+        label.names = {name_of(sum.symbol)};
     }
     void draw_line_of_whole(const Truss::Whole& whole, Spot at) {
         constexpr double half = 16;

@@ -1325,7 +1325,13 @@ std::string pattern_of(const Message& message, Language language) {
     std::string pattern(pattern_of(message.sentence, language));
     const auto* body = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
     if (body == nullptr) return pattern;
-    if (body->is_truss) return of_truss(std::move(pattern), language);
+    if (body->is_truss) {
+        // A bar by which it hangs.
+        if (message.sentence == Sentence::two_force_body)
+            return language == Language::en ? "Bar {0} carries a force along itself."
+                                            : "L’asta {0} è soggetta a solo sforzo assiale.";
+        return of_truss(std::move(pattern), language);
+    }
     return names_several(*body) ? of_several(std::move(pattern), language) : pattern;
 }
 
