@@ -30,7 +30,9 @@ Vector reaction_at(const Solution& solution, const std::string& joint) {
     ADD_FAILURE() << "no reaction at " << joint;
     return {};
 }
-std::vector<Page> sheet_of(const Solution& solution, SheetOptions options = {}) { return lay_out(solution, options, fonts()); }
+std::vector<Page> sheet_of(const Solution& solution, const SheetOptions& options = {}) {
+    return lay_out(solution, options, fonts());
+}
 
 std::set<std::string> figures_on(const std::vector<Page>& pages) {
     std::set<std::string> figures;

@@ -17,6 +17,8 @@ using namespace drawing;
 
 namespace {
 
+constexpr double meets_seen = 1.1;  // how far off the truss a meet is shown, in sizes of it
+
 enum class Sense { idle, tension, compression };
 
 double tension_of(const Solution& solution, std::size_t bar) { return solution.truss->tension(bar, solution.pose.points); }
@@ -191,7 +193,7 @@ private:
     void draw_whole() {
         if (!truss_.whole || truss_.whole->meets.empty()) return;
         const Truss::Whole& whole = *truss_.whole;
-        const Box view = grown(sketch_.mechanism_box(), 1.1 * sketch_.size());
+        const Box view = grown(sketch_.mechanism_box(), meets_seen * sketch_.size());
         for (const Truss::Whole::Meet& meet : whole.meets) {
             const Spot at = sketch_.spot(*meet.place);
             const bool near = contains(view, at);
@@ -227,7 +229,7 @@ private:
             if (const Spot spot = sketch_.spot(*meet.place); std::abs(cross(along, spot - at)) < 0.05 + 1e-9 * length(spot - at))
                 on.push_back(spot);
         if (on.size() < 2) return;
-        const Box view = grown(sketch_.mechanism_box(), 1.1 * sketch_.size());
+        const Box view = grown(sketch_.mechanism_box(), meets_seen * sketch_.size());
         const std::size_t first = sketch_.construction.size();
         for (const bool turned_round : {false, true}) {
             const Spot from = turned_round ? on[1] : on[0], to = turned_round ? on[0] : on[1];
@@ -547,6 +549,10 @@ Box extent_of_truss(const Solution& solution) {
     Box extent = subject.box;
     for (const TakenTogether& together : solution.taken_together)
         if (together.funicular) include_strings(extent, *together.funicular, grown(subject.box, 0.6 * subject.size()));
+    if (solution.truss->whole)
+        for (const Truss::Whole::Meet& meet : solution.truss->whole->meets)
+            if (const Spot at = paper_spot(*meet.place); contains(grown(subject.box, meets_seen * subject.size()), at))
+                extent.include(at);
     return extent;
 }
 
