@@ -133,7 +133,7 @@ TEST(Bands, FillTheirPages) {
     }
     ASSERT_GT(count, 0);
     EXPECT_GE(sum / count, 0.52) << count << " pages";
-    EXPECT_GE(least, 0.30) << emptiest;
+    EXPECT_GE(least, 0.24) << emptiest;  // sums of partial forces, after a page for each load
 }
 
 TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
@@ -162,8 +162,9 @@ TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
         expect_sentences_beside_their_figures(bands);
     }
     // 183 before there were bands, 186 with the arithmetic in the sentences; 23 more of examples that came later.
-    // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame.
-    EXPECT_LE(pages_in_all, 185);
+    // 178 before text stood under and beside its figures, 173 after; 12 more of trusses, virtual work and a moving frame;
+    // 9 more where loads act alone, each with its lines and its bodies, and of an engine.
+    EXPECT_LE(pages_in_all, 194);
 }
 
 }  // namespace

@@ -446,18 +446,7 @@ void Bands::collect_forces() {
             add_step(list[parts.back()], i);
             continue;
         }
-        // A sentence that closes a body's polygon stands beside it.
-        std::size_t home = at_lines;
-        for (const TakenTogether& together : solution_.taken_together)
-            if (together.statement == StatementIndex(i))
-                for (std::size_t b = at_lines; b < list.size(); ++b)
-                    if (list[b].question == render::name_of(solution_, together)) home = b;
-        const std::vector<const FreeBody*> closed = closed_by(solution_, StatementIndex(i));
-        if (!closed.empty())
-            for (std::size_t b = at_lines; b < list.size(); ++b)
-                for (const std::size_t figure : list[b].figures)
-                    if (wanted_.list[figure].name == render::name_of(solution_, *closed.front())) home = b;
-        add_step(list[home], i);
+        add_step(list[home_of_forces(StatementIndex(i), at_lines)], i);
     }
     if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
     for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{}) {
@@ -465,6 +454,27 @@ void Bands::collect_forces() {
         add(id, {id});
     }
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
+}
+
+/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of action.
+std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
+    const auto adds = [&](const auto& each) {
+        return std::any_of(each.sums.begin(), each.sums.end(),
+                           [&](const AppliedForce& sum) { return sum.force_statement == statement; });
+    };
+    const auto band_with = [&](const std::string& figure) {
+        for (std::size_t b = at_lines; b < list.size(); ++b)
+            for (const std::size_t each : list[b].figures)
+                if (wanted_.list[each].name == figure) return b;
+        return at_lines;
+    };
+    if (const auto closed = closed_by(solution_, statement); !closed.empty())
+        return band_with(render::name_of(solution_, *closed.front()));
+    for (const TakenTogether& together : solution_.taken_together)
+        if (together.statement == statement || adds(together)) return band_with(render::name_of(solution_, together));
+    for (const FreeBody& body : solution_.free_bodies)
+        if (adds(body)) return band_with(render::name_of(solution_, body));
+    return at_lines;
 }
 
 /// Loads alone, one after the other, and at last their sums: indices of these bands.
