@@ -456,10 +456,11 @@ void Bands::collect_forces() {
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
 }
 
-/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of action.
+/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of action:
+/// there the resultant stands, too, of bodies that are taken together.
 std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
-    const auto adds = [&](const auto& each) {
-        return std::any_of(each.sums.begin(), each.sums.end(),
+    const auto adds = [&](const FreeBody& body) {
+        return std::any_of(body.sums.begin(), body.sums.end(),
                            [&](const AppliedForce& sum) { return sum.force_statement == statement; });
     };
     const auto band_with = [&](const std::string& figure) {
@@ -471,7 +472,7 @@ std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines
     if (const auto closed = closed_by(solution_, statement); !closed.empty())
         return band_with(render::name_of(solution_, *closed.front()));
     for (const TakenTogether& together : solution_.taken_together)
-        if (together.statement == statement || adds(together)) return band_with(render::name_of(solution_, together));
+        if (together.statement == statement) return band_with(render::name_of(solution_, together));
     for (const FreeBody& body : solution_.free_bodies)
         if (adds(body)) return band_with(render::name_of(solution_, body));
     return at_lines;
