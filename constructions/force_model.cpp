@@ -414,6 +414,13 @@ Wrench ForceModel::known_on(const Group& group, const std::vector<Load>& loads, 
     return total;
 }
 
+bool ForceModel::is_inner(const Load& load, const Group& group) const {
+    return load.kind == AppliedForce::Kind::spring && std::any_of(loads_.begin(), loads_.end(), [&](const Load& other) {
+               return other.kind == load.kind && other.given == load.given && other.member != load.member &&
+                      in(group, other.member);
+           });
+}
+
 std::array<ScalarHandle, 3> ForceModel::gap(MemberIndex member, const std::vector<Load>& loads, const Run& run,
                                             PlaceOnDrawing about) {
     const Wrench left = known_on({member}, loads, run);
@@ -462,14 +469,36 @@ std::vector<Group> ForceModel::hung_on_frame() const {
 }
 
 bool ForceModel::is_body_on_bars(const Group& group) const {
+    const auto is_loaded = [&](MemberIndex member) {
+        return std::any_of(loads_.begin(), loads_.end(), [&](const Load& load) { return load.member == member; });
+    };
+    // Where several bars share a hinge of the frame, its pin stands between.
+    const auto reaches_frame = [&](MemberIndex bar, const Bond& bond) {
+        const MemberIndex other = bond.first == bar ? bond.second : bond.first;
+        const std::vector<int>& held = bonds_of(other);
+        return other == member_of(frame) ||
+               (is_pin(other) && std::any_of(held.begin(), held.end(), [&](int b) { return is_on_frame(bonds_[at(b)]); }));
+    };
     const auto is_bar = [&](MemberIndex member) {
         const std::vector<int>& held = bonds_of(member);
-        return held.size() == 2 &&
-               std::all_of(held.begin(), held.end(), [&](int b) { return bonds_[at(b)].kind == Bond::Kind::pin; }) &&
-               std::any_of(held.begin(), held.end(), [&](int b) { return is_on_frame(bonds_[at(b)]); }) &&
-               std::none_of(loads_.begin(), loads_.end(), [&](const Load& load) { return load.member == member; });
+        return !is_pin(member) && held.size() == 2 && !is_loaded(member) &&
+               std::all_of(held.begin(), held.end(), [&](int b) { return bonds_[at(b)].kind == Bond::Kind::pin; });
     };
-    return std::count_if(group.begin(), group.end(), is_bar) + 1 == static_cast<std::ptrdiff_t>(group.size());
+    const auto hangs_on_frame = [&](MemberIndex bar) {
+        const std::vector<int>& held = bonds_of(bar);
+        return std::any_of(held.begin(), held.end(), [&](int b) { return reaches_frame(bar, bonds_[at(b)]); });
+    };
+    std::ptrdiff_t bars = 0, bodies = 0;
+    for (const MemberIndex member : group) {
+        if (is_bar(member) && !hangs_on_frame(member)) return false;
+        bars += is_bar(member) ? 1 : 0;
+        bodies += !is_pin(member) && !is_bar(member) ? 1 : 0;
+    }
+    // Pins that bars share are no bodies, but what a pin bears the body does not feel. Where there is no other, one pin is what
+    // the bars hold.
+    const bool pin_loaded =
+        std::any_of(group.begin(), group.end(), [&](MemberIndex member) { return is_pin(member) && is_loaded(member); });
+    return (bodies == 1 && !pin_loaded) || (bodies == 0 && bars + 1 == static_cast<std::ptrdiff_t>(group.size()));
 }
 
 std::vector<int> ForceModel::outer_bonds(const Group& group) const {

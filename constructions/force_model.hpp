@@ -132,7 +132,7 @@ struct Balanced {
 };
 /// Pole, rays and strings of a funicular polygon.
 struct Strings {
-    MemberIndex member;
+    Group group;
     Symbol first, second;
     std::vector<Symbol> known;
     std::vector<PointOn<Plane::force>> corners;
@@ -219,6 +219,8 @@ public:
     Wrench wrench_of(const Bond& bond, const Reaction& reaction, MemberIndex member);
     /// Loads and known reactions of a member (or of several taken together), reduced.
     Wrench known_on(const Group& group, const std::vector<Load>& loads, const Run& run);
+    /// A spring between two members of a group, which the group does not feel.
+    bool is_inner(const Load& load, const Group& group) const;
     /// What the loads and the known reactions leave on a member: components along x and y, and the moment about a place.
     std::array<ScalarHandle, 3> gap(MemberIndex member, const std::vector<Load>& loads, const Run& run, PlaceOnDrawing about);
     /// Members that hang together, and neither on the frame nor on an effort.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -43,9 +44,11 @@ public:
     }
     const NamedMeets& meets() const { return meets_; }
 
-    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame.
-    Run whole(const Group& hung) {
+    /// What the structure, cut free whole, gives of its reactions. `hung`: two-force bars by which it hangs on the frame, and
+    /// rollers; `bars`: the names of the bars among these.
+    Run whole(const Group& hung, std::map<MemberIndex, std::string> bars) {
         of_truss_ = true;
+        bar_names_ = std::move(bars);
         Run run = fresh();
         const Board::Mark before = board_.mark();
         for (const MemberIndex member : hung) lines({member}, model_.loads(), run, false);
@@ -97,9 +100,18 @@ private:
         }
     }
 
-    std::vector<Group> groups() const {
-        std::vector<Group> result = wholes_;
+    std::vector<Group> groups(const Run& run) const {
+        // A whole of which a part was resolved already is no short cut.
+        const auto is_begun = [&](const Group& group) {
+            const std::vector<int> outer = model_.outer_bonds(group);
+            return std::any_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; });
+        };
+        std::vector<Group> result;
+        for (const Group& whole : wholes_)
+            if (!is_begun(whole)) result.push_back(whole);
         for (const MemberIndex member : model_.moving_members()) result.push_back({member});
+        for (const Group& whole : wholes_)
+            if (is_begun(whole)) result.push_back(whole);
         // Bodies that slide in one another, taken together; then any two that touch.
         for (const bool only_guides : {true, false}) {
             for (const Bond& bond : model_.bonds()) {
@@ -118,7 +130,7 @@ private:
     /// The rules, until no more follows.
     void advance(const std::vector<Load>& loads, Run& run) {
         fit(run);
-        const auto all = groups();
+        std::vector<Group> all;
         // A rule that does not apply leaves no stroke.
         const auto leads_on = [&](auto rule) {
             if (trials_ > 0 && attempts_left_-- <= 0) return false;
@@ -137,8 +149,10 @@ private:
         };
         const auto beside_couples = [&](const auto& group) { return leads_on([&] { return lines(group, loads, run, true); }); };
         const auto past_pins = [&](const auto& group) { return leads_on([&] { return through_pin(group, loads, run); }); };
-        while (!all_known(run) && (any(direct) || any(beside_couples) || any(past_pins))) {
-        }
+        const auto alongside = [&](const auto& group) { return leads_on([&] { return parallel_to_all(group, loads, run); }); };
+        do {
+            all = groups(run);
+        } while (!all_known(run) && (any(direct) || any(alongside) || any(beside_couples) || any(past_pins)));
         run.complete = all_known(run);
     }
 
@@ -193,12 +207,19 @@ private:
     /// A sentence of a body, or of several taken together: they are its first argument.
     void say_of(const Group& group, Sentence sentence, std::vector<Argument> arguments, const char* source = "") {
         std::string names;
-        constexpr std::size_t most_names = 4;
-        if (group.size() > most_names)
+        constexpr std::ptrdiff_t most_names = 4;
+        const auto bodies = std::count_if(group.begin(), group.end(), [&](MemberIndex each) { return !model_.is_pin(each); });
+        if (bodies > most_names)
             names = model_.member_name(group.front()) + " … " + model_.member_name(last_body_of(group));
         else
-            for (const MemberIndex member : group) names += (names.empty() ? "" : " + ") + model_.member_name(member);
-        arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
+            for (const MemberIndex member : group)
+                if (!model_.is_pin(member) || bodies < 2)  // "2 + 3", but "2+C" of a body with its pin: that is no other body
+                    names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
+        const auto bar = group.size() == 1 ? bar_names_.find(group.front()) : bar_names_.end();
+        if (bar != bar_names_.end())
+            arguments.insert(arguments.begin(), BodyName{bar->second, true});
+        else
+            arguments.insert(arguments.begin(), BodyName{names, of_truss_ && is_whole(group)});
         say(sentence, std::move(arguments), source, group);
     }
     /// Pins come after the bodies.
@@ -369,6 +390,23 @@ private:
         return true;
     }
 
+    /// All other forces on a body are parallel, known or not: across them nothing balances a force at its pin.
+    bool parallel_to_all(const Group& group, const std::vector<Load>& loads, Run& run) {
+        const auto [pins, guides, fixed, couples, clamps] = sorted(unknown_of(group, run), run);
+        if (pins.size() != 1 || !clamps.empty() || guides.size() + fixed.size() < 2) return false;
+        const DirectionHandle along =
+            fixed.empty() ? model_.bonds()[at(guides[0])].direction : run.reactions[at(fixed[0])].action->direction;
+        const auto is_along = [&](DirectionHandle direction) { return board_.parallel(along, direction); };
+        if (!std::all_of(fixed.begin(), fixed.end(), [&](int b) { return is_along(run.reactions[at(b)].action->direction); }) ||
+            !std::all_of(guides.begin(), guides.end(), [&](int b) { return is_along(model_.bonds()[at(b)].direction); }))
+            return false;
+        const Wrench known = model_.known_on(group, loads, run);
+        if (known.force && !is_along(board_.direction(*known.force))) return false;
+        say_of(group, Sentence::three_parallel_lines, {symbol_on(pins[0], group)});
+        settle_line(pins[0], model_.action(model_.bonds()[at(pins[0])].place, along), run);
+        return true;
+    }
+
     /// What is known on a body passes its pin: moments about that leave none to the guide, so its reaction passes there too.
     bool through_pin(const Group& group, const std::vector<Load>& loads, Run& run) {
         const auto [pins, guides, fixed, couples, clamps] = sorted(unknown_of(group, run), run);
@@ -392,7 +430,8 @@ private:
     std::vector<Actor> actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
         std::vector<Actor> actors;
         for (const Load& load : loads)
-            if (in(group, load.member)) actors.push_back({load.symbol, load.force, load.place, -1});
+            if (in(group, load.member) && !model_.is_inner(load, group))
+                actors.push_back({load.symbol, load.force, load.place, -1});
         for (const int b : model_.outer_bonds(group)) {
             const Bond& bond = model_.bonds()[at(b)];
             const Reaction& reaction = run.reactions[at(b)];
@@ -406,6 +445,7 @@ private:
         return actors;
     }
     std::string names_of(const Group& group) const {
+        if (is_whole(group) && wholes_.size() == 1) return "";  // all that is given
         std::string names;
         for (const MemberIndex member : group)
             if (!model_.is_pin(member) || group.size() == 1) names += (names.empty() ? "" : ",") + model_.member_name(member);
@@ -413,7 +453,7 @@ private:
     }
     /// Several known forces are one first: its line is what meets the others.
     void say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
-        constexpr std::size_t most = 6;
+        const std::size_t most = is_whole(group) ? 12 : 6;
         if (trials_ > 0 || !known.force) return;
         const std::vector<Actor> actors = actors_on(group, loads, run);
         if (actors.size() < 2 || actors.size() > most) return;
@@ -651,44 +691,97 @@ private:
             return board_.choose_along(axis, board_.vector(a.place, b.place)) > 0;
         });
     }
-    /// Forces along a line and at a place off it that balance known ones: pole, rays and strings. Nothing: not for a drawing of
-    /// one body, or a string would not meet its line.
+    /// Forces along a line and at a place off it that balance known ones: pole, rays and strings. Nothing: nobody draws it (in a
+    /// trial, of a pin, of a couple, of very many forces, so deep that it leaves the sheet), or a string would not meet its line.
     std::optional<Strings> strings(const Group& group, std::vector<Actor> actors, Force sum, const Action& line,
                                    PlaceOnDrawing place) {
-        constexpr std::size_t most = 6;
-        const bool drawn = trials_ == 0 && group.size() == 1 && !model_.is_pin(group.front());
+        const bool several = group.size() > 1;
+        const std::size_t most = several ? 12 : 6;
+        const bool drawn = trials_ == 0 && (several || !model_.is_pin(group.front()));
         if (!drawn || actors.empty() || actors.size() > most) return std::nullopt;
         if (!std::all_of(actors.begin(), actors.end(), [](const Actor& actor) { return actor.force.has_value(); }))
             return std::nullopt;
         sort_along(actors, place, line.place);
         Strings found;
-        found.member = group.front();
+        found.group = group;
         found.corners = {board_.pole<Plane::force>()};
         for (const Actor& actor : actors) {
             found.known.push_back(actor.symbol);
             found.corners.push_back(board_.carry(found.corners.back(), *actor.force));
         }
-        // As far from the forces as they are long: the strings are then a quarter as deep as they are wide, at most.
-        const Force half = board_.scale<Plane::force>(board_.number(Exact(1) / 2), sum);
-        found.pole = board_.carry(board_.carry(found.corners.front(), half), board_.turn(sum));
+        // The first whose strings stay beside the structure, or not far from it.
+        for (const Exact& deepest : {Exact(1), Exact(3) / 2})
+            for (const auto pole : poles(found.corners, sum, several)) {
+                const Board::Mark before = board_.mark();
+                found.pole = pole;
+                if (draw_strings(found, actors, line, place) && !(several && is_deep(found.vertices, actors, line, deepest)))
+                    return found;
+                board_.rewind(before);
+            }
+        return std::nullopt;
+    }
+    /// Through the place and from known line to known line; false: a string does not meet its line.
+    bool draw_strings(Strings& found, const std::vector<Actor>& actors, const Action& line, PlaceOnDrawing place) {
         found.vertices = {place};
+        found.resultant.reset();
         std::optional<LineOn<drawing>> outer;
         for (std::size_t i = 0; i <= actors.size(); ++i) {
             const auto ray = board_.direction(board_.vector(found.pole, found.corners[i]));
             const LineOn<drawing> string = board_.through(found.vertices.back(), ray);
             const LineOn<drawing> next =
                 i < actors.size() ? board_.through(actors[i].place, board_.direction(*actors[i].force)) : line.line;
-            if (board_.parallel(string, next)) return std::nullopt;
+            if (board_.parallel(string, next)) return false;
             if (!outer) outer = string;
             if (i == actors.size() && i > 1 && !board_.parallel(*outer, string)) found.resultant = board_.meet(*outer, string);
             found.vertices.push_back(*board_.meet(string, next));
         }
+        if (board_.coincide(found.vertices.back(), found.vertices.front())) return false;
         const auto closing = board_.direction(board_.vector(found.vertices.back(), found.vertices.front()));
         const auto dividing =
             board_.meet(board_.through(found.corners.back(), line.direction), board_.through(found.pole, closing));
         KG_ASSERT(dividing && !board_.is_at_infinity(*dividing), "the closing line joins a place to a line that misses it");
         found.dividing = *dividing;
+        return true;
+    }
+    /// Beside the middle of the sum. Of several bodies also farther along it: the strings then run aslant to it, where its own
+    /// perpendicular would not lead to the lines.
+    std::vector<PointOn<Plane::force>> poles(const std::vector<PointOn<Plane::force>>& corners, Force sum, bool several) {
+        const auto distance = several ? pole_distance(corners, sum) : Exact(1);
+        if (!distance) return {};
+        const Force away =
+            *distance == Exact(1) ? board_.turn(sum) : board_.scale<Plane::force>(board_.number(*distance), board_.turn(sum));
+        std::vector<PointOn<Plane::force>> found;
+        for (const Exact& share : {Exact(1) / 2, Exact(3) / 2, Exact(-1) / 2}) {
+            const Force along = board_.scale<Plane::force>(board_.number(share), sum);
+            found.push_back(board_.carry(board_.carry(corners.front(), along), away));
+            if (!several) break;
+        }
         return found;
+    }
+    /// Times the sum of the forces. As far from them as they are long: strings between parallel forces are then a quarter as deep
+    /// as they are wide, at most. Nothing: the sum is small beside what is added.
+    std::optional<Exact> pole_distance(const std::vector<PointOn<Plane::force>>& corners, Force sum) {
+        for (const int times : {1, 2, 4}) {
+            const Force reach = board_.scale<Plane::force>(board_.number(Exact(5) / 4 * Exact(times)), sum);
+            const bool near = std::all_of(corners.begin() + 1, corners.end(), [&](PointOn<Plane::force> corner) {
+                return !board_.choose_longer(board_.vector(corners.front(), corner), reach);
+            });
+            if (near) return Exact(times);
+        }
+        return std::nullopt;
+    }
+    /// Whether a string ends farther from where its force acts than so many times what the structure reaches.
+    bool is_deep(const std::vector<PlaceOnDrawing>& vertices, const std::vector<Actor>& actors, const Action& line,
+                 const Exact& times) {
+        auto reach = board_.vector(vertices.front(), line.place);
+        for (const Actor& actor : actors)
+            if (const auto away = board_.vector(vertices.front(), actor.place); board_.choose_longer(away, reach)) reach = away;
+        reach = board_.scale<drawing>(board_.number(times), reach);
+        for (std::size_t i = 0; i < vertices.size() - 1; ++i) {
+            const PlaceOnDrawing acts_at = i < actors.size() ? actors[i].place : line.place;
+            if (board_.choose_longer(board_.vector(acts_at, vertices[i + 1]), reach)) return true;
+        }
+        return false;
     }
     /// Both reactions, and the strings of the sentence said last.
     std::pair<Force, Force> by_strings(Strings found, int line, int pin, Force sum, const Group& group, Run& run) {
@@ -703,14 +796,16 @@ private:
         run.strings.push_back(std::move(found));
         return {first, second};
     }
-    /// So far away that nobody draws to it.
-    bool is_far(PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two) {
-        constexpr int times = 12;
+    /// So far away that nobody draws to it; from a whole, farther than it reaches.
+    bool is_far(const Group& group, PlaceOnDrawing met, PlaceOnDrawing place, PlaceOnDrawing one, PlaceOnDrawing two) {
+        const int times = is_whole(group) ? 1 : 12;
+        std::vector<PlaceOnDrawing> near{one, two};
+        if (is_whole(group))
+            for (const int b : model_.outer_bonds(group)) near.push_back(model_.bonds()[at(b)].place);
         const auto away = board_.vector(place, met);
-        for (const PlaceOnDrawing near : {one, two})
-            if (!board_.choose_longer(away, board_.scale<drawing>(board_.number(times), board_.vector(place, near))))
-                return false;
-        return true;
+        return std::all_of(near.begin(), near.end(), [&](PlaceOnDrawing each) {
+            return board_.choose_longer(away, board_.scale<drawing>(board_.number(times), board_.vector(place, each)));
+        });
     }
 
     bool line_and_pin(const Group& group, int line, int pin, const Wrench& known, const std::vector<Load>& loads, Run& run) {
@@ -726,8 +821,10 @@ private:
         if (known.force && !board_.parallel(board_.direction(*known.force), given.direction)) {
             const auto met = board_.meet(model_.line_of(known), given.line);
             if (board_.coincide(*met, place)) return false;
+            const bool far = is_far(group, *met, place, known.place, given.place);
+            if (several_by_strings(group, line, pin, known, far, loads, run)) return true;
             say_resultant(group, known, loads, run);
-            if (is_far(*met, place, known.place, given.place))
+            if (far)
                 if (auto found = strings(group, {{symbol_of_known(group, loads, run), known.force, known.place, -1}},
                                          *known.force, given, place)) {
                     say_of(group, Sentence::funicular_far, {symbol_on(line, group), symbol_on(pin, group)}, "Culmann");
@@ -758,6 +855,24 @@ private:
         say_of(group, Sentence::parallel_forces, {symbol_on(line, group), symbol_on(pin, group)}, "Ritter");
         settle(line, *along, given.place, group, run);
         settle(pin, board_.negate(known.force ? board_.add(*known.force, *along) : *along), place, group, run);
+        return true;
+    }
+
+    /// More than two forces on a structure, of several directions, or two whose sum meets the line `far` away: one funicular
+    /// polygon adds them and parts the sum.
+    bool several_by_strings(const Group& group, int line, int pin, const Wrench& known, bool far, const std::vector<Load>& loads,
+                            Run& run) {
+        if (!is_whole(group)) return false;
+        const std::vector<Actor> actors = actors_on(group, loads, run);
+        if (actors.size() < (far ? 2U : 3U)) return false;
+        const Action given = *run.reactions[at(line)].action;
+        const PlaceOnDrawing place = model_.bonds()[at(pin)].place;
+        auto found = strings(group, actors, *known.force, given, place);
+        if (!found) return false;
+        say_of(group, Sentence::funicular_several, {symbol_on(line, group), symbol_on(pin, group), found->known}, "Culmann");
+        const auto [along, at_pin] = by_strings(*std::move(found), line, pin, *known.force, group, run);
+        settle(line, along, given.place, group, run);
+        settle(pin, at_pin, place, group, run);
         return true;
     }
 
@@ -1296,14 +1411,15 @@ private:
     PlaceOnDrawing origin_;  ///< about which gaps are measured
     std::set<MemberIndex> adrift_;
     bool redundant_;
-    std::vector<Group> wholes_;           ///< structures hung on the frame, which no effort moves: cut free whole first
-    long attempts_left_ = 500'000;        ///< of rules in trials: nobody draws on a system that large
-    int trials_ = 0;                      ///< trials under way, one in the other
-    bool of_truss_ = false;               ///< what is cut free whole is a truss
-    std::string mark_;                    ///< of the member whose loads act alone just now
-    StatementIndex statement_ = none;     ///< said last
-    NamedMeets meets_;                    ///< by member
-    std::vector<NamedMeet> named_meets_;  ///< all, each with its letter
+    std::vector<Group> wholes_;     ///< structures hung on the frame, which no effort moves: cut free whole first
+    long attempts_left_ = 500'000;  ///< of rules in trials: nobody draws on a system that large
+    int trials_ = 0;                ///< trials under way, one in the other
+    bool of_truss_ = false;         ///< what is cut free whole is a truss
+    std::map<MemberIndex, std::string> bar_names_;
+    std::string mark_;                                            ///< of the member whose loads act alone just now
+    StatementIndex statement_ = none;                             ///< said last
+    NamedMeets meets_;                                            ///< by member
+    std::vector<NamedMeet> named_meets_;                          ///< all, each with its letter
     std::vector<std::pair<Group, std::ptrdiff_t>> unsaid_meets_;  ///< of groups; indices in named_meets_
 };
 
@@ -1359,7 +1475,9 @@ ForceResults draw_truss(ForceModel& model, Board& board, const Mechanism& mechan
                        {Count{static_cast<int>(truss.bars.size())}, Count{static_cast<int>(truss.pins.size())}}};
     board.state(std::move(opening));
     Rules rules(model, board, mechanism, {}, false);
-    const Run whole = rules.whole(hung_bars(model, board, truss));
+    std::map<MemberIndex, std::string> names;
+    for (const TrussStructure::Bar& bar : truss.bars) names.emplace(member_of(bar.body), bar.name);
+    const Run whole = rules.whole(hung_bars(model, board, truss), std::move(names));
     TrussDrawing drawing(model, board, mechanism, truss, whole);
     if (drawing.resolve()) {
         const Run run = drawing.run(whole);

@@ -54,7 +54,7 @@ private:
         if (one_by_one_) draw_bodies(run);
         for (const Released& released : run.released) virtual_motion(released);
         if (complete && one_by_one_) join_polygons();
-        if (one_by_one_) cut_together(run);
+        cut_together(run);
         if (complete && one_by_one_ && !run.parts.empty()) superpose(run);
         remark_lift_off(run);
     }
@@ -162,9 +162,12 @@ private:
         for (const Balanced& balanced : run.balanced) {
             const std::vector<int> outer = model_.outer_bonds(balanced.group);
             if (!std::all_of(outer.begin(), outer.end(), [&](int b) { return run.reactions[at(b)].known; })) continue;
+            const Strings* strings = strings_of(balanced, run);
+            // The plan of a truss has what closes, but no rays and no diagonal of Culmann's.
+            if (!one_by_one_ && strings == nullptr && !has_diagonal(balanced, run)) continue;
             std::vector<std::pair<MemberIndex, Side>> sides;
             for (const Load& load : *loads_)
-                if (load.force && in(balanced.group, load.member))
+                if (load.force && in(balanced.group, load.member) && !model_.is_inner(load, balanced.group))
                     sides.push_back(
                         {load.member,
                          {load.symbol, *load.force, -1, true, quantity_of(empty_body(load.member), applied_load(load))}});
@@ -182,20 +185,51 @@ private:
                                       true,
                                       {}}});
                 }
-            if (sides.size() > 2) draw_together(balanced, sides, run);
+            if (sides.size() > 2) draw_together(balanced, std::move(sides), strings, run);
         }
     }
-    void draw_together(const Balanced& balanced, const std::vector<std::pair<MemberIndex, Side>>& sides, const Run& run) {
+    /// What is known and a force that is sought were added.
+    static bool has_diagonal(const Balanced& balanced, const Run& run) {
+        const auto is_sought = [&](int b) {
+            return std::find(balanced.sought.begin(), balanced.sought.end(), b) != balanced.sought.end();
+        };
+        return std::any_of(run.added.begin(), run.added.end(), [&](const Added& added) {
+            return added.group == balanced.group && std::any_of(added.bonds.begin(), added.bonds.end(), is_sought);
+        });
+    }
+    /// By which the group was balanced; null: otherwise.
+    static const Strings* strings_of(const Balanced& balanced, const Run& run) {
+        const auto found = std::find_if(run.strings.begin(), run.strings.end(), [&](const Strings& strings) {
+            return strings.group == balanced.group && strings.statement == balanced.statement;
+        });
+        return found == run.strings.end() ? nullptr : &*found;
+    }
+    void draw_together(const Balanced& balanced, std::vector<std::pair<MemberIndex, Side>> sides, const Strings* strings,
+                       const Run& run) {
         TakenTogether together;
         together.statement = balanced.statement;
-        std::string id = "forces";
-        for (const MemberIndex member : balanced.group) {
-            if (model_.is_pin(member)) continue;
-            together.bodies.push_back(model_.body_of(member));
-            id += "-" + model_.member_name(member);
+        if (strings != nullptr) {
+            together.funicular = funicular(*strings);
+            std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+                return rank_in(*together.funicular, a.second.symbol) < rank_in(*together.funicular, b.second.symbol);
+            });
         }
+        std::string id = one_by_one_ ? "forces" : "forces-truss";
+        for (const MemberIndex member : balanced.group)
+            if (!model_.is_pin(member)) together.bodies.push_back(model_.body_of(member));
+        // Of one body and its pin it is not the body's own.
+        for (const MemberIndex member : balanced.group)
+            if (one_by_one_ && (!model_.is_pin(member) || together.bodies.size() < 2)) id += "-" + model_.member_name(member);
+        std::vector<const Added*> leading;
         for (const Added& added : run.added)
-            if (added.group == balanced.group) together.sums.push_back(applied_sum(added));
+            if (added.group == balanced.group) {
+                together.sums.push_back(applied_sum(added));
+                leading.push_back(&added);
+            }
+        if (strings == nullptr)
+            std::stable_sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+                return rank_in(leading, a.second) < rank_in(leading, b.second);
+            });
         together.polygon = add_force_polygon(Polygon::Kind::body_forces, id + suffix());
         Face face;
         Corner here = board_.pole<Plane::force>();
@@ -243,7 +277,7 @@ private:
         for (const Lever& lever : run.levers)
             if (lever.member == member) add_lever(lever, body);
         for (const Strings& strings : run.strings)
-            if (strings.member == member) body.funicular = funicular(strings);
+            if (strings.group == alone) body.funicular = funicular(strings);
         return leading;
     }
     void add_lever(const Lever& lever, FreeBody& body) {
@@ -269,28 +303,30 @@ private:
     void put_in_order(std::vector<Side>& sides, const std::vector<const Added*>& leading) {
         sort_round(sides);
         if (leading.empty()) return;
-        const auto rank = [&](const Side& side) {
-            return std::find_if(leading.begin(), leading.end(),
-                                [&](const Added* added) {
-                                    return side.bond < 0 ||
-                                           std::find(added->bonds.begin(), added->bonds.end(), side.bond) != added->bonds.end();
-                                }) -
-                   leading.begin();
+        std::stable_sort(sides.begin(), sides.end(),
+                         [&](const Side& a, const Side& b) { return rank_in(leading, a) < rank_in(leading, b); });
+    }
+    /// By the first sum that it is part of.
+    static std::ptrdiff_t rank_in(const std::vector<const Added*>& leading, const Side& side) {
+        const auto has_it = [&](const Added* added) {
+            return side.bond < 0 || std::find(added->bonds.begin(), added->bonds.end(), side.bond) != added->bonds.end();
         };
-        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return rank(a) < rank(b); });
+        return std::find_if(leading.begin(), leading.end(), has_it) - leading.begin();
     }
 
     /// As the corners of its rays have them: what is known, the force of the line, that of the place.
     static void put_in_order(std::vector<Side>& sides, const FreeBody::Funicular& funicular) {
+        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+            return rank_in(funicular, a.symbol) < rank_in(funicular, b.symbol);
+        });
+    }
+    static std::ptrdiff_t rank_in(const FreeBody::Funicular& funicular, const Symbol& symbol) {
         Symbols order = funicular.known;
         order.push_back(funicular.first);
         order.push_back(funicular.second);
         // What is known was one resultant: its parts come before all.
-        const auto rank = [&](const Side& side) {
-            const auto found = std::find(order.begin(), order.end(), side.symbol);
-            return found == order.end() ? -1 : found - order.begin();
-        };
-        std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return rank(a) < rank(b); });
+        const auto found = std::find(order.begin(), order.end(), symbol);
+        return found == order.end() ? -1 : found - order.begin();
     }
 
     // --- bodies that nothing holds ---------------------------------------------------------------------------------------------

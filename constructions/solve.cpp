@@ -50,7 +50,7 @@ Wanted wanted_of(const Mechanism& mechanism) {
     // The equations' values stand beside the polygons'.
     if (find.curvature || (find.equations && driven)) wanted.velocities = wanted.accelerations = true;
     // Inertia is a load as the motion has it.
-    if (find.virtual_work && driven && mechanism.inertia_forces) wanted.velocities = wanted.accelerations = true;
+    if ((find.virtual_work || find.forces) && driven && mechanism.inertia_forces) wanted.velocities = wanted.accelerations = true;
     if (!find.relative_motion.empty()) {
         wanted.velocities = true;
         wanted.accelerations = wanted.accelerations || !mechanism.motion || !mechanism.motion->accelerations.empty();

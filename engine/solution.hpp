@@ -179,8 +179,10 @@ struct FreeBody {
 };
 /// Bodies that were balanced as one: their polygon of what acts on them from outside.
 struct TakenTogether {
-    std::vector<BodyIndex> bodies;    ///< pins left out
-    std::vector<AppliedForce> sums;   ///< as FreeBody::sums
+    std::vector<BodyIndex> bodies;   ///< pins left out
+    std::vector<AppliedForce> sums;  ///< as FreeBody::sums
+    /// By which their reactions were found; its strings run from force to force over them all.
+    std::optional<FreeBody::Funicular> funicular;
     int polygon = -1;                 ///< index in Protocol::polygons; −1: no more than two forces
     StatementIndex statement = none;  ///< that closes it
 };
@@ -436,6 +438,11 @@ void for_each_found(Solution& solution, See see) {
         force.along.visit(see);
     }
     for (EffortValue& effort : solution.efforts) effort.value.visit(see);
+    const auto see_strings = [&](FreeBody::Funicular& funicular) {
+        for (auto* places : {&funicular.corners, &funicular.vertices})
+            for (Recorded<Vector>& place : *places) place.visit(see);
+        for (auto* place : {&funicular.pole, &funicular.dividing, &funicular.resultant}) place->visit(see);
+    };
     const auto see_body = [&](FreeBody& body) {
         for (auto* forces : {&body.forces, &body.sums})
             for (AppliedForce& applied : *forces) {
@@ -448,16 +455,14 @@ void for_each_found(Solution& solution, See see) {
             held(arm.elements.about, arm.about);
             held(arm.elements.foot, arm.foot);
         }
-        if (!body.funicular) return;
-        for (auto* places : {&body.funicular->corners, &body.funicular->vertices})
-            for (Recorded<Vector>& place : *places) place.visit(see);
-        for (auto* place : {&body.funicular->pole, &body.funicular->dividing, &body.funicular->resultant}) place->visit(see);
+        if (body.funicular) see_strings(*body.funicular);
     };
     const auto see_together = [&](TakenTogether& together) {
         for (AppliedForce& applied : together.sums) {
             held(applied.elements.force, applied.force);
             held(applied.elements.at, applied.at);
         }
+        if (together.funicular) see_strings(*together.funicular);
     };
     for (FreeBody& body : solution.free_bodies) see_body(body);
     for (TakenTogether& together : solution.taken_together) see_together(together);

@@ -114,6 +114,7 @@ enum class Sentence {
     inertia_moved,       ///< {0} body, {1} F_i, {2} M_i: F_i moved aside stands for both
     funicular_parallel,  ///< {0} body, {1} {2} symbols: parallel forces, by the funicular polygon
     funicular_far,       ///< {0} body, {1} {2} symbols: lines that meet far away, by the funicular polygon
+    funicular_several,   ///< {0} bodies, {1} {2} symbols, {3} known symbols: of several directions, by the funicular polygon
     trial,               ///< {0} symbol: one trial value, then in proportion
     elastic_spring,      ///< {0} F, {1} {2} points: k (l − l_0), along their join
     torsion_spring,      ///< {0} M on the first body, {1} first body, {2} second: −k φ

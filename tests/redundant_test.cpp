@@ -202,6 +202,25 @@ TEST(Unheld, ABodyOnAHingeMayBeInEquilibriumAllTheSame) {
     EXPECT_EQ(*action(solution, "A", "2").force, (Vector{0, 50}));
 }
 
+/// Where more hang together than are asked, the limit is told in both languages.
+TEST(Redundant, BeyondTheMembersThatAreAskedSaysHowManyThatAre) {
+    std::string points = R"("P0": [0, 0])", bodies, joints = R"({"revolute": "P0", "bodies": [1, 2]})";
+    constexpr int last = 27;
+    for (int body = 2; body <= last; ++body) {
+        const std::string number = std::to_string(body), from = "P" + std::to_string(body - 2),
+                          to = "P" + std::to_string(body - 1);
+        points += ", \"" + to + "\": [" + std::to_string(body - 1) + ", 0]";
+        bodies += (body > 2 ? ", \"" : "\"") + number + "\": [\"" + from + "\", \"" + to + "\"]";
+        joints += ", {\"revolute\": \"" + to + "\", \"bodies\": [1, " + number +
+                  (body < last ? ", " + std::to_string(body + 1) : "") + "]}";
+    }
+    const Solution solution = solved(R"({"kinegraph": 1, "frame": 1, "points": {)" + points + R"(}, "bodies": {)" + bodies +
+                                     R"(}, "joints": [)" + joints + R"(], "loads": [{"couple": "M", "body": 5, "value": 3}]})");
+    ASSERT_FALSE(solution.unsolved.empty());
+    EXPECT_NE(why(solution).find("hold more than 24 members together"), std::string::npos) << why(solution);
+    EXPECT_NE(render::tell(solution.unsolved.front().why, render::Language::it).find("più di 24 elementi"), std::string::npos);
+}
+
 // --- at random ---------------------------------------------------------------------------------------------------------------
 
 struct Hinge {

@@ -80,6 +80,15 @@ TEST(Engine, NeedsNoSuperposition) {
     EXPECT_EQ(together.sums.front().force, -sum);
 }
 
+/// Who asks for forces alone needs the accelerations on the way.
+TEST(Engine, HasItsInertiaWhereForcesAloneAreAsked) {
+    std::string text = contents(example_file("engine_inertia_gas"));
+    text.insert(text.rfind('}'), ", \"find\": [\"forces\"]");
+    const Solution solution = solved(text);
+    EXPECT_TRUE(solution.unsolved.empty());
+    EXPECT_EQ(force_on(solution, "4", "1"), force_on(example("engine_inertia_gas"), "4", "1"));
+}
+
 /// F_i with its couple is F_i alone, moved aside by J α/F.
 TEST(Engine, MovesTheInertiaForceAside) {
     const Solution solution = example("engine_inertia_gas");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -400,14 +401,29 @@ TEST(TheWholeFirst, AnExcavatorsCylindersHoldItsBodiesByMoments) {
         EXPECT_NEAR(solution.efforts[e].value->to_double(), expected[e], 1e-9 * std::abs(expected[e]));
 }
 
+/// Each string of the whole is parallel to its ray, and the closing line to the dividing one.
+void expect_strings(const Solution& solution, const std::string& text) {
+    for (const TakenTogether& together : solution.taken_together) {
+        ASSERT_TRUE(together.funicular) << text;
+        const FreeBody::Funicular& found = *together.funicular;
+        for (std::size_t i = 0; i < found.corners.size(); ++i)
+            EXPECT_TRUE(cross(*found.vertices[i + 1] - *found.vertices[i], *found.corners[i] - *found.pole).is_zero()) << text;
+        EXPECT_TRUE(cross(*found.vertices.front() - *found.vertices.back(), *found.dividing - *found.pole).is_zero()) << text;
+    }
+}
+
+/// KINEGRAPH_RANDOM_MECHANISMS=n takes so many.
 TEST(RandomTrusses, AreTheLinearSolveExactly) {
-    const int count = unless_sanitized(40, 6);
-    int plans = 0;
+    const char* const asked = std::getenv("KINEGRAPH_RANDOM_MECHANISMS");
+    const int count = asked != nullptr ? std::stoi(asked) : unless_sanitized(40, 6);
+    int plans = 0, strings = 0;
     for (int i = 0; i < count; ++i) {
         const std::string text = RandomTruss(static_cast<std::uint64_t>(i) + 1, 3 + i % 14).text();
         const Solution solution = solved(text);
         if (solution.mobility.effective != 0) continue;
         expect_as_linear_solve(solution, text);
+        expect_strings(solution, text);
+        strings += solution.taken_together.empty() ? 0 : 1;
         EXPECT_TRUE(solution.unsolved.empty()) << text;
         plans += solution.truss->polygon >= 0;
         // The check has every bar.
@@ -416,6 +432,7 @@ TEST(RandomTrusses, AreTheLinearSolveExactly) {
         EXPECT_EQ(static_cast<std::size_t>(rows), solution.truss->bars.size());
     }
     EXPECT_GT(plans, count / 20);
+    EXPECT_GT(strings, count / 4);
 }
 
 }  // namespace

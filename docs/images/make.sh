@@ -41,6 +41,10 @@ draw body four_bar_weights 1 --dpi 110 --figure body-3
 draw contact joint_contact/cam_and_roller 4 --dpi 100
 draw equations slider_crank_offset 3 --dpi 110 --with equations
 draw virtual_work virtual_work 2 --dpi 110
+draw truss truss_simple 1 --dpi 100
+draw engine engine_inertia_gas 2 --dpi 110
+draw superposition four_bar_weights 4 --dpi 110
+draw gerber_beam gerber_beam 1 --dpi 110
 draw equilibrium plate_under_forces 1 --dpi 110
 draw redundant redundant/beam_on_two_hinges 1 --dpi 100
 draw point_motion motion/projectile 1 --dpi 110

@@ -1,10 +1,12 @@
 // Force figures: the mechanism with its lines of action, and every body cut free. Owns what such a figure shows and where its
 // arrows stand; takes every force and place from the Solution, computes no statics.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "render/figures/fit.hpp"
+#include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/mechanism/symbols.hpp"
@@ -98,9 +100,7 @@ FreeExtent extent_of(const Subject& subject, const FreeBody& body) {
     for (const FreeBody::Arm& arm : body.arms)
         for (const Spot end : {paper_spot(arm.about), paper_spot(arm.foot)})
             if (contains(near, end)) box.include(end);
-    if (body.funicular)
-        for (const Recorded<Vector>& vertex : body.funicular->vertices)
-            if (const Spot at = paper_spot(*vertex); contains(near, at)) box.include(at);
+    if (body.funicular) include_strings(box, *body.funicular, near);
     return {own, box};
 }
 
@@ -171,6 +171,16 @@ public:
                 return;
             }
         lines_.push_back(std::move(added));
+    }
+
+    /// The line of a force as far as to the strings that end on it.
+    void add_to_strings(const AppliedForce& applied, const Meets& meets, const FreeBody::Funicular& funicular) {
+        ActionLine action = line_of(applied, meets);
+        for (const Recorded<Vector>& vertex : funicular.vertices)
+            if (const Spot at = sketch_.spot(*vertex); std::abs(cross(action.along, at - action.at)) < 0.05)
+                action.marks.push_back(at);
+        action.statement = std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
+        if (action.marks.size() > 1) add(std::move(action));
     }
 
     void draw_meets(const Meets& meets) {
@@ -333,7 +343,7 @@ public:
             else
                 add_line_of(sum);
         for (const FreeBody::Arm& arm : body_.arms) draw_arm(sketch_, arm, arms_);
-        if (body_.funicular) draw_strings(*body_.funicular);
+        if (body_.funicular) draw_strings_of_body(*body_.funicular);
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
     }
@@ -461,28 +471,11 @@ private:
         if (action.joins() || carries_two_forces() || (found && applied.line_by_construction)) lines_.add(std::move(action));
     }
 
-    /// The strings, numbered as the rays are, the closing line broken; each string ends on the lines of its two forces.
-    void draw_strings(const FreeBody::Funicular& funicular) {
-        const Theme& theme = sketch_.theme;
-        const auto& vertices = funicular.vertices;
-        const auto string = [&](const Vector& from, const Vector& to, std::size_t number, std::vector<double> dashed) {
-            const Spot a = sketch_.spot(from), b = sketch_.spot(to);
-            sketch_.over_bodies.emplace_back(line(a, b, {theme.thin, theme.text, std::move(dashed), false}));
-            belong(sketch_.over_bodies, sketch_.over_bodies.size() - 1, funicular.statement);
-            sketch_.add_label(one_piece(std::to_string(number)), theme.secondary, 0.5 * (a + b), 1.0, funicular.statement).size =
-                theme.small;
-        };
-        for (std::size_t i = 0; i + 1 < vertices.size(); ++i) string(*vertices[i], *vertices[i + 1], i + 1, {});
-        string(*vertices.back(), *vertices.front(), vertices.size(), dashes());
-        for (const AppliedForce& applied : body_.forces) {
-            if (applied.force.is_zero()) continue;
-            ActionLine action = lines_.line_of(applied, meets_);
-            for (const Recorded<Vector>& vertex : vertices)
-                if (const Spot at = sketch_.spot(*vertex); std::abs(cross(action.along, at - action.at)) < 0.05)
-                    action.marks.push_back(at);
-            action.statement = std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
-            if (action.marks.size() > 1) lines_.add(std::move(action));
-        }
+    /// Each string ends on the lines of its two forces.
+    void draw_strings_of_body(const FreeBody::Funicular& funicular) {
+        draw_strings(sketch_, funicular);
+        for (const AppliedForce& applied : body_.forces)
+            if (!applied.force.is_zero()) lines_.add_to_strings(applied, meets_, funicular);
     }
 
     /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
@@ -542,12 +535,24 @@ void show_only(Subject& subject, const FreeBody& body) {
         if (body.body != none && mass.body == body.body) show(mass.centre);
 }
 
-/// Of a free body: "2", "2: connecting rod", "pin B".
-RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name) {
+/// "Loads alone on body 3".
+std::string words_of_load(const DrawingContext& context, const std::string& load) {
+    const bool body = context.solution.mechanism.body_named(load).has_value();
+    return word("loads alone", context.language) + " " + word(body ? "loads of body" : "loads of pin", context.language) + " " +
+           load;
+}
+
+/// Of a free body: "2", "2: connecting rod", "pin B"; under the loads of one body alone it says which.
+RichText caption_of(const DrawingContext& context, const FreeBody& body, const std::string& name, const std::string& load) {
     RichText caption = one_piece(word(body.body != none ? "free body" : "free pin", context.language) + " " + name);
-    if (body.body != none)
+    if (!load.empty()) {
+        std::string words = words_of_load(context, load);
+        words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+        caption.back().text += "; " + words;
+    } else if (body.body != none) {
         if (const std::string& label = in(context.solution.mechanism.body(body.body).label, context.language); !label.empty())
             caption.back().text += ": " + label;
+    }
     return caption;
 }
 
@@ -601,6 +606,13 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     label.names = {name_of(applied.symbol)};
 }
 
+/// On bodies taken together: what the polygon of their strings has.
+bool acts_from_outside(const AppliedForce& applied, const TakenTogether& together) {
+    const FreeBody::Funicular& strings = *together.funicular;
+    return applied.symbol == strings.first || applied.symbol == strings.second ||
+           std::find(strings.known.begin(), strings.known.end(), applied.symbol) != strings.known.end();
+}
+
 void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view) {
     const Solution& solution = sketch.subject.solution;
     ActionLines lines(sketch, view);
@@ -615,17 +627,22 @@ void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view) {
             if (ActionLine action = lines.line_of(sum, meets); action.joins()) lines.add(std::move(action));
     };
     for (const FreeBody& body : solution.free_bodies) add_sums(body.sums);
-    for (const TakenTogether& together : solution.taken_together) add_sums(together.sums);
+    for (const TakenTogether& together : solution.taken_together) {
+        add_sums(together.sums);
+        if (!together.funicular) continue;
+        draw_strings(sketch, *together.funicular);
+        for (const FreeBody& body : solution.free_bodies)
+            for (const AppliedForce& applied : body.forces)
+                if (!applied.force.is_zero() && acts_from_outside(applied, together))
+                    lines.add_to_strings(applied, shown_meets(solution, body), *together.funicular);
+    }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
 }
 
 /// The mechanism under all loads, or under those of one body alone.
 RichText caption_of_lines(const DrawingContext& context, const std::string& load) {
-    if (load.empty()) return one_piece(word("mechanism and lines of action", context.language));
-    const bool body = context.solution.mechanism.body_named(load).has_value();
-    return one_piece(word("loads alone", context.language) + " " +
-                     word(body ? "loads of body" : "loads of pin", context.language) + " " + load);
+    return one_piece(load.empty() ? word("mechanism and lines of action", context.language) : words_of_load(context, load));
 }
 
 }  // namespace
@@ -634,12 +651,13 @@ Box extent_of_free_body(const Solution& solution, std::size_t index) {
     return extent_of(Subject(solution), solution.free_bodies[index]).all;
 }
 
-Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs) {
+Figure free_body_figure(const DrawingContext& context, std::size_t index, double room_x, double room_y, bool at_pairs,
+                        const std::string& load) {
     const Solution& solution = context.solution;
     const Mechanism& mechanism = solution.mechanism;
     const FreeBody& body = solution.free_bodies[index];
     const std::string& name = body.body != none ? mechanism.body(body.body).name : mechanism.point(body.pin).name;
-    const std::string id = legal_id(body.body != none ? "body-" + name : "pin-" + name);
+    const std::string id = legal_id((body.body != none ? "body-" : "pin-") + name + (load.empty() ? "" : "-load-" + load));
     Subject subject(solution);
     const auto [own_box, box] = extent_of(subject, body);
     subject.box = box;
@@ -669,7 +687,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
         FreeBodyDrawing(sketch, body, forces).draw();
         Figure figure = sketch.finish("body", id, unit.symbol);
         figure.scale = forces.per_millimetre;
-        figure.caption = caption_of(context, body, name);
+        figure.caption = caption_of(context, body, name, load);
         sketch.close(figure, {room_x, room_y}, trial.last, forces.per_millimetre * si, unit);
         return figure;
     });
@@ -685,6 +703,8 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
     Box extent = subject.box;
     for (const FreeBody::Meet& meet : meets)
         if (const Spot at = paper_spot(meet.place); contains(near, at)) extent.include(at);
+    for (const TakenTogether& together : solution.taken_together)
+        if (together.funicular) include_strings(extent, *together.funicular, near);
     const double first =
         choose_scale(extent.width(), extent.height(), std::max(room_x - 14, 10.0), std::max(room_y - 24, 10.0), asked);
     const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .asked = asked, .keeps_asked = true};

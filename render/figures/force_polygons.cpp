@@ -18,8 +18,12 @@ namespace {
 using namespace drawing;
 
 constexpr double label_reach = 7;  // what labels may add beyond the strokes on each side
+constexpr double least_shown = 8;  // mm of the longest polygon: letters that have no room beside it need a wider room
 
 void append(std::vector<Mark>& to, const std::vector<Mark>& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+/// What is taken together is the truss then.
+bool is_truss_whole(const Solution& solution) { return solution.truss && solution.free_bodies.empty(); }
 
 class ForcePolygon {
 public:
@@ -31,7 +35,7 @@ public:
         for (const FreeBody& body : context.solution.free_bodies)
             if (body.polygon == polygon) sums_ = body.sums, funicular_ = body.funicular;
         for (const TakenTogether& together : context.solution.taken_together)
-            if (together.polygon == polygon) sums_ = together.sums;
+            if (together.polygon == polygon) sums_ = together.sums, funicular_ = together.funicular;
         // So thin that its sides would lie on each other.
         constexpr double thin = 0.035;
         if (scene_.vectors.empty()) return;
@@ -90,7 +94,7 @@ public:
                 side.tail = side.tail + aside, side.tip = side.tip + aside;
             }
             side.text = typeset(each.symbol, context_.language);
-            side.colour = context_.theme.colour_of(each.body);
+            side.colour = context_.theme.colour_of(is_truss_whole(context_.solution) ? BodyIndex(none) : each.body);
             if (is_open() && &each == &scene_.vectors.back()) side.colour.dashes = dashes();
             // An inner side met again (a two-force body lies between): one stroke, both names.
             side.internal = each.falls_out;
@@ -232,6 +236,11 @@ Box extent_of(const Solution& solution, const std::vector<int>& polygons) {
     for (const int p : polygons) {
         const PolygonScene scene = polygon_scene(solution, p);
         all.max = {all.max.x + scene.width(), std::max(all.max.y, scene.height())};
+        // The pole of the rays stands as far aside as the forces are long.
+        const auto has_rays = [p](const auto& each) { return each.polygon == p && each.funicular; };
+        if (std::any_of(solution.free_bodies.begin(), solution.free_bodies.end(), has_rays) ||
+            std::any_of(solution.taken_together.begin(), solution.taken_together.end(), has_rays))
+            all.max.x += std::max(scene.width(), scene.height());
     }
     return all;
 }
@@ -261,6 +270,11 @@ public:
         double height = 0;
         for (const Item& item : items_) height = std::max(height, item.drawing.height());
         return height;
+    }
+    double largest() const {
+        double size = 0;
+        for (const Item& item : items_) size = std::max({size, item.drawing.width(), item.drawing.height()});
+        return size;
     }
     double least_scale(double room_x, double room_y) const {
         double most = 0;
@@ -300,7 +314,8 @@ private:
         }
         for (const TakenTogether& together : solution.taken_together)
             if (together.polygon == item.polygon) {
-                item.title = titled("bodies together", names_of(solution.mechanism, together));
+                item.title = is_truss_whole(solution) ? one_piece(capital(word("truss whole", context_.language)), Face::bold)
+                                                      : titled("bodies together", names_of(solution.mechanism, together));
                 item.statement = together.statement;
             }
         if (!solution.superposition) return;
@@ -475,7 +490,11 @@ Figure fitted(const Rows& with_tables, Spot room, std::optional<double> least, b
     const Rows plain_rows = with_tables.without_tables();
     KG_ASSERT(!plain_rows.empty(), "there are force polygons to draw");
     const auto fitting = [&](const Rows& rows, double scale) { return rows.at(scale, room.x, room.y, false); };
-    FitPolicy policy{.room = std::nullopt, .first = plain_rows.least_scale(room.x, room.y), .most_trials = 14};
+    FitPolicy policy{.room = std::nullopt,
+                     .first = plain_rows.least_scale(room.x, room.y),
+                     .most_trials = 14,
+                     .extent = plain_rows.largest(),
+                     .least_shown = least_shown};
     if (fixed) policy.asked = least;
     if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
@@ -545,7 +564,9 @@ Figure closed_polygon_figure(const DrawingContext& context, int polygon, double 
     };
     FitPolicy policy{.room = Spot{room_x, room_y},
                      .first = choose_scale(drawing.width(), drawing.height(), room_x, room_y, std::nullopt),
-                     .most_trials = 14};
+                     .most_trials = 14,
+                     .extent = std::max(drawing.width(), drawing.height()),
+                     .least_shown = least_shown};
     if (fixed) policy.asked = least;
     if (!fixed) policy.first = std::max(policy.first, least.value_or(0));
     return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {

@@ -6,6 +6,7 @@
 
 #include "engine/assert.hpp"
 #include "render/figures/fit.hpp"
+#include "render/figures/strings.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/mechanism/symbols.hpp"
 #include "render/page/shapes.hpp"
@@ -15,6 +16,8 @@ namespace kinegraph::render {
 using namespace drawing;
 
 namespace {
+
+constexpr double meets_seen = 1.1;  // how far off the truss a meet is shown, in sizes of it
 
 enum class Sense { idle, tension, compression };
 
@@ -62,6 +65,11 @@ public:
         for (const Truss::External& external : truss_.externals) draw_external(external);
         for (const Truss::Space& space : truss_.spaces) name_space(space);
         draw_whole();
+        for (const TakenTogether& together : solution_.taken_together)
+            if (together.funicular)
+                draw_strings_of(*together.funicular, together.sums);
+            else
+                for (const AppliedForce& sum : together.sums) draw_line_of_meets(sum);
         std::vector<std::vector<int>> drawn;
         for (const Truss::Cut& cut : truss_.cuts) {
             if (std::find(drawn.begin(), drawn.end(), cut.bars) == drawn.end()) draw_section(cut);
@@ -181,36 +189,114 @@ private:
         return length(out) > 1e-6 ? best + (1.8 * away / length(out)) * out : best;
     }
 
-    /// The line of all that is given, and those of the reactions, as far as they meet near.
+    /// The line of all that is given, and those of the reactions, to where they meet or towards it.
     void draw_whole() {
         if (!truss_.whole || truss_.whole->meets.empty()) return;
         const Truss::Whole& whole = *truss_.whole;
-        const Box view = grown(sketch_.mechanism_box(), 0.6 * sketch_.size());
+        const Box view = grown(sketch_.mechanism_box(), meets_seen * sketch_.size());
         for (const Truss::Whole::Meet& meet : whole.meets) {
             const Spot at = sketch_.spot(*meet.place);
-            if (!contains(view, at)) continue;
+            const bool near = contains(view, at);
             const std::size_t first = sketch_.construction.size();
             for (const Truss::External& external : truss_.externals) {
                 if (external.joint == none) continue;
                 const Spot pin = spot(external.pin), along = paper_direction(*external.force);
-                if (std::abs(cross(along, at - pin)) > 0.05) continue;
-                sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+                if (std::abs(cross(along, at - pin)) > 0.05 + 1e-9 * length(at - pin)) continue;
+                if (near)
+                    sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+                else
+                    point_to(at, pin, meet);
             }
-            const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
-            constexpr double half = 16;
-            if (std::abs(cross(along, at - through)) < 0.05) {
-                sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
-                draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline,
-                           sketch_.theme.secondary, dashes());
+            if (near) {
+                draw_line_of_whole(whole, at);
+                sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
+                belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
+                sketch_
+                    .add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language),
+                               sketch_.theme.text, at, 1.8, meet.statement)
+                    .names = {meet.name};
             }
-            sketch_.centres.emplace_back(ring(at, 1.0, sketch_.theme.paper, sketch_.outline()));
             belong(sketch_.construction, first, meet.statement);
-            belong(sketch_.centres, sketch_.centres.size() - 1, meet.statement);
-            sketch_
-                .add_label(typeset(Symbol{Symbol::Letter::point, meet.name, ""}, sketch_.context.language), sketch_.theme.text,
-                           at, 1.8, meet.statement)
-                .names = {meet.name};
         }
+    }
+    /// Culmann's line, which joins two meets, with what acts along it.
+    void draw_line_of_meets(const AppliedForce& sum) {
+        if (!truss_.whole) return;
+        constexpr double size = 14;
+        const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
+        std::vector<Spot> on;
+        for (const Truss::Whole::Meet& meet : truss_.whole->meets)
+            if (const Spot spot = sketch_.spot(*meet.place); std::abs(cross(along, spot - at)) < 0.05 + 1e-9 * length(spot - at))
+                on.push_back(spot);
+        if (on.size() < 2) return;
+        const Box view = grown(sketch_.mechanism_box(), meets_seen * sketch_.size());
+        const std::size_t first = sketch_.construction.size();
+        for (const bool turned_round : {false, true}) {
+            const Spot from = turned_round ? on[1] : on[0], to = turned_round ? on[0] : on[1];
+            if (!contains(view, from)) continue;
+            const Spot off = (1 / length(to - from)) * (to - from);
+            const double reach = contains(view, to) ? length(to - from) : 2 * size;
+            sketch_.construction.emplace_back(line(from - 6.0 * off, from + reach * off, sketch_.axis()));
+        }
+        const Spot tail = at + 2.0 * along;
+        draw_arrow(sketch_.construction, tail, tail + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
+        belong(sketch_.construction, first, sum.force_statement);
+        LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
+                                                tail + 0.5 * size * along, 1.2, sum.force_statement);
+        label.toward = tail + size * along;
+        label.names = {name_of(sum.symbol)};
+    }
+    void draw_line_of_whole(const Truss::Whole& whole, Spot at) {
+        constexpr double half = 16;
+        const Spot through = sketch_.spot(*whole.through), along = paper_direction(*whole.force);
+        if (std::abs(cross(along, at - through)) > 0.05) return;
+        sketch_.construction.emplace_back(line(at - half * along, at + half * along, sketch_.axis()));
+        draw_arrow(sketch_.construction, at - half * along, at - 2.0 * along, sketch_.theme.outline, sketch_.theme.secondary,
+                   dashes());
+        const auto loads = std::count_if(truss_.externals.begin(), truss_.externals.end(),
+                                         [](const Truss::External& external) { return external.joint == none; });
+        if (loads < 2) return;  // it is that load, which has its letter
+        LabelRequest& label = sketch_.add_label(typeset(Symbol{Symbol::Letter::F, "R", {}}, sketch_.context.language),
+                                                sketch_.theme.text, at - 0.5 * half * along, 1.2, whole.statement);
+        label.toward = at;
+        label.names = {"F_R"};
+    }
+    /// A meet outside of the drawing: an arrow from a pin that points there, and how far it is.
+    void point_to(Spot meet, Spot pin, const Truss::Whole::Meet& named) {
+        constexpr double off = 6, size = 16;
+        const double away = length(meet - pin);
+        if (!std::isfinite(away)) return;  // past the range of doubles
+        const Spot along = (1 / away) * (meet - pin), tip = pin + (off + size) * along;
+        draw_arrow(sketch_.construction, pin + off * along, tip, sketch_.theme.thin, sketch_.theme.secondary, dashes());
+        RichText text = typeset(Symbol{Symbol::Letter::point, named.name, ""}, sketch_.context.language);
+        if (const auto from = name_of_point_at(sketch_, pin)) append(text, how_far(sketch_, *from, text, away));
+        LabelRequest& label = sketch_.add_label(std::move(text), sketch_.theme.text, tip, 1.2, named.statement);
+        label.names = {named.name};
+    }
+    /// Over the truss, each between the lines of two forces; the resultant stands where the outer ones meet.
+    void draw_strings_of(const FreeBody::Funicular& funicular, const std::vector<AppliedForce>& sums) {
+        draw_strings(sketch_, funicular);
+        const auto lead_to = [&](Spot pin, Spot along, Spot at) {
+            if (std::abs(cross(along, at - pin)) > 0.05 || length(at - pin) < 1) return;
+            sketch_.construction.emplace_back(line(pin, at + beyond(pin, at), sketch_.axis()));
+            belong(sketch_.construction, sketch_.construction.size() - 1, funicular.statement);
+        };
+        for (const Truss::External& external : truss_.externals)
+            for (const Recorded<Vector>& vertex : funicular.vertices)
+                lead_to(spot(external.pin), paper_direction(*external.force), sketch_.spot(*vertex));
+        for (const AppliedForce& sum : sums) draw_resultant(sum);
+    }
+    void draw_resultant(const AppliedForce& sum) {
+        constexpr double size = 14;
+        const Spot at = sketch_.spot(sum.at), along = paper_direction(sum.force);
+        if (!contains(grown(sketch_.mechanism_box(), 0.6 * sketch_.size()), at)) return;
+        const std::size_t first = sketch_.construction.size();
+        draw_arrow(sketch_.construction, at, at + size * along, sketch_.theme.outline, sketch_.theme.text, dashes());
+        belong(sketch_.construction, first, sum.force_statement);
+        LabelRequest& label = sketch_.add_label(typeset(sum.symbol, sketch_.context.language), sketch_.theme.text,
+                                                at + 0.5 * size * along, 1.2, sum.force_statement);
+        label.toward = at + size * along;
+        label.names = {name_of(sum.symbol)};
     }
     static Spot beyond(Spot from, Spot to) {
         const Spot off = to - from;
@@ -458,7 +544,17 @@ private:
 
 }  // namespace
 
-Box extent_of_truss(const Solution& solution) { return Subject(solution).box; }
+Box extent_of_truss(const Solution& solution) {
+    const Subject subject(solution);
+    Box extent = subject.box;
+    for (const TakenTogether& together : solution.taken_together)
+        if (together.funicular) include_strings(extent, *together.funicular, grown(subject.box, 0.6 * subject.size()));
+    if (solution.truss->whole)
+        for (const Truss::Whole::Meet& meet : solution.truss->whole->meets)
+            if (const Spot at = paper_spot(*meet.place); contains(grown(subject.box, meets_seen * subject.size()), at))
+                extent.include(at);
+    return extent;
+}
 
 Box extent_of_plan(const Solution& solution) {
     const PolygonScene scene = polygon_scene(solution, solution.truss->polygon);
@@ -467,8 +563,9 @@ Box extent_of_plan(const Solution& solution) {
 
 Figure truss_figure(const DrawingContext& context, double room_x, double room_y) {
     const Subject subject(context.solution);
-    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
-                                      std::max(room_y - 40, 10.0), std::nullopt);
+    const Box extent = extent_of_truss(context.solution);
+    const double first =
+        choose_scale(extent.width(), extent.height(), std::max(room_x - 30, 10.0), std::max(room_y - 40, 10.0), std::nullopt);
     const FitPolicy policy{.room = Spot{room_x, room_y},
                            .first = first,
                            .asked = asked_scale(subject.mechanism, "mechanism"),

@@ -61,15 +61,9 @@ public:
             case Kind::results:
                 return table(part.which, results);
             case Kind::reactions:
-                return under("forces", reaction_lines(context_, measure_));
-            case Kind::bars: {
-                // Its head stands again where it goes on.
-                std::vector<Block> lines = bar_lines(context_, measure_);
-                Passage passage = under("bars", {});
-                passage.head = std::move(lines.front());
-                passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
-                return passage;
-            }
+                return table_under("forces", reaction_lines(context_, measure_));
+            case Kind::bars:
+                return table_under("bars", bar_lines(context_, measure_));
             case Kind::lever:
                 return under("lever", {joukowsky_block(context_, measure_)});
             case Kind::equations:
@@ -91,6 +85,14 @@ private:
                 heading_block(context_, measure_, words + ", " + word("continued", context_.language), note),
                 {},
                 std::move(rows)};
+    }
+    /// Its head, the first line, stands again where it goes on.
+    Passage table_under(const std::string& title, std::vector<Block> lines) const {
+        Passage passage = under(title, {});
+        if (lines.empty()) return passage;
+        passage.head = std::move(lines.front());
+        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+        return passage;
     }
     Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
         return paragraph_block(context_, measure_, text, indent, number_text);
@@ -293,19 +295,6 @@ bool of_one_motion(const Polygon& a, const Polygon& b) {
     return a.point == b.point && a.observer == b.observer && a.translating == b.translating;
 }
 
-/// The body cut free beside which a sentence stands: that whose polygon it closes, or on which it adds up forces.
-const FreeBody* drawn_beside(const Solution& solution, StatementIndex statement) {
-    const std::vector<const FreeBody*> closed = closed_by(solution, statement);
-    if (!closed.empty()) return closed.front();
-    const auto adds_up = [&](const FreeBody& body) {
-        return std::any_of(body.sums.begin(), body.sums.end(), [&](const AppliedForce& sum) {
-            return sum.force_statement == statement || sum.line_statement == statement;
-        });
-    };
-    const auto found = std::find_if(solution.free_bodies.begin(), solution.free_bodies.end(), adds_up);
-    return found == solution.free_bodies.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 Bands::Bands(const DrawingContext& context, const WantedFigures& wanted, SolutionDetail detail)
@@ -438,7 +427,10 @@ void Bands::collect_curvature() {
 
 void Bands::collect_forces() {
     // In brief the mechanism is drawn once, and the bodies cut free have their lines of action.
-    const bool drawn_already = detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty();
+    const bool has_strings = std::any_of(solution_.taken_together.begin(), solution_.taken_together.end(),
+                                         [](const TakenTogether& together) { return together.funicular.has_value(); });
+    const bool drawn_already =
+        detail_ == SolutionDetail::brief && !list.empty() && !solution_.free_bodies.empty() && !has_strings;
     // What is said of its lines stands with the first body then.
     const std::size_t at_lines = list.size();
     if (!drawn_already) add("lines-of-action", {"lines-of-action"}).draws_mechanism = true;
@@ -455,16 +447,7 @@ void Bands::collect_forces() {
             add_step(list[parts.back()], i);
             continue;
         }
-        std::size_t home = at_lines;
-        for (const TakenTogether& together : solution_.taken_together)
-            if (together.statement == StatementIndex(i))
-                for (std::size_t b = at_lines; b < list.size(); ++b)
-                    if (list[b].question == render::name_of(solution_, together)) home = b;
-        if (const FreeBody* body = drawn_beside(solution_, StatementIndex(i)))
-            for (std::size_t b = at_lines; b < list.size(); ++b)
-                for (const std::size_t figure : list[b].figures)
-                    if (wanted_.list[figure].name == render::name_of(solution_, *body)) home = b;
-        add_step(list[home], i);
+        add_step(list[home_of_forces(StatementIndex(i), at_lines)], i);
     }
     if (detail_ == SolutionDetail::full) list[at_lines].parts.push_back({Kind::reactions});
     for (const int p : detail_ == SolutionDetail::full ? closed_polygons(solution_) : std::vector<int>{}) {
@@ -474,6 +457,28 @@ void Bands::collect_forces() {
     if (wanted_.named("joukowsky")) add("joukowsky", {"joukowsky"}).parts.push_back({Kind::lever});
 }
 
+/// A sentence that closes a body's polygon stands beside it, and what adds forces on it up; all else, with the lines of action:
+/// there the resultant stands, too, of bodies that are taken together.
+std::size_t Bands::home_of_forces(StatementIndex statement, std::size_t at_lines) const {
+    const auto adds = [&](const FreeBody& body) {
+        return std::any_of(body.sums.begin(), body.sums.end(),
+                           [&](const AppliedForce& sum) { return sum.force_statement == statement; });
+    };
+    const auto band_with = [&](const std::string& figure) {
+        for (std::size_t b = at_lines; b < list.size(); ++b)
+            for (const std::size_t each : list[b].figures)
+                if (wanted_.list[each].name == figure) return b;
+        return at_lines;
+    };
+    if (const auto closed = closed_by(solution_, statement); !closed.empty())
+        return band_with(render::name_of(solution_, *closed.front()));
+    for (const TakenTogether& together : solution_.taken_together)
+        if (together.statement == statement) return band_with(render::name_of(solution_, together));
+    for (const FreeBody& body : solution_.free_bodies)
+        if (adds(body)) return band_with(render::name_of(solution_, body));
+    return at_lines;
+}
+
 /// Loads alone, one after the other, and at last their sums: indices of these bands.
 std::vector<std::size_t> Bands::collect_superposition() {
     std::vector<std::size_t> bands;
@@ -481,7 +486,10 @@ std::vector<std::size_t> Bands::collect_superposition() {
     for (const Superposition::Part& part : solution_.superposition->parts) {
         const std::string load = "load-" + render::name_of(solution_.mechanism, part);
         bands.push_back(list.size());
-        add(load, {"lines-" + load, "forces-" + load});
+        std::vector<std::string> figures{"lines-" + load};
+        for (const FreeBody& body : part.bodies) figures.push_back(render::name_of(solution_, body) + "-" + load);
+        figures.push_back("forces-" + load);
+        add(load, figures);
     }
     bands.push_back(list.size());
     add("sums", {"sums"});
@@ -490,8 +498,10 @@ std::vector<std::size_t> Bands::collect_superposition() {
 
 /// The truss, its plan and what is said of both in one; then the bars.
 void Bands::collect_truss() {
-    Band& band = add("truss", {"truss", "cremona"});
-    band.draws_mechanism = true;
+    std::vector<std::string> figures{"truss"};
+    for (const TakenTogether& together : solution_.taken_together) figures.push_back(render::name_of(solution_, together));
+    figures.emplace_back("cremona");
+    add("truss", figures).draws_mechanism = true;
     const std::size_t home = list.size() - 1;
     for (std::size_t i = 0; i < solution_.protocol.statements.size(); ++i)
         if (solution_.protocol.statements[i].section == Topic::forces) add_step(list[home], i);

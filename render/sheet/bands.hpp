@@ -79,6 +79,7 @@ private:
     void collect_curvature();
     void collect_forces();
     void collect_bodies();
+    std::size_t home_of_forces(StatementIndex statement, std::size_t at_lines) const;
     std::vector<std::size_t> collect_superposition();
     void collect_truss();
     void collect_equations();

@@ -179,7 +179,7 @@ private:
             std::string figure;
             const auto found = polygon_of.find(i);
             if (is_truss() && statement.section == Topic::forces)
-                figure = found != polygon_of.end() && found->second == solution_.truss->polygon ? "cremona" : "truss";
+                figure = figure_of_truss(i, found == polygon_of.end() ? -1 : found->second);
             else if (statement.section == Topic::forces)
                 figure = figure_of_forces(i);
             else if (statement.section == Topic::curvature)
@@ -228,6 +228,12 @@ private:
             return is_wanted("sums") ? "sums" : "forces";
         if (is_wanted("forces" + load) && completes_a_polygon(solution, statement)) return "forces" + load;
         return load.empty() ? "lines-of-action" : "lines" + load;
+    }
+    /// `polygon`: in which it draws; −1: in none.
+    std::string figure_of_truss(StatementIndex statement, int polygon) const {
+        for (const TakenTogether& together : solution_.taken_together)
+            if (together.statement == statement) return render::name_of(solution_, together);
+        return polygon >= 0 && polygon == solution_.truss->polygon ? "cremona" : "truss";
     }
     /// "-load-3"; empty: all loads.
     std::string load_at(StatementIndex statement) const {
@@ -366,7 +372,7 @@ private:
         std::string name = itself ? "" : "mechanism";
         if (step.figure == "centres")
             name = "circle-diagram";
-        else if (step.figure == "cremona")
+        else if (step.figure == "cremona" || (!itself && is_truss() && step.section == Topic::forces))
             name = "truss";
         else if (!itself && step.figure.starts_with("forces-load-"))
             name = "lines" + step.figure.substr(std::string_view("forces").size());

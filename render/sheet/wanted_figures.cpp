@@ -119,7 +119,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
 void WantedFigures::collect_forces(bool joukowsky) {
     const Solution& s = context_.solution;
     if (s.truss) add_truss();
-    if (s.free_bodies.empty()) return;
+    if (s.free_bodies.empty()) return add_polygons_of_bodies(context_);
     add_lines_of_action();
     if (has_force_polygons(s))
         add_force_polygons("forces", "forces", extent_of_forces(s),
@@ -164,7 +164,10 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
         // The pole of the rays stands as far aside as the forces are long.
         if (body.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
     }
-    for (const TakenTogether& together : s.taken_together) add_polygon(name_of(s, together), together.polygon);
+    for (const TakenTogether& together : s.taken_together) {
+        add_polygon(name_of(s, together), together.polygon);
+        if (together.funicular) list.back().extent_x += std::max(list.back().extent_x, list.back().extent_y);
+    }
 }
 
 /// The loads of each body alone, its lines and its polygons; then the sums.
@@ -183,6 +186,9 @@ void WantedFigures::add_superposition() {
             lines.draw = [&alone, load](double x, double y) { return mechanism_with_forces(alone, x, y, load); };
             add(std::move(lines));
         }
+        if (detail_ == SolutionDetail::full)
+            for (std::size_t b = 0; b < alone.solution.free_bodies.size(); ++b)
+                if (has_force_polygon(alone.solution, alone.solution.free_bodies[b])) add_free_body(alone, b, load);
         const std::size_t count = polygons_of(alone.solution);
         if (count == 0) continue;
         add_force_polygons("forces", "forces-load-" + load, extent_of_forces(alone.solution),
@@ -215,8 +221,14 @@ const DrawingContext& WantedFigures::context_at(StatementIndex statement) const 
 
 void WantedFigures::add_truss() {
     Wanted wanted = mechanism("truss", false);
+    const Box extent = extent_of_truss(context_.solution);
+    const double bars = std::max(wanted.extent_x, wanted.extent_y);
+    wanted.extent_x = extent.width();
+    wanted.extent_y = extent.height();
     wanted.rim_x = wanted.rim_y = 44;
-    wanted.least = 60;
+    // The bars, between whose letters strings run, too.
+    constexpr double least_of_bars = 60;
+    wanted.least = least_of_bars * std::max(extent.width(), extent.height()) / std::max(bars, 1e-30);
     wanted.weight = 1.5;
     wanted.draw = [this](double x, double y) { return truss_figure(context_, x, y); };
     add(std::move(wanted));
@@ -281,23 +293,27 @@ void WantedFigures::add_free_bodies() {
         const auto rank = [&](std::size_t i) { return s.free_bodies[i].body == none ? 1 << 20 : s.free_bodies[i].body.number(); };
         return rank(a) < rank(b);
     });
-    for (const std::size_t i : order) {
-        Wanted body;
-        body.name = name_of(s, s.free_bodies[i]);
-        const Box box = extent_of_free_body(s, i);
-        body.extent_x = std::max(box.width(), 0.3 * box.height());
-        body.extent_y = std::max(box.height(), 0.3 * box.width());
-        body.rim_x = 36;
-        body.rim_y = 40;
-        body.fills = true;
-        body.least = 12;
-        body.enough = 70;
-        body.weight = 0.6;
-        body.draw = [this, i](double x, double y) {
-            return free_body_figure(context_, i, x, y, detail_ == SolutionDetail::full);
-        };
-        add(std::move(body));
-    }
+    for (const std::size_t i : order) add_free_body(context_, i, "");
+}
+
+/// `load`: of what acts alone in the context; empty: all loads.
+void WantedFigures::add_free_body(const DrawingContext& context, std::size_t index, const std::string& load) {
+    const Solution& s = context.solution;
+    Wanted body;
+    body.name = name_of(s, s.free_bodies[index]) + (load.empty() ? "" : "-load-" + load);
+    const Box box = extent_of_free_body(s, index);
+    body.extent_x = std::max(box.width(), 0.3 * box.height());
+    body.extent_y = std::max(box.height(), 0.3 * box.width());
+    body.rim_x = 36;
+    body.rim_y = 40;
+    body.fills = true;
+    body.least = 12;
+    body.enough = 70;
+    body.weight = 0.6;
+    body.draw = [this, &context, index, load](double x, double y) {
+        return free_body_figure(context, index, x, y, detail_ == SolutionDetail::full, load);
+    };
+    add(std::move(body));
 }
 
 void WantedFigures::add_small() {

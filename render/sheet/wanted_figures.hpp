@@ -77,6 +77,7 @@ private:
     void add_lines_of_action();
     void add_force_polygons(const std::string& kind, const std::string& name, const Box& extent, DrawForces draw);
     void add_free_bodies();
+    void add_free_body(const DrawingContext& context, std::size_t index, const std::string& load);
     void add_polygons_of_bodies(const DrawingContext& context);
     void add_superposition();
     void leave_room_for(std::size_t polygons);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -195,8 +196,8 @@ constexpr std::array
             "Sul corpo {0} agiscono due forze e una coppia: le forze sono uguali e opposte, quindi quella in {1} è parallela all’altra."},
         Row{Sentence::three_force_line, "On body {0} two lines of action meet in {1}, so {2} acts along {3}{1}.",
             "Sul corpo {0} due rette d’azione si incontrano in {1}: {2} è diretta secondo {3}{1}."},
-        Row{Sentence::three_parallel_lines, "On body {0} two lines of action are parallel, so {1} is parallel to them.",
-            "Sul corpo {0} due rette d’azione sono parallele: anche {1} è parallela ad esse."},
+        Row{Sentence::three_parallel_lines, "On body {0} all other lines of action are parallel, so {1} is parallel to them.",
+            "Sul corpo {0} tutte le altre rette d’azione sono parallele: anche {1} è parallela ad esse."},
         Row{Sentence::triangle, "The force triangle of body {0} closes and gives {1} and {2}.",
             "Il triangolo delle forze del corpo {0} si chiude e dà {1} e {2}."},
         Row{Sentence::triangle_at,
@@ -236,6 +237,9 @@ constexpr std::array
         Row{Sentence::funicular_far,
             "On body {0} the line of {1} meets that of the known forces far away: a funicular polygon that begins at the point of {2} closes, and its closing line gives both.",
             "Sul corpo {0} la retta di {1} incontra lontano quella delle forze note: si chiude un poligono funicolare che parte dal punto di {2}, e la retta di chiusura dà entrambe."},
+        Row{Sentence::funicular_several,
+            "On body {0} a funicular polygon that begins at the point of {2}, with its strings parallel to the rays from a pole, joins the lines of {3}: its outer strings meet on the line of their resultant, and the closing line gives {1} and {2}.",
+            "Sul corpo {0} un poligono funicolare che parte dal punto di {2}, con i lati paralleli ai raggi condotti da un polo, collega le rette di {3}: i lati estremi si incontrano sulla retta della risultante, e la retta di chiusura dà {1} e {2}."},
         Row{Sentence::trial, "{0} is given a trial value; from the closing error its true value follows in proportion.",
             "A {0} si dà un valore di prova; dallo scarto di chiusura si ricava in proporzione il valore vero."},
         Row{Sentence::elastic_spring, "The spring acts along {1}{2}: {0} is its stiffness times what {1}{2} exceeds the free length by.",
@@ -972,10 +976,11 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"force polygon", "Force polygon", "Poligono delle forze"},
     FixedWords{"force polygons", "Force polygons", "Poligoni delle forze"},
     FixedWords{"closed force polygon", "Closed polygon of the external forces", "Poligono chiuso delle forze esterne"},
+    FixedWords{"truss whole", "the whole truss", "l’intera travatura"},
     FixedWords{"bodies together", "bodies", "corpi"},
-    FixedWords{"loads alone", "Loads alone on", "Soli carichi su"},
-    FixedWords{"loads of body", "body", "corpo"},
-    FixedWords{"loads of pin", "pin", "nodo"},
+    FixedWords{"loads alone", "Loads alone on", "Soli carichi"},
+    FixedWords{"loads of body", "body", "sul corpo"},
+    FixedWords{"loads of pin", "pin", "sul nodo"},
     FixedWords{"sums of partial forces", "Sums of the partial forces", "Somme delle forze parziali"},
     FixedWords{"funicular polygon", "Funicular polygon", "Poligono funicolare"},
     FixedWords{"free body", "Free body", "Corpo libero"},
@@ -1286,6 +1291,14 @@ std::string_view pattern_of(Sentence sentence, Language language) {
     return language == Language::en ? row.en : row.it;
 }
 
+/// Every first word of a pair by its second.
+template <class Pairs>
+std::string replaced(std::string pattern, const Pairs& pairs) {
+    for (const auto& [said, instead] : pairs)
+        for (std::size_t at = pattern.find(said); at != std::string::npos; at = pattern.find(said, at + instead.size()))
+            pattern.replace(at, said.size(), instead);
+    return pattern;
+}
 /// Where a truss is cut free whole, the pattern of a body speaks of it by its name.
 std::string of_truss(std::string pattern, Language language) {
     static constexpr std::array<std::array<std::string_view, 2>, 2> english{
@@ -1295,21 +1308,31 @@ std::string of_truss(std::string pattern, Language language) {
                                                                              {"del corpo {0}", "della travatura"},
                                                                              {"Il corpo {0}", "La travatura"},
                                                                              {"il corpo {0}", "la travatura"}}};
-    const auto replace = [&](const auto& pairs) {
-        for (const auto& [said, instead] : pairs)
-            for (std::size_t at = pattern.find(said); at != std::string::npos; at = pattern.find(said, at + instead.size()))
-                pattern.replace(at, said.size(), instead);
-    };
-    if (language == Language::en)
-        replace(english);
-    else
-        replace(italian);
-    return pattern;
+    return language == Language::en ? replaced(std::move(pattern), english) : replaced(std::move(pattern), italian);
+}
+/// Where several bodies are taken together.
+std::string of_several(std::string pattern, Language language) {
+    static constexpr std::array<std::array<std::string_view, 2>, 3> english{
+        {{"On body {0}", "On bodies {0}"}, {"on body {0}", "on bodies {0}"}, {"of body {0}", "of bodies {0}"}}};
+    static constexpr std::array<std::array<std::string_view, 2>, 3> italian{
+        {{"Sul corpo {0}", "Sui corpi {0}"}, {"sul corpo {0}", "sui corpi {0}"}, {"del corpo {0}", "dei corpi {0}"}}};
+    return replaced(std::move(pattern), language == Language::en ? english : italian);
+}
+bool names_several(const BodyName& body) {
+    return body.name.find(" + ") != std::string::npos || body.name.find(" … ") != std::string::npos;
 }
 std::string pattern_of(const Message& message, Language language) {
     std::string pattern(pattern_of(message.sentence, language));
     const auto* body = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
-    return body != nullptr && body->is_truss ? of_truss(std::move(pattern), language) : pattern;
+    if (body == nullptr) return pattern;
+    if (body->is_truss) {
+        // A bar by which it hangs.
+        if (message.sentence == Sentence::two_force_body)
+            return language == Language::en ? "Bar {0} carries a force along itself."
+                                            : "L’asta {0} è soggetta a solo sforzo assiale.";
+        return of_truss(std::move(pattern), language);
+    }
+    return names_several(*body) ? of_several(std::move(pattern), language) : pattern;
 }
 
 bool is_empty(const Argument& arg) {
@@ -1492,6 +1515,13 @@ std::string tell(const Message& message, Language language) {
     return plain(text);
 }
 
+/// A load that the file calls P_1: written with its letter, not as F with a script P_1.
+bool has_letter(const Symbol& symbol) {
+    const std::string& name = symbol.about;
+    return (symbol.letter == Symbol::Letter::F || symbol.letter == Symbol::Letter::M) && name.size() > 2 && name[1] == '_' &&
+           std::isupper(static_cast<unsigned char>(name[0])) != 0;
+}
+
 RichText typeset(const Symbol& symbol, Language language) {
     using Letter = Symbol::Letter;
     if (symbol.letter == Letter::point || symbol.letter == Letter::length) return point_name(symbol.about);
@@ -1547,6 +1577,9 @@ RichText typeset(const Symbol& symbol, Language language) {
     if (has_own_name(symbol)) {
         result.text = result.sub[0];
         result.sub.erase(0, result.sub.find('_') == 1 ? 2 : 1);
+    } else if (has_letter(symbol)) {
+        result.text = result.sub[0];
+        result.sub.erase(0, 2);
     }
     // g of the weight and i of inertia are words, not quantities.
     const bool of_body = symbol.letter == Letter::F && !result.sub.empty() && (result.sub[0] == 'g' || result.sub[0] == 'i') &&
