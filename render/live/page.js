@@ -19,6 +19,14 @@ class Page {
         this.traces = new Traces(this);
         this.panel = new Panel(this);
         this.sheets = [...document.querySelectorAll('main')];
+        this.completeDrawings();
+    }
+    /** What is drawn alike in both languages was sent with the first. */
+    completeDrawings() {
+        const sent = document.querySelectorAll('main:first-of-type .figures svg *');
+        for (const stand of document.querySelectorAll('[data-as]')) {
+            stand.replaceWith(sent[Number(stand.getAttribute('data-as'))].cloneNode(true));
+        }
     }
 
     start() {
