@@ -549,7 +549,7 @@ class FigureView {
         const role = group.getAttribute('class') ?? '';
         if (role === 'dimensions') return group.classList.add('still');
         if (role === 'vector') return this.bindVector(group);
-        if (role === 'label' || role === 'text' || role === 'ground' && !group.querySelector('g')) return;
+        if (role === 'label' || role === 'text') return;
         for (const node of group.children) {
             if (role === 'links') this.bindLink(node);
             else if (role === 'tint') this.bindTint(node);
@@ -557,7 +557,8 @@ class FigureView {
             else if (role === 'centres') this.bindCentre(node);
             else if (role === 'construction') this.bindGuide(node);
             else if (role === 'ground' && node.tagName === 'g') node.classList.add('still');
-            else if (role === 'arrows' && !this.isAtRest(node)) node.classList.add('still');
+            else if (role === 'ground') this.bindToGround(node, 15);
+            else if (role === 'arrows' && !this.bindToGround(node, 16)) node.classList.add('still');
         }
     }
     /**
@@ -567,14 +568,32 @@ class FigureView {
      */
     bindToBody(node, body) {
         if (body <= 0) return;
-        const {places, data} = this.motion;
+        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body];
+        const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
+        const paths = all.map((path) => ({path, d: path.getAttribute('d') ?? ''}));
+        let wasShaped = false;
         this.bindings.push(() => {
-            const [rx, ry] = data.bodies[body], {x: c, y: s} = places.facing[body];
+            const shape = givens.shapes[body], {x: c, y: s} = places.facing[body];
+            if (shape || wasShaped) {
+                for (const {path, d} of paths) this.set(path, 'd', shape ? mappedPath(parsePath(d), (at) => this.shaped(body, at)) : d);
+            }
+            wasShaped = shape !== null;
+            if (shape) return this.set(node, 'transform', '');
             const from = this.paper({x: data.unit * rx, y: data.unit * ry});
             const to = this.paper({x: data.unit * places.at[body].x, y: data.unit * places.at[body].y});
             const e = to.x - c * from.x - s * from.y, f = to.y + s * from.x - c * from.y;
             this.transform(node, `matrix(${[c, -s, s, c, e, f].map((each) => each.toFixed(6)).join(' ')})`);
         });
+    }
+    /**
+     * Where a place that was drawn on a body is now, on paper.
+     * @param {number} body
+     * @param {Spot} drawn
+     */
+    shaped(body, drawn) {
+        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body], at = this.unpaper(drawn);
+        const local = {x: at.x / data.unit - rx, y: at.y / data.unit - ry}, {x, y} = givens.shapes[body]?.(local) ?? local;
+        return this.paper(scaledBy(data.unit, places.world(body, x, y)));
     }
     /** @param {Element} node */
     bindLink(node) {
@@ -664,13 +683,36 @@ class FigureView {
         else node.classList.add('still');
     }
     /**
-     * The arrow of a driver on the frame stays where it is.
+     * What stands at a place of the frame stays there, unless that goes elsewhere with a length. False: there is none so near.
      * @param {Element} node
+     * @param {number} reach mm
      */
-    isAtRest(node) {
+    bindToGround(node, reach) {
         const spots = spotsOf(parsePath(node.getAttribute('d') ?? ''));
         if (spots.length === 0) return false;
-        return this.motion.data.points.some(([body], i) => body === 0 && apart(this.point(i), boxOf(spots).centre) < 16);
+        const point = this.groundAt(boxOf(spots).centre, reach);
+        if (point < 0) return false;
+        const drawn = this.point(point);
+        let wasMoved = false;
+        this.bindings.push(() => {
+            const by = minus(this.point(point), drawn), isMoved = Math.hypot(by.x, by.y) > 1e-9;
+            if (isMoved || wasMoved) this.translate(node, by);
+            wasMoved = isMoved;
+        });
+        return true;
+    }
+    /**
+     * The place of the frame that is nearest; −1: none.
+     * @param {Spot} at
+     * @param {number} reach
+     */
+    groundAt(at, reach) {
+        let best = -1, least = reach;
+        this.motion.data.points.forEach(([body], i) => {
+            const off = body === 0 ? apart(this.point(i), at) : least;
+            if (off < least) [best, least] = [i, off];
+        });
+        return best;
     }
     /**
      * @param {Element} label
@@ -684,16 +726,13 @@ class FigureView {
         const body = this.names.bodies.findIndex((each) => each.label === text);
         const isBalloon = parts.some((part) => part.tagName === 'path');
         if (isBalloon && body > 0) {
-            const {places, data} = this.motion;
-            const at = this.unpaper(centre), [rx, ry] = data.bodies[body];
-            this.bindToPlace(parts, () => {
-                const now = places.world(body, at.x / data.unit - rx, at.y / data.unit - ry);
-                return this.paper({x: data.unit * now.x, y: data.unit * now.y});
-            });
+            this.bindToPlace(parts, () => this.shaped(body, centre));
         } else if (point >= 0) {
             this.bindToPlace(parts, () => this.point(point));
-        } else if (!this.motion.data.points.some(([on], i) => on === 0 && apart(this.point(i), centre) < 25)) {
-            parts.forEach((part) => part.classList.add('still'));
+        } else {
+            const ground = this.groundAt(centre, 25);
+            if (ground < 0) parts.forEach((part) => part.classList.add('still'));
+            else this.bindToPlace(parts, () => this.point(ground));
         }
     }
     /**

@@ -125,8 +125,7 @@ public:
             json_.open('{').key("name").text(each.name).key("unit").text(unit.symbol);
             json_.key("size").number(unit.si.to_double()).key("value").number(each.value);
             if (each.kind == MovingSetting::Kind::bar) json_.key("bar").number(each.of);
-            if (each.kind == MovingSetting::Kind::ground)
-                json_.key("ground").open('[').all(each.ends[0], each.ends[1]).close(']');
+            if (each.unit == QuantityKind::length) json_.key("ends").open('[').all(each.ends[0], each.ends[1]).close(']');
             if (each.kind == MovingSetting::Kind::parameter) json_.key("parameter").truth(true);
             json_.close('}');
         });

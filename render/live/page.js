@@ -14,6 +14,8 @@ class Page {
          * @type {Map<string, Map<SVGSVGElement, number[]>>}
          */
         this.rooms = new Map();
+        /** @type {Course | null} */
+        this.shownWay = null;
         this.ruler = new Ruler(this);
         this.exercise = new Exercise(this);
         this.traces = new Traces(this);
@@ -119,7 +121,7 @@ class Page {
     bindFigures() {
         const {motion} = this;
         if (!motion || this.views[this.language]) return;
-        const here = {course: motion.course, at: motion.at}, {settings} = motion;
+        const here = {at: motion.at, index: motion.courses.indexOf(motion.course)}, {settings, isDrawn} = motion;
         motion.toDrawn();
         const svgs = [...this.sheet.querySelectorAll('.figures svg')];
         this.views[this.language] = svgs.flatMap((svg, i) => {
@@ -131,8 +133,9 @@ class Page {
             if (follow) views.forEach((view) => view.bind());
             return views;
         });
-        motion.settings = settings;
-        motion.moveTo(here.course, here.at);
+        if (isDrawn) return;
+        motion.give(settings);
+        motion.moveTo(motion.courses[here.index], here.at);
     }
 
     // --- reading --------------------------------------------------------------------------------------------------------------
@@ -311,19 +314,26 @@ class Page {
     }
     /** @returns {Course} */
     get course() {
-        return this.data.moving.courses[Number(this.at('driver').value) || 0];
+        const {courses} = /** @type {Motion} */ (this.motion);
+        return courses[Number(this.at('driver').value) || 0];
     }
     /** @param {number} index */
     chooseDriver(index) {
         this.pause();
         this.at('driver').value = String(index);
+        this.motion?.toDrawn(this.course);
+        this.showWay();
+        this.traces.draw();
+    }
+    /** From where to where the driver goes, with what is given now. */
+    showWay() {
         const {course} = this, position = this.at('position');
+        this.shownWay = course;
+        this.rooms.clear();
         position.min = String(course.samples[0].at);
         position.max = String(course.samples[course.samples.length - 1].at);
         position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
-        this.motion?.toDrawn(course);
         this.showStops();
-        this.traces.draw();
     }
     /** Limits and change points of the way, a button each. */
     showStops() {
@@ -385,6 +395,7 @@ class Page {
         const {motion} = this;
         if (!motion) return;
         const {course} = this, {samples} = course;
+        if (course !== this.shownWay) this.showWay();
         this.at('position').value = String(motion.at);
         this.at('where').textContent = this.positionText(motion.at);
         const isNear = (/** @type {number} */ at) => Math.abs(at - motion.at) < 1e-6 * Math.abs(course.to - course.from);
