@@ -679,7 +679,8 @@ class FigureView {
             const e = unitOf(minus(spots[1], spots[0]));
             return turnsWith >= 0 && Math.abs(dot(minus(this.point(point), spots[0]), quarterTurn(e))) < samePlace;
         });
-        if (joint) this.bindToBody(node, joint.turnsWith);
+        if (joint?.turnsWith === 0) this.bindToGuideOfFrame(node, spots, samePlace);
+        else if (joint) this.bindToBody(node, joint.turnsWith);
         else node.classList.add('still');
     }
     /**
@@ -691,14 +692,38 @@ class FigureView {
         const spots = spotsOf(parsePath(node.getAttribute('d') ?? ''));
         if (spots.length === 0) return false;
         const point = this.groundAt(boxOf(spots).centre, reach);
-        if (point < 0) return false;
+        if (point < 0) return this.bindToGuideOfFrame(node, spots, reach);
         const drawn = this.point(point);
+        this.carry(node, () => minus(this.point(point), drawn));
+        return true;
+    }
+    /**
+     * What goes elsewhere with a length alone.
+     * @param {Element} node
+     * @param {() => Spot} offset
+     */
+    carry(node, offset) {
         let wasMoved = false;
         this.bindings.push(() => {
-            const by = minus(this.point(point), drawn), isMoved = Math.hypot(by.x, by.y) > 1e-9;
+            const by = offset(), isMoved = Math.hypot(by.x, by.y) > 1e-9;
             if (isMoved || wasMoved) this.translate(node, by);
             wasMoved = isMoved;
         });
+    }
+    /**
+     * The axis of a guide on the frame, and the ground beside it.
+     * @param {Element} node
+     * @param {Spot[]} spots
+     * @param {number} reach
+     */
+    bindToGuideOfFrame(node, spots, reach) {
+        const {data, read} = this.motion, {centre} = boxOf(spots);
+        const across = (/** @type {number} */ joint) => quarterTurn(unitOf({x: read.guides[joint].x, y: -read.guides[joint].y}));
+        const joint = this.names.joints.findIndex(({bodies, point}, k) => data.joints[k].point >= 0 && bodies.includes(0) &&
+            (read.guides[k].x !== 0 || read.guides[k].y !== 0) && Math.abs(dot(minus(centre, this.point(point)), across(k))) < reach);
+        if (joint < 0) return false;
+        const {point} = this.names.joints[joint], drawn = this.point(point), n = across(joint);
+        this.carry(node, () => scaledBy(dot(minus(this.point(point), drawn), n), n));
         return true;
     }
     /**

@@ -225,9 +225,15 @@ class Givens {
     findShapes() {
         const {data} = this;
         this.shapes = data.bodies.map((_, body) => {
-            const pairs = data.points.flatMap(([on, x, y], i) => {
-                const [, u, v] = this.drawn.points[i];
-                return on === body ? [{from: {x: u, y: v}, to: {x, y}}] : [];
+            const pairs = [{from: {x: 0, y: 0}, to: {x: 0, y: 0}}];
+            const see = (/** @type {number} */ on, /** @type {number[]} */ was, /** @type {number[]} */ is, /** @type {number} */ first) => {
+                if (on === body) pairs.push({from: {x: was[first], y: was[first + 1]}, to: {x: is[first], y: is[first + 1]}});
+            };
+            data.points.forEach((point, i) => see(point[0], this.drawn.points[i], point, 1));
+            data.rows.filter(([kind]) => kind === together).forEach((row) => {
+                const drawn = this.drawn.rows[data.rows.indexOf(row)];
+                see(row[1], drawn, row, 3);
+                see(row[2], drawn, row, 5);
             });
             if (pairs.every(({from, to}) => apart(from, to) < 1e-14)) return null;
             return shapeOf(pairs);

@@ -483,9 +483,9 @@ class Page {
                 view.origin = view.drawnOrigin;
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
-                    room.right = Math.min(Math.max(room.right, at.x + margin), x + most * width);
+                    room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);
                     room.top = Math.max(Math.min(room.top, at.y - margin), y - most * height);
-                    room.bottom = Math.min(Math.max(room.bottom, at.y + margin), y + most * height);
+                    room.bottom = Math.min(Math.max(room.bottom, at.y + margin), y + (1 + most) * height);
                 }
             }
         }

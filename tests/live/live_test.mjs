@@ -69,6 +69,77 @@ test('three times the load is three times the forces, and nothing else', () => {
     assert.ok(once.some((value, i) => Math.abs(thrice[i] - value) > 1));
 });
 
+// --- other lengths --------------------------------------------------------------------------------------------------------------
+
+/** A page's motion with settings by name; in the units of the panel. */
+function changed(name, file, values) {
+    const page = readPage(pageOf(name, file)), {settings} = page.data.moving, motion = new page.Motion(page.data.moving);
+    for (const each of Object.keys(values)) assert.ok(settings.some((setting) => setting.name === each), each);
+    const isClosed = motion.give(settings.map(({name: each, value, size}) => each in values ? values[each] * size : value));
+    return {page, motion, isClosed};
+}
+for (const [name, values] of [
+    ['four_bar', {r: 45, l: 160, d: 140, n: -90}], ['slider_crank', {r: 60, e: -15, w: 8}], ['quick_return', {r: 70, h: 160}],
+    ['exam', {l: 700, a: 450, w: -2}], ['six_bar', {r: 45, x: 250}], ['planetary_train', {m: 3}],
+]) {
+    test(`${name} with ${JSON.stringify(values)} is what the file with them is`, () => {
+        const file = join(examples, 'variants', `${name}.json`), {page, motion, isClosed} = changed(`variant_${name}`, file, values);
+        assert.ok(isClosed);
+        const {columns, settings} = page.data.moving, unit = (each) => settings.find((setting) => setting.name === each).unit;
+        const set = Object.entries(values).flatMap(([each, value]) => ['--set', `${each}=${value} ${unit(each)}`]);
+        const sweep = JSON.parse(run('sweep', file, ...set, '--steps', '36', '-o', '-', '--format', 'json'));
+        const largest = new Map(), offsets = new Map();
+        let compared = 0;
+        const kindOf = (column) => column.kind === 'result' || column.kind === 'along' ? column.name.split(' ')[0].replace(/[xy]$/, '') : column.kind;
+        columns.forEach((column) => {
+            const k = sweep.columns.indexOf(column.name);
+            if (k >= 0) largest.set(kindOf(column), Math.max(largest.get(kindOf(column)) ?? 1e-3, ...sweep.rows.map((row) => Math.abs(row[k]))));
+        });
+        for (const row of sweep.rows) {
+            assert.ok(motion.moveTo(motion.courses[0], row[0]), String(row[0]));
+            columns.forEach((column, i) => {
+                const k = sweep.columns.indexOf(column.name), value = motion.value(i);
+                if (k < 0 || value === null) return;  // where a verdict drowns in doubles only the drawn lengths are known exactly
+                let off = value - row[k];
+                if (column.kind === 'slid' || column.kind === 'angle') {  // counted from where the file draws it
+                    if (!offsets.has(i)) offsets.set(i, off);
+                    off -= offsets.get(i);
+                }
+                ++compared;
+                assert.ok(Math.abs(off) <= 1e-9 * largest.get(kindOf(column)), `${column.name} at ${row[0]}: ${value}, ${row[k]}`);
+            });
+        }
+        assert.ok(compared >= 0.95 * sweep.rows.length * columns.filter(({name: each}) => sweep.columns.includes(each)).length, String(compared));
+    });
+}
+
+test('bars are as long as they are told to be, the crank that turned then rocks, and what cannot close changes nothing', () => {
+    const {page, motion, isClosed} = changed('four_bar', undefined, {O2A: 60, O2O4: 190});
+    assert.ok(isClosed);
+    const {points} = page.data.names, at = (name) => motion.read.points[points.findIndex(({label}) => label === name)];
+    const length = (a, b) => 1000 * Math.hypot(at(a).x - at(b).x, at(a).y - at(b).y);
+    const [course] = motion.courses;
+    assert.ok(course.startsAtLimit && course.endsAtLimit);
+    for (const where of [course.from, 0, course.to]) {
+        assert.ok(motion.moveTo(course, where));
+        for (const [a, b, wanted] of [['O_2', 'A', 60], ['A', 'B', 150], ['O_4', 'B', 80], ['O_2', 'O_4', 190]]) {
+            assert.ok(Math.abs(length(a, b) - wanted) < 1e-8, `${a}${b} ${length(a, b)}`);
+        }
+    }
+    // At its limits rod and rocker are in line: 230 from A to O4.
+    const reach = Math.acos((190 ** 2 + 60 ** 2 - 230 ** 2) / (2 * 190 * 60));
+    motion.moveTo(course, course.to);
+    assert.ok(Math.abs(Math.atan2(at('A').y, at('A').x) - reach) < 1e-4);
+    const before = [motion.at, ...motion.settings, length('A', 'B')];
+    const {settings} = page.data.moving, rocker = settings.findIndex(({name}) => name === 'BO4');
+    assert.equal(motion.give(motion.settings.map((value, i) => i === rocker ? 0.5 : value)), false);
+    assert.deepEqual([motion.at, ...motion.settings, length('A', 'B')], before);
+    const values = (of) => of.data.columns.map((_, i) => of.value(i)), fresh = changed('four_bar', undefined, {}).motion;
+    for (const each of [motion, fresh]) each.toDrawn();
+    assert.equal(motion.courses[0].endsAtLimit, false);
+    assert.deepEqual(values(motion), values(fresh));
+});
+
 // --- as fast as it must be, as it is drawn ------------------------------------------------------------------------------------------
 
 for (const [name, most] of [['watt_six_bar', 4], ['exam_2001', 6]]) {
@@ -408,13 +479,8 @@ test('figures have names for those who hear them, and no id comes twice', async 
     assert.deepEqual(page, {twice: [], mute: 0, nameless: []});
 });
 
-let axe = '';
-try {
-    axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-} catch {
-    // Debian has no package of it.
-}
-test('axe finds nothing', {skip: axe === '' && 'axe-core is not there (npm; NODE_PATH says where)'}, async () => {
+test('axe finds nothing', async () => {
+    const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');  // tests/run installs it
     const states = [
         ['four_bar', {dark: false}, ''], ['exam_2001', {dark: true}, ''], ['exam_2001', {dark: false, width: 390}, ''],
         ['four_bar', {dark: false}, 'kinegraph.exercise.begin()'], ['four_bar', {dark: true}, 'kinegraph.ruler.turn(true), kinegraph.showStep(6)'],
