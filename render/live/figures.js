@@ -110,7 +110,10 @@ class FigureView {
         this.scale = this.drawnScale;
         /** @type {Map<number, {vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}>} */
         this.plans = new Map();
-        this.isMechanism = info.name === 'mechanism' || info.name === 'centres';
+        this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name);
+        /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
+        this.vectorScale = this.drawnScale;
+        if (info.name === 'velocities') this.drawnScale = this.scale = this.scaleOfPlaces();
         this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
         this.drawnOrigin = this.origin;
         /**
@@ -130,7 +133,7 @@ class FigureView {
 
     /** Whether the figure can follow the mechanism at all. */
     get follows() {
-        return this.isMechanism || this.vectorsOf(0).size > 0;
+        return this.isMechanism ? this.scale > 0 : this.vectorsOf(0).size > 0;
     }
     get caption() {
         return this.group.querySelector('title')?.textContent ?? '';
@@ -152,6 +155,26 @@ class FigureView {
         return {x: 0, y: 0};
     }
 
+    /**
+     * The point at which a vector is drawn on the mechanism: v_B at B; −1: none.
+     * @param {string} name
+     */
+    pointOf(name) {
+        return this.names.points.findIndex(({label}) => label === name.slice(2).replace('*', ''));
+    }
+    /** Of a drawing whose own scale is that of its vectors: as far from the origin as they begin; 0: it cannot be told. */
+    scaleOfPlaces() {
+        const origin = {x: this.info.origin[0], y: this.info.origin[1]};
+        let scale = 0, farthest = 0;
+        for (const node of this.group.querySelectorAll('g.vector')) {
+            const at = this.motion.read.points[this.pointOf(node.getAttribute('data-name') ?? '')], axis = node.querySelector('line.axis');
+            if (!at || !axis) continue;
+            const off = apart({x: Number(axis.getAttribute('x1')), y: Number(axis.getAttribute('y1'))}, origin);
+            if (off > farthest) [farthest, scale] = [off, Math.hypot(at.x, at.y) / off];
+        }
+        return scale;
+    }
+
     // --- where things are -----------------------------------------------------------------------------------------------------
 
     /**
@@ -170,9 +193,10 @@ class FigureView {
         let found = this.plans.get(plan);
         if (found) return found;
         const own = this.isMechanism ? '' : this.id, drawn = this.motion.data.plans[plan];
+        const from = this.info.name === 'velocities' ? 'velocity' : this.id;
         const vectors = drawn?.vectors ?? [], spots = drawn?.spots ?? [], lines = drawn?.lines ?? [];
         found = {
-            vectors: new Map(vectors.filter(([figure]) => figure === this.id).map(([, name, tail, tip]) => [name, [tail, tip]])),
+            vectors: new Map(vectors.filter(([figure]) => figure === from).map(([, name, tail, tip]) => [name, [tail, tip]])),
             spots: new Map(spots.filter(([figure]) => figure === own).map(([, name, point]) => [name, point])),
             lines: new Map(lines.filter(([figure]) => figure === own).map(([, name, , line, ...points]) => [name, {line, points}])),
         };
@@ -194,7 +218,12 @@ class FigureView {
     vector(name) {
         const found = this.vectorsOf(this.motion.plan).get(name);
         const tail = found && this.motion.spot(found[0]), tip = found && this.motion.spot(found[1]);
-        return tail && tip ? [this.paper(tail), this.paper(tip)] : null;
+        if (!tail || !tip) return null;
+        if (!this.isMechanism) return [this.paper(tail), this.paper(tip)];
+        const point = this.pointOf(name), by = minus(tip, tail);
+        if (point < 0) return null;
+        const from = this.point(point);
+        return [from, {x: from.x + by.x / this.vectorScale, y: from.y - by.y / this.vectorScale}];
     }
     /**
      * A vertex, or a centre, on paper.
@@ -419,10 +448,11 @@ class FigureView {
     bindLabels() {
         [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
             if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
-            const names = this.info.labels[i] ?? [];
+            const told = this.info.labels[i] ?? [], names = told.length > 0 ? told : [label.getAttribute('data-label') ?? ''];
             const box = /** @type {SVGGElement} */ (label).getBBox();
             const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
             const parts = this.partsOf(label, centre);
+            this.cutNumber(label);
             const vector = names.find((name) => this.vector(name));
             const spot = names.find((name) => this.spot(name));
             if (vector !== undefined) this.vectorLabels.push({label, name: vector, box});
@@ -499,7 +529,7 @@ class FigureView {
                 continue;
             }
             text ??= /** @type {SVGTextElement} */ (drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height}));
-            const ends = this.vector(name), value = ends && Number((apart(...ends) * this.scale).toPrecision(4));
+            const ends = this.vector(name), value = ends && Number((apart(...ends) * (this.isMechanism ? this.vectorScale : this.scale)).toPrecision(4));
             text.textContent = value === null ? '' : `= ${written(value)} ${this.unit}`;
         }
     }
@@ -551,14 +581,15 @@ class FigureView {
         if (role === 'vector') return this.bindVector(group);
         if (role === 'label' || role === 'text') return;
         for (const node of group.children) {
-            if (role === 'links') this.bindLink(node);
+            if (node.matches('g.vector')) this.bindVector(node);
+            else if (role === 'links') this.bindLink(node);
             else if (role === 'tint') this.bindTint(node);
             else if (role === 'joints') this.bindJoint(node);
             else if (role === 'centres') this.bindCentre(node);
             else if (role === 'construction') this.bindGuide(node);
             else if (role === 'ground' && node.tagName === 'g') node.classList.add('still');
             else if (role === 'ground') this.bindToGround(node, 15);
-            else if (role === 'arrows' && !this.bindToGround(node, 16)) node.classList.add('still');
+            else if (role === 'arrows' && (node.hasAttribute('data-statement') || !this.bindToGround(node, 16))) node.classList.add('still');
         }
     }
     /**
@@ -597,7 +628,7 @@ class FigureView {
     }
     /** @param {Element} node */
     bindLink(node) {
-        const body = this.names.bodies.findIndex(({id}) => `link-${id}` === node.getAttribute('data-id'));
+        const body = this.names.bodies.findIndex(({id}) => linkOf(node) === id);
         if (body < 0 || node.matches('.crossing')) node.classList.add('still');
         else this.bindToBody(node, body);
     }
@@ -609,7 +640,7 @@ class FigureView {
         const outline = node.getAttribute('d') ?? '';
         const links = [...this.group.querySelectorAll('g.link')];
         const link = links.find((each) => [...each.querySelectorAll('path')].some((path) => path.getAttribute('d') === outline));
-        const body = this.names.bodies.findIndex(({id}) => link && `link-${id}` === link.getAttribute('data-id'));
+        const body = this.names.bodies.findIndex(({id}) => link && linkOf(link) === id);
         if (body < 0) node.classList.add('still');
         else this.bindToBody(node, body);
     }
@@ -749,6 +780,7 @@ class FigureView {
         const first = text.split(' ≡ ')[0];
         const point = this.names.points.findIndex((each, i) => each.label === first && apart(this.point(i), centre) < 40);
         const body = this.names.bodies.findIndex((each) => each.label === text);
+        if (/ = [−\d]/.test(text)) return this.bindNumber(parts, text, centre);
         const isBalloon = parts.some((part) => part.tagName === 'path');
         if (isBalloon && body > 0) {
             this.bindToPlace(parts, () => this.shaped(body, centre));
@@ -759,6 +791,28 @@ class FigureView {
             if (ground < 0) parts.forEach((part) => part.classList.add('still'));
             else this.bindToPlace(parts, () => this.point(ground));
         }
+    }
+    /**
+     * What says a number is left out where it says another than holds: "ω_2 = 5 rad/s" of a driver stays as long as nobody changes it.
+     * @param {Element[]} parts
+     * @param {string} text
+     * @param {Spot} centre
+     */
+    bindNumber(parts, text, centre) {
+        const {motion} = this, {settings} = motion.data, ground = this.groundAt(centre, 25);
+        const setting = settings.findIndex(({name}) => text.startsWith(`${name.replace(/^([ωv]) /, '$1_')} = `));
+        if (ground < 0 || setting < 0) return parts.forEach((part) => part.classList.add('still'));
+        this.bindToPlace(parts, () => motion.settings[setting] === settings[setting].value ? this.point(ground) : null);
+    }
+    /**
+     * "P_13  (O_2P_13 = 424 mm)": its name alone goes elsewhere.
+     * @param {Element} label
+     */
+    cutNumber(label) {
+        const [name, number] = (label.getAttribute('data-label') ?? '').split('  (');
+        if (number === undefined) return;
+        const glyphs = [...name.replace(/[_^ ]/g, '')].length;
+        [...label.querySelectorAll('use')].slice(glyphs).forEach((glyph) => glyph.classList.add('still'));
     }
     /**
      * @param {Spot} at mm
@@ -775,7 +829,13 @@ class FigureView {
      * @returns {Spot[]}
      */
     extent() {
-        if (this.isMechanism) return this.motion.read.points.map((at) => this.paper(at));
+        if (this.isMechanism) {
+            // A vector that grows beyond all bounds near a dead point leaves the room.
+            const [x, y, width, height] = this.viewBox, rim = width / 4;
+            const tips = [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []).filter(
+                (at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim);
+            return [...this.motion.read.points.map((at) => this.paper(at)), ...tips];
+        }
         return [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []);
     }
     /**
@@ -794,4 +854,12 @@ class FigureView {
         const middle = {x: x + width / 2, y: y + (height - below) / 2};
         return {scale: this.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre, this.drawnOrigin))};
     }
+}
+
+/**
+ * The body whose link it is, as ids have it: "link-3", "velocities-link-3".
+ * @param {Element} link
+ */
+function linkOf(link) {
+    return (link.getAttribute('data-id') ?? '').replace(/^(velocities-)?link-/, '');
 }

@@ -482,9 +482,9 @@ test('figures have names for those who hear them, and no id comes twice', async 
 test('axe finds nothing', async () => {
     const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');  // tests/run installs it
     const states = [
-        ['four_bar', {dark: false}, ''], ['exam_2001', {dark: true}, ''], ['exam_2001', {dark: false, width: 390}, ''],
-        ['four_bar', {dark: false}, 'kinegraph.exercise.begin()'], ['four_bar', {dark: true}, 'kinegraph.ruler.turn(true), kinegraph.showStep(6)'],
-        ['four_bar', {dark: true, width: 390}, 'kinegraph.moveTo(1), document.getElementById("values").click()'],
+        ['exam_2001', {dark: false, width: 390}, ''], ['four_bar', {dark: false}, 'kinegraph.exercise.begin()'],
+        ['four_bar', {dark: true}, 'kinegraph.ruler.turn(true), kinegraph.showStep(6)'],
+        ['four_bar', {dark: true, width: 390}, 'kinegraph.moveTo(1), document.getElementById("givens").open = true, document.getElementById("values").click()'],
     ];
     for (const [name, options, act] of states) {
         await open(pageOf(name), options);
