@@ -5,6 +5,7 @@
 /**
  * @typedef {{name: string, origin: [number, number], labels: string[][]}} FigureInfo
  * @typedef {{letter: string, numbers: number[]}} Segment
+ * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}} Drawn
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies: [number, number]}[],
  *   points: {label: string}[], centres: Record<string, string>}} Names
  */
@@ -108,7 +109,7 @@ class FigureView {
         this.unit = group.getAttribute('data-unit') ?? '';
         this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
         this.scale = this.drawnScale;
-        /** @type {Map<number, {vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}>} */
+        /** @type {Map<number, Drawn>} */
         this.plans = new Map();
         this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name);
         /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
@@ -129,6 +130,8 @@ class FigureView {
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         this.isBound = false;
+        /** Leaders, which go with their labels. */
+        this.taken = new Set();
     }
 
     /** Whether the figure can follow the mechanism at all. */
@@ -309,7 +312,8 @@ class FigureView {
      * @param {string} transform
      */
     transform(node, transform) {
-        const own = this.drawn.get(node)?.get('transform') ?? (this.drawn.get(node)?.has('transform') ? '' : node.getAttribute('transform'));
+        const before = this.drawn.get(node);
+        const own = before?.has('transform') ? before.get('transform') : node.getAttribute('transform');
         this.set(node, 'transform', own ? `${transform} ${own}` : transform);
     }
     /**
@@ -328,6 +332,7 @@ class FigureView {
         this.isBound = true;
         this.bindLabels();
         for (const node of this.group.children) {
+            if (this.taken.has(node)) continue;
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
             else if (node.matches('g.vector')) this.bindVector(node);
             else if (node.matches('g.figure, g.detail')) node.classList.add('still');
@@ -475,7 +480,24 @@ class FigureView {
             const box = boxOf(spotsOf(parsePath(before.getAttribute('d') ?? '')));
             if (apart(box.centre, centre) < 1.5 && box.right - box.left < 8) parts.push(before);
         }
+        for (const part of this.leaderBefore(parts[parts.length - 1], centre)) {
+            parts.push(part);
+            this.taken.add(part);
+        }
         return parts;
+    }
+    /**
+     * The line that leads from a label to what it names, and the dot at its end.
+     * @param {Element} first of the label
+     * @param {Spot} centre
+     * @returns {Element[]}
+     */
+    leaderBefore(first, centre) {
+        const dot = first.matches('g.text') ? null : first.previousElementSibling, line = dot?.previousElementSibling;
+        if (dot?.tagName !== 'path' || line?.tagName !== 'path') return [];
+        const ends = spotsOf(parsePath(line.getAttribute('d') ?? '')), end = boxOf(spotsOf(parsePath(dot.getAttribute('d') ?? '')));
+        const isLeader = end.right - end.left < 1.2 && ends.length === 2 && apart(end.centre, ends[0]) < samePlace;
+        return isLeader && apart(ends[1], centre) < apart(ends[0], centre) ? [dot, line] : [];
     }
     /**
      * @param {Element[]} parts
@@ -529,7 +551,8 @@ class FigureView {
                 continue;
             }
             text ??= /** @type {SVGTextElement} */ (drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height}));
-            const ends = this.vector(name), value = ends && Number((apart(...ends) * (this.isMechanism ? this.vectorScale : this.scale)).toPrecision(4));
+            const ends = this.vector(name), scale = this.isMechanism ? this.vectorScale : this.scale;
+            const value = ends && Number((apart(...ends) * scale).toPrecision(4));
             text.textContent = value === null ? '' : `= ${written(value)} ${this.unit}`;
         }
     }
@@ -589,7 +612,8 @@ class FigureView {
             else if (role === 'construction') this.bindGuide(node);
             else if (role === 'ground' && node.tagName === 'g') node.classList.add('still');
             else if (role === 'ground') this.bindToGround(node, 15);
-            else if (role === 'arrows' && (node.hasAttribute('data-statement') || !this.bindToGround(node, 16))) node.classList.add('still');
+            else if (role === 'arrows' && node.hasAttribute('data-statement')) node.classList.add('still');
+            else if (role === 'arrows' && !this.bindToGround(node, 16)) node.classList.add('still');
         }
     }
     /**
@@ -799,7 +823,7 @@ class FigureView {
      * @param {Spot} centre
      */
     bindNumber(parts, text, centre) {
-        const {motion} = this, {settings} = motion.data, ground = this.groundAt(centre, 25);
+        const {motion} = this, {settings} = motion.data, ground = this.groundAt(centre, Infinity);
         const setting = settings.findIndex(({name}) => text.startsWith(`${name.replace(/^([ωv]) /, '$1_')} = `));
         if (ground < 0 || setting < 0) return parts.forEach((part) => part.classList.add('still'));
         this.bindToPlace(parts, () => motion.settings[setting] === settings[setting].value ? this.point(ground) : null);

@@ -19,7 +19,8 @@ class Givens {
         this.kept = JSON.stringify(this.drawn);
         this.effects = data.effects.map(([way, ...terms]) => ({way, terms, value: partOf(data, way).value}));
         const read = places.read();
-        this.grounds = data.settings.map(({bar, ends}) => ends && bar === undefined ? ends.map((end) => scaledBy(1 / data.unit, read.points[end])) : null);
+        this.grounds = data.settings.map(
+            ({bar, ends}) => ends && bar === undefined ? ends.map((end) => scaledBy(1 / data.unit, read.points[end])) : null);
         /**
          * By body: where a place of it is now, of where it was drawn (from its reference); null: there.
          * @type {(((at: Spot) => Spot) | null)[]}
@@ -226,7 +227,8 @@ class Givens {
         const {data} = this;
         this.shapes = data.bodies.map((_, body) => {
             const pairs = [{from: {x: 0, y: 0}, to: {x: 0, y: 0}}];
-            const see = (/** @type {number} */ on, /** @type {number[]} */ was, /** @type {number[]} */ is, /** @type {number} */ first) => {
+            /** @type {(on: number, was: number[], is: number[], first: number) => void} */
+            const see = (on, was, is, first) => {
                 if (on === body) pairs.push({from: {x: was[first], y: was[first + 1]}, to: {x: is[first], y: is[first + 1]}});
             };
             data.points.forEach((point, i) => see(point[0], this.drawn.points[i], point, 1));

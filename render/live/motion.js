@@ -104,7 +104,8 @@ class Motion {
         this.told = null;
         const likely = [nearest.plan, low.plan, high.plan];
         this.plan = this.planHere(likely);
-        if (this.plan < 0) this.stepAside(course, start, coordinate, likely, nearest.at === place && this.isAsGiven ? nearest.values : undefined);
+        if (this.plan < 0) this.stepAside(course, start, coordinate, likely,
+            nearest.at === place && this.isAsGiven ? nearest.values : undefined);
         return true;
     }
 

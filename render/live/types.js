@@ -19,7 +19,8 @@
  *   values?: (number | null)[]}} Sample
  * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
- * @typedef {{name: string, unit: string, size: number, value: number, ends?: [number, number], bar?: number, parameter?: boolean}} Changeable
+ * @typedef {{name: string, unit: string, size: number, value: number,
+ *   ends?: [number, number], bar?: number, parameter?: boolean}} Changeable
  *   ends: points, of a length; bar: the body whose length it is, else the frame's
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
  *   points: [number, number, number, number][], joints: JointRule[], directions: number[],

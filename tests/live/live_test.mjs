@@ -8,7 +8,7 @@ import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {Browser} from './browser.mjs';
-import {differences, readPage} from './page.mjs';
+import {differences, kindOf, readPage} from './page.mjs';
 
 const [program, examples] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'live-test-'));
@@ -90,10 +90,10 @@ for (const [name, values] of [
         const sweep = JSON.parse(run('sweep', file, ...set, '--steps', '36', '-o', '-', '--format', 'json'));
         const largest = new Map(), offsets = new Map();
         let compared = 0;
-        const kindOf = (column) => column.kind === 'result' || column.kind === 'along' ? column.name.split(' ')[0].replace(/[xy]$/, '') : column.kind;
         columns.forEach((column) => {
             const k = sweep.columns.indexOf(column.name);
-            if (k >= 0) largest.set(kindOf(column), Math.max(largest.get(kindOf(column)) ?? 1e-3, ...sweep.rows.map((row) => Math.abs(row[k]))));
+            const sizes = sweep.rows.map((row) => Math.abs(row[k]));
+            if (k >= 0) largest.set(kindOf(column), Math.max(largest.get(kindOf(column)) ?? 1e-3, ...sizes));
         });
         for (const row of sweep.rows) {
             assert.ok(motion.moveTo(motion.courses[0], row[0]), String(row[0]));
@@ -109,7 +109,8 @@ for (const [name, values] of [
                 assert.ok(Math.abs(off) <= 1e-9 * largest.get(kindOf(column)), `${column.name} at ${row[0]}: ${value}, ${row[k]}`);
             });
         }
-        assert.ok(compared >= 0.95 * sweep.rows.length * columns.filter(({name: each}) => sweep.columns.includes(each)).length, String(compared));
+        const common = columns.filter(({name: each}) => sweep.columns.includes(each));
+        assert.ok(compared >= 0.95 * sweep.rows.length * common.length, String(compared));
     });
 }
 
@@ -182,7 +183,8 @@ test('as drawn, every figure on the screen is the one of the sheet', async (t) =
         const png = readFileSync(sheet), [width, height] = [png.readUInt32BE(16), png.readUInt32BE(20)];
         await browser.run(`(() => {
             const svg = document.querySelector('main:not([hidden]) [data-figure-name=${figure}] svg'), {style} = svg;
-            style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9; max-height: none; width: ' + svg.viewBox.baseVal.width * ${dpi} / 25.4 + 'px';
+            style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9; max-height: none; width: ' +
+                svg.viewBox.baseVal.width * ${dpi} / 25.4 + 'px';
         })()`);
         const {data} = await browser.send('Page.captureScreenshot', {format: 'png', clip: {x: 0, y: 0, width, height, scale: 1}});
         writeFileSync(page, Buffer.from(data, 'base64'));
@@ -268,7 +270,8 @@ test('steps by keys, announced, each with its sentence and its strokes', async (
     await browser.key('Escape');
     assert.equal(await browser.run('document.querySelectorAll("svg .later").length'), 0);
     const number = await browser.run('document.querySelector("[data-figure-name=velocity] g.vector").dataset.statement');
-    const lit = await browser.run(`kinegraph.light('${number}'), [...document.querySelectorAll('main:not([hidden]) .lit')].map((each) => each.tagName)`);
+    const lit = await browser.run(`kinegraph.light('${number}'),
+        [...document.querySelectorAll('main:not([hidden]) .lit')].map((each) => each.tagName)`);
     assert.ok(lit.includes('LI') && lit.includes('g'), lit.join());
     quiet();
 });
@@ -278,9 +281,12 @@ test('the keyboard reaches every control, and the focus is seen', async () => {
     await browser.run('document.activeElement.blur()');
     for (let i = 0; i < 20; ++i) {
         await browser.key('Tab');
-        seen.push(await browser.run('document.activeElement.id + (getComputedStyle(document.activeElement).outlineStyle === "none" ? " unseen" : "")'));
+        const {id, outline} = await browser.run(`(({activeElement: node}) =>
+            ({id: node.id, outline: getComputedStyle(node).outlineStyle}))(document)`);
+        seen.push(outline === 'none' ? `${id} unseen` : id);
     }
-    for (const id of ['play', 'position', 'drawn', 'fit', 'previous', 'next', 'all', 'language', 'theme', 'values', 'trace', 'plot', 'try', 'ruler', 'print']) {
+    for (const id of ['play', 'position', 'drawn', 'fit', 'previous', 'next', 'all', 'language', 'theme',
+        'values', 'trace', 'plot', 'try', 'ruler', 'print']) {
         assert.ok(seen.includes(id), `${id} in ${seen.join()}`);
     }
 });
@@ -294,7 +300,8 @@ test('a ruler measures in mm and in the unit of the figure, by hand and by keys'
     const ends = await browser.run(`(() => {
         const view = kinegraph.figures.find((each) => each.id === 'velocity');
         view.svg.scrollIntoView({block: 'center'});
-        return view.vector('v_A').map((at) => new DOMPoint(at.x + 0.4, at.y).matrixTransform(view.svg.getScreenCTM())).map(({x, y}) => [x, y]);
+        return view.vector('v_A').map((at) => new DOMPoint(at.x + 0.4, at.y).matrixTransform(view.svg.getScreenCTM()))
+            .map(({x, y}) => [x, y]);
     })()`);
     await browser.mouse('mousePressed', ...ends[0]);
     await browser.mouse('mouseMoved', ...ends[1]);
@@ -311,7 +318,8 @@ test('a ruler measures in mm and in the unit of the figure, by hand and by keys'
 });
 
 test('values stand beside vectors when they are asked for, and follow', async () => {
-    const shown = `[...document.querySelectorAll('main:not([hidden]) [data-figure-name=velocity] g.label text')].map((each) => each.textContent)`;
+    const shown = `[...document.querySelectorAll(
+        'main:not([hidden]) [data-figure-name=velocity] g.label text')].map((each) => each.textContent)`;
     assert.deepEqual(await browser.run(shown), []);
     await browser.run('document.getElementById("values").click()');
     assert.deepEqual(await browser.run(shown), ['= 0.5027 m/s', '= 0.1963 m/s', '= 0.3828 m/s']);
@@ -341,7 +349,8 @@ test('a path and a plot run along', async () => {
             const mark = document.querySelector('.trace circle'), path = document.querySelector('.trace path');
             const here = {x: mark.cx.baseVal.value, y: mark.cy.baseVal.value}, {motion} = kinegraph;
             const spots = spotsOf(parsePath(path.getAttribute('d')));
-            return {off: Math.min(...spots.map((each) => apart(each, here))), caption: document.querySelector('.plot figcaption').textContent,
+            const off = Math.min(...spots.map((each) => apart(each, here)));
+            return {off, caption: document.querySelector('.plot figcaption').textContent,
                 omega: kinegraph.numberText(motion.value(motion.data.columns.findIndex(({name}) => name === 'omega 4')))};
         })()`);
         assert.ok(off < 2.5, String(off));
@@ -354,7 +363,10 @@ test('a path and a plot run along', async () => {
 
 test('what is given can be changed, and what the file gives comes back', async () => {
     const names = ['omega 3', 'vx B', 'alpha 4', 'x B'];
-    const values = () => browser.run(`${JSON.stringify(names)}.map((each) => kinegraph.motion.value(kinegraph.motion.data.columns.findIndex(({name}) => name === each)))`);
+    const values = () => browser.run(`${JSON.stringify(names)}.map((each) => {
+        const {motion} = kinegraph;
+        return motion.value(motion.data.columns.findIndex(({name}) => name === each));
+    })`);
     const drawing = 'kinegraph.sheet.querySelector(".figures").innerHTML';
     await browser.run('document.getElementById("drawn").click()');
     const first = await values(), picture = await browser.run(drawing);
@@ -410,9 +422,10 @@ test('velocities stand on the mechanism where it is', async () => {
     const found = await browser.run(`kinegraph.moveTo(0.15), (() => {
         const {motion, figures} = kinegraph, view = figures.find(({info}) => info.name === 'velocities');
         const at = (name) => motion.value(motion.data.columns.findIndex((column) => column.name === name));
-        const axis = view.group.querySelector('[data-name=v_B] line.axis'), here = view.point(kinegraph.data.names.points.findIndex(({label}) => label === 'B'));
-        const of = (name) => axis[name].baseVal.value;
-        return [of('x1') - here.x, of('y1') - here.y, (of('x2') - of('x1')) * view.vectorScale - at('vx B'), (of('y1') - of('y2')) * view.vectorScale - at('vy B')];
+        const axis = view.group.querySelector('[data-name=v_B] line.axis'), of = (name) => axis[name].baseVal.value;
+        const here = view.point(kinegraph.data.names.points.findIndex(({label}) => label === 'B')), scale = view.vectorScale;
+        return [of('x1') - here.x, of('y1') - here.y,
+            (of('x2') - of('x1')) * scale - at('vx B'), (of('y1') - of('y2')) * scale - at('vy B')];
     })()`);
     assert.ok(found.every((each) => Math.abs(each) < 1e-4), found.join());
     quiet();
@@ -428,7 +441,8 @@ test('an exercise tells point, direction, sense and length apart, and counts', a
         list.dispatchEvent(new Event('change'));
     })()`);
     const check = () => browser.run(`document.getElementById('try-check').click(), ${said}`);
-    const seen = (number) => browser.run(`[...document.querySelectorAll('main:not([hidden]) [data-says="${number}"]')].every((each) => getComputedStyle(each).display !== 'none')`);
+    const seen = (number) => browser.run(`[...document.querySelectorAll('main:not([hidden]) [data-says="${number}"]')].every(
+        (each) => getComputedStyle(each).display !== 'none')`);
     assert.equal(await browser.run('document.getElementById("try-task").textContent'), 'Draw vA: its point, direction, sense and length.');
     assert.equal(await seen(6), false);
     assert.equal(await browser.run('getComputedStyle(document.querySelector("main:not([hidden]) .values")).display'), 'none');
@@ -439,7 +453,10 @@ test('an exercise tells point, direction, sense and length apart, and counts', a
     // Along the direction by keys, too far, and to the other side.
     await browser.run(`document.querySelector('.student .handle').focus()`);
     const press = async (key, times) => {
-        for (let i = 0; i < times; ++i) await browser.run(`document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: '${key}', shiftKey: true, bubbles: true}))`);
+        for (let i = 0; i < times; ++i) {
+            const event = `new KeyboardEvent('keydown', {key: '${key}', shiftKey: true, bubbles: true})`;
+            await browser.run(`document.activeElement.dispatchEvent(${event})`);
+        }
     };
     await press('ArrowRight', 40);
     assert.match(await check(), /too long/);
@@ -451,7 +468,8 @@ test('an exercise tells point, direction, sense and length apart, and counts', a
     await choose('try-point', 'oᵥ');
     const [from, to] = await browser.run(`(() => {
         const {view, tasks, handle} = kinegraph.exercise, matrix = view.svg.getScreenCTM(), [task] = tasks;
-        return [handle.at, along(task.from, 1, task.by)].map((at) => new DOMPoint(at.x, at.y).matrixTransform(matrix)).map(({x, y}) => [x, y]);
+        return [handle.at, along(task.from, 1, task.by)].map((at) => new DOMPoint(at.x, at.y).matrixTransform(matrix))
+            .map(({x, y}) => [x, y]);
     })()`);
     await browser.mouse('mousePressed', ...from);
     await browser.mouse('mouseMoved', ...to);
@@ -484,7 +502,8 @@ for (const name of ['exam_2001', 'watt_six_bar', 'quick_return', 'slider_crank',
             for (const view of exercise.polygons) {
                 exercise.take(view.id);
                 for (const task of exercise.tasks) {
-                    const points = exercise.pointsKnown(exercise.view), place = points.findIndex((each) => apart(each.at, task.from) < 0.02);
+                    const points = exercise.pointsKnown(exercise.view),
+                        place = points.findIndex((each) => apart(each.at, task.from) < 0.02);
                     document.getElementById('try-point').value = String(place);
                     exercise.choosePoint();
                     exercise.drag(along(task.from, task.kind === 'line' ? 20 : 1, task.by));
@@ -527,7 +546,8 @@ test('axe finds nothing', async () => {
     const states = [
         ['exam_2001', {dark: false, width: 390}, ''], ['four_bar', {dark: false}, 'kinegraph.exercise.begin()'],
         ['four_bar', {dark: true}, 'kinegraph.ruler.turn(true), kinegraph.showStep(6)'],
-        ['four_bar', {dark: true, width: 390}, 'kinegraph.moveTo(1), document.getElementById("givens").open = true, document.getElementById("values").click()'],
+        ['four_bar', {dark: true, width: 390},
+            'kinegraph.moveTo(1), document.getElementById("givens").open = true, document.getElementById("values").click()'],
     ];
     for (const [name, options, act] of states) {
         await open(pageOf(name), options);
