@@ -60,5 +60,5 @@ class Panel {
 
 /** @param {number} value */
 function shortText(value) {
-    return String(Number(value.toPrecision(12)));
+    return String(Number(value.toPrecision(10)));
 }
