@@ -111,6 +111,11 @@ class FigureView {
         this.scale = this.drawnScale;
         /** @type {Map<number, Drawn>} */
         this.plans = new Map();
+        /**
+         * Of vectors that are drawn here, by name: under which they are in the plans.
+         * @type {Map<string, string>}
+         */
+        this.keys = new Map();
         this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name);
         /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
         this.vectorScale = this.drawnScale;
@@ -129,6 +134,7 @@ class FigureView {
         /** @type {Map<Element, Map<string, string | null>>} */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
+        this.room = {left: 0, top: 0, right: 0, bottom: 0};
         this.isBound = false;
         /** Leaders, which go with their labels. */
         this.taken = new Set();
@@ -136,7 +142,7 @@ class FigureView {
 
     /** Whether the figure can follow the mechanism at all. */
     get follows() {
-        return this.isMechanism ? this.scale > 0 : this.vectorsOf(0).size > 0;
+        return this.isMechanism ? this.scale > 0 : this.keys.size > 0 && ![...this.keys.values()].includes('');
     }
     get caption() {
         return this.group.querySelector('title')?.textContent ?? '';
@@ -146,16 +152,24 @@ class FigureView {
      * @returns {Spot}
      */
     poleOf() {
+        /** @type {{name: string, key: string, x: number, y: number}[]} */
+        const told = [];
         for (const node of this.group.querySelectorAll(':scope > g.vector')) {
-            const elements = this.vectorsOf(0).get(node.getAttribute('data-name') ?? ''), axis = node.querySelector('line.axis');
-            const tail = elements && this.motion.spot(elements[0]);
-            if (!tail || !axis) continue;
-            return {
-                x: Number(axis.getAttribute('x1')) - tail.x / this.scale,
-                y: Number(axis.getAttribute('y1')) + tail.y / this.scale,
-            };
+            const name = node.getAttribute('data-name') ?? '', axis = node.querySelector('line.axis');
+            for (const [key, [element]] of this.vectorsOf(0)) {
+                const tail = axis && key.split('#')[0] === name ? this.motion.spot(element) : null;
+                if (!axis || !tail) continue;
+                const x = Number(axis.getAttribute('x1')) - tail.x / this.scale, y = Number(axis.getAttribute('y1')) + tail.y / this.scale;
+                told.push({name, key, x, y});
+            }
         }
-        return {x: 0, y: 0};
+        // Two polygons may be of one body: what most of the vectors tell is this one's.
+        const agreeing = told.map((one) => told.filter((other) => apart(one, other) < 0.05));
+        const most = agreeing.reduce((best, each) => each.length > best.length ? each : best, []);
+        // One that is drawn a hair beside its place, so that it is seen beside another, is known by its name.
+        told.forEach(({name, key}) => this.keys.set(name, this.keys.has(name) ? '' : key));
+        most.forEach(({name, key}) => this.keys.set(name, key));
+        return most.length > 0 ? {x: most[0].x, y: most[0].y} : {x: 0, y: 0};
     }
 
     /**
@@ -199,10 +213,16 @@ class FigureView {
         const from = this.info.name === 'velocities' ? 'velocity' : this.id;
         const vectors = drawn?.vectors ?? [], spots = drawn?.spots ?? [], lines = drawn?.lines ?? [];
         found = {
-            vectors: new Map(vectors.filter(([figure]) => figure === from).map(([, name, tail, tip]) => [name, [tail, tip]])),
+            vectors: new Map(),
             spots: new Map(spots.filter(([figure]) => figure === own).map(([, name, point]) => [name, point])),
             lines: new Map(lines.filter(([figure]) => figure === own).map(([, name, , line, ...points]) => [name, {line, points}])),
         };
+        for (const [figure, name, tail, tip] of vectors) {
+            if (figure !== from) continue;
+            let key = name;
+            for (let k = 1; found.vectors.has(key); ++k) key = `${name}#${k}`;
+            found.vectors.set(key, [tail, tip]);
+        }
         this.plans.set(plan, found);
         return found;
     }
@@ -219,7 +239,7 @@ class FigureView {
      * @returns {[Spot, Spot] | null}
      */
     vector(name) {
-        const found = this.vectorsOf(this.motion.plan).get(name);
+        const found = this.vectorsOf(this.motion.plan).get(this.keys.get(name) ?? name);
         const tail = found && this.motion.spot(found[0]), tip = found && this.motion.spot(found[1]);
         if (!tail || !tip) return null;
         if (!this.isMechanism) return [this.paper(tail), this.paper(tip)];
@@ -331,16 +351,27 @@ class FigureView {
         if (this.isBound) return;
         this.isBound = true;
         this.bindLabels();
+        for (const node of this.svg.children) this.bindScaleBar(node);
         for (const node of this.group.children) {
             if (this.taken.has(node)) continue;
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
             else if (node.matches('g.vector')) this.bindVector(node);
-            else if (node.matches('g.figure, g.detail')) node.classList.add('still');
+            else if (node.matches('g.figure')) node.classList.add('still');
             else if (node.tagName === 'path') this.bindPath(node);
             else if (node.matches('g.text:not(.label ~ .text)')) this.measures.push(node);
         }
     }
 
+    /**
+     * Beside the figures of a drawing: a bar half of which is filled, its outline, and what it measures.
+     * @param {Element} node
+     */
+    bindScaleBar(node) {
+        const d = node.tagName === 'path' && node.getAttribute('fill') !== 'none' ? node.getAttribute('d') ?? '' : '';
+        const spots = /^M[^A]*Z$/.test(d) ? spotsOf(parsePath(d)) : [], box = boxOf(spots);
+        if (spots.length !== 4 || box.bottom - box.top > 2) return;
+        for (let next = node, k = 0; next && k < 4; next = /** @type {Element} */ (next.nextElementSibling), ++k) this.measures.push(next);
+    }
     /** @param {Element} node */
     bindVector(node) {
         const name = node.getAttribute('data-name') ?? '';
@@ -451,12 +482,14 @@ class FigureView {
     // --- labels ---------------------------------------------------------------------------------------------------------------
 
     bindLabels() {
+        const isDetailed = this.svg.querySelector('[data-figure=detail]') !== null;
         [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
             if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
             const told = this.info.labels[i] ?? [], names = told.length > 0 ? told : [label.getAttribute('data-label') ?? ''];
             const box = /** @type {SVGGElement} */ (label).getBBox();
             const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
             const parts = this.partsOf(label, centre);
+            if (isDetailed && /^[IVX]+$/.test(names[0])) return parts.forEach((part) => part.classList.add('still'));
             this.cutNumber(label);
             const vector = names.find((name) => this.vector(name));
             const spot = names.find((name) => this.spot(name));
@@ -860,22 +893,59 @@ class FigureView {
                 (at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim);
             return [...this.motion.read.points.map((at) => this.paper(at)), ...tips];
         }
-        return [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []);
+        return [...this.keys.keys()].flatMap((name) => this.vector(name) ?? []);
     }
-    /**
-     * Scale and origin with which what it shows fills the middle of its room.
-     * @returns {{scale: number, origin: Spot}}
-     */
-    fitted() {
-        const [x, y, width, height] = this.viewBox, rim = 12, below = 8;
+    /** Of what it shows at the drawing's scale, mm. */
+    box() {
+        const {scale, origin} = this;
         this.scale = this.drawnScale;
         this.origin = this.drawnOrigin;
         const spots = this.extent();
-        if (spots.length === 0) return {scale: this.scale, origin: this.origin};
-        const box = boxOf(spots);
-        const wide = Math.max(width - 2 * rim, 20), high = Math.max(height - 2 * rim - below, 20);
-        const k = Math.max((box.right - box.left) / wide, (box.bottom - box.top) / high, 1e-9);
-        const middle = {x: x + width / 2, y: y + (height - below) / 2};
+        [this.scale, this.origin] = [scale, origin];
+        return spots.length > 0 ? boxOf(spots) : null;
+    }
+    /**
+     * Its part of the drawing: as far as to halfway to others in it. In the drawn position.
+     * @param {FigureView[]} others
+     */
+    takeRoom(others) {
+        const [x, y, width, height] = this.viewBox, own = this.box(), rim = 12, below = 8;
+        const room = {left: x + rim, top: y + rim, right: x + width - rim, bottom: y + height - rim - below};
+        for (const other of own ? others : []) {
+            const box = other.box();
+            if (!box || !own) continue;
+            const beside = Math.max(box.left - own.right, own.left - box.right);
+            if (beside >= Math.max(box.top - own.bottom, own.top - box.bottom)) {
+                if (box.centre.x > own.centre.x) room.right = Math.min(room.right, (box.left + own.right) / 2 - rim / 3);
+                else room.left = Math.max(room.left, (box.right + own.left) / 2 + rim / 3);
+            } else if (box.centre.y > own.centre.y) {
+                room.bottom = Math.min(room.bottom, (box.top + own.bottom) / 2 - rim / 2);
+            } else {
+                room.top = Math.max(room.top, (box.bottom + own.top) / 2 + rim / 2);
+            }
+        }
+        if (others.length > 0) {  // what is known of the forces stands below
+            const boxes = [this, ...others].flatMap((each) => each.box() ?? []);
+            room.top = Math.max(room.top, Math.min(...boxes.map(({top}) => top)) - rim / 3);
+            room.bottom = Math.min(room.bottom, Math.max(...boxes.map(({bottom}) => bottom)) + rim / 3);
+        }
+        this.room = room;
+    }
+    /** How much smaller than on the sheet it must be drawn to fill its room. */
+    shrinkage() {
+        const box = this.box(), {left, top, right, bottom} = this.room;
+        if (!box) return 1e-9;
+        return Math.max((box.right - box.left) / Math.max(right - left, 20), (box.bottom - box.top) / Math.max(bottom - top, 20), 1e-9);
+    }
+    /**
+     * Scale and origin with which what it shows stands in the middle of its room.
+     * @param {number} k how much smaller than on the sheet
+     * @returns {{scale: number, origin: Spot}}
+     */
+    fitted(k) {
+        const box = this.box(), {left, top, right, bottom} = this.room;
+        if (!box) return {scale: this.drawnScale, origin: this.drawnOrigin};
+        const middle = {x: (left + right) / 2, y: (top + bottom) / 2};
         return {scale: this.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre, this.drawnOrigin))};
     }
 }

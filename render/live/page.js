@@ -126,11 +126,14 @@ class Page {
         const svgs = [...this.sheet.querySelectorAll('.figures svg')];
         this.views[this.language] = svgs.flatMap((svg, i) => {
             const info = this.data.figures[this.language][i], own = /** @type {SVGSVGElement} */ (svg);
-            const groups = [...svg.querySelectorAll('g.figure')].filter((group) => !group.parentElement?.closest('g.figure'));
+            const figures = [...svg.querySelectorAll('g.figure:not([data-figure=detail])')];
+            const groups = figures.filter((group) => !group.parentElement?.closest('g.figure'));
+            for (const node of svg.querySelectorAll('g.detail, g.figure[data-figure=detail]')) node.classList.add('still');
             const views = groups.map((group) => new FigureView(own, group, info, motion, this.data.names));
             const follow = views.length > 0 && views.every((view) => view.follows);
             svg.classList.toggle('following', follow);
             if (follow) views.forEach((view) => view.bind());
+            if (follow) views.forEach((view) => view.takeRoom(views.filter((each) => each !== view)));
             return views;
         });
         if (isDrawn) return;
@@ -440,7 +443,9 @@ class Page {
             return this.sayScale(view, 1);
         }
         const fits = this.at('fit').checked && !view.isMechanism;
-        const to = fits ? view.fitted() : undefined;
+        // Polygons of one drawing have one scale.
+        const together = fits ? this.figures.filter(({svg}) => svg === view.svg) : [];
+        const to = fits ? view.fitted(Math.max(...together.map((each) => each.shrinkage()))) : undefined;
         view.follow(fits ? view.viewBox : this.roomOf(view), to);
         this.sayScale(view, to ? to.scale / view.drawnScale : 1);
     }

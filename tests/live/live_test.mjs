@@ -431,6 +431,23 @@ test('velocities stand on the mechanism where it is', async () => {
     quiet();
 });
 
+test('polygons of one drawing keep apart, to one scale, and the bar of another scale is left out', async () => {
+    const {boxes, scales, room, bar} = await browser.run(`kinegraph.moveTo(0.1), (() => {
+        const views = kinegraph.figures.filter(({info}) => info.name === 'forces'), [view] = views;
+        return {boxes: views.map((each) => boxOf(each.extent())), scales: views.map(({scale}) => scale), room: view.viewBox,
+            bar: [...view.svg.querySelectorAll(':scope > path')].filter((each) => /^M[^A]*Z$/.test(each.getAttribute('d')))
+                .map((each) => getComputedStyle(each).visibility)};
+    })()`);
+    assert.equal(boxes.length, 2);
+    assert.equal(scales[0], scales[1]);
+    assert.ok(boxes[0].right < boxes[1].left, JSON.stringify(boxes));
+    for (const {left, right, top, bottom} of boxes) {
+        assert.ok(left > room[0] && right < room[0] + room[2] && top > room[1] && bottom < room[1] + room[3]);
+    }
+    assert.ok(bar.length > 0 && bar.every((each) => each === 'hidden'), bar.join());
+    quiet();
+});
+
 test('an exercise tells point, direction, sense and length apart, and counts', async () => {
     await open(pageOf('four_bar'));
     await browser.run('document.getElementById("try").click()');
