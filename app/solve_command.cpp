@@ -175,7 +175,6 @@ const char* asked_of_mechanisms(const SolveRequest& request) {
 }
 
 tl::expected<Mechanism, Status> mechanism_of(const SolveRequest& request) {
-    if (!request.text) return app::mechanism_of(request.file, request.language, request.set);
     auto mechanism = read_mechanism(*request.text, bare_name(request.file), request.set);
     if (!mechanism) return tl::unexpected(say(spoken(request.file), mechanism.error(), request.language));
     return *std::move(mechanism);
@@ -317,7 +316,9 @@ void remark_on_request(const SolveRequest& request, const Solution& solution, co
 
 std::string live_page(const Solution& solution, const render::Theme& theme, const SolveRequest& request,
                       const render::Fonts& fonts) {
-    return render::live_page(solution, moving_of(solution), options_of(request, theme), dark_beside(request.theme), fonts);
+    // A position asked for is not the one that the file draws.
+    const Rereading file = request.at.empty() ? rereading_of(*request.text, bare_name(request.file), request.set) : Rereading{};
+    return render::live_page(solution, moving_of(solution, file), options_of(request, theme), dark_beside(request.theme), fonts);
 }
 
 /// The table on the terminal, or all that the targets ask for. Remarks are added to `remarks`.
@@ -375,6 +376,16 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
                                     std::optional<Press>& press) {
     const Language language = request.language;
     if (const Words fault = meaningless(request); !fault.empty()) return tl::unexpected(refuse(fault, language));
+    if (!request.text) {
+        auto text = read_whole(request.file, {"mechanism file", "file di meccanismo"});
+        if (!text) {
+            say(spoken(request.file), text.error(), language);
+            return tl::unexpected(Status::bad_input);
+        }
+        SolveRequest read = request;
+        read.text = *std::move(text);
+        return solved(read, targets, theme, press);
+    }
     const auto solutions = solutions_of(request);
     if (!solutions) return tl::unexpected(solutions.error());
 

@@ -133,7 +133,8 @@ struct Tools {
         if (!solution) return tl::unexpected(solution.error());
         const auto ready = Press::prepare(press, targets, request.language);
         KG_ASSERT(ready.has_value(), "the press was opened before");
-        return render::live_page(*solution, moving_of(*solution), options(), dark_beside(request.theme), press->fonts(), number);
+        const auto moving = moving_of(*solution, rereading_of(text, bare_name(request.file), {}));
+        return render::live_page(*solution, moving, options(), dark_beside(request.theme), press->fonts(), number);
     }
 };
 

@@ -49,6 +49,15 @@ install_packages() {
     as_root apt-get update </dev/null >&2 && apt_install $missing
 }
 
+# install_modules: what the tests of the live page take from npm, exactly as tests/live/package-lock.json names it.
+install_modules() {
+    modules=$top/tests/live/node_modules
+    cmp -s "$top/tests/live/package-lock.json" "$modules/.installed" && return 0
+    command -v npm >/dev/null || apt_install npm || return 1
+    npm ci --prefix "$top/tests/live" --ignore-scripts --no-audit --no-fund </dev/null >&2 || return 1
+    cp "$top/tests/live/package-lock.json" "$modules/.installed"
+}
+
 # configured DIRECTORY: whether a configuration went to its end there (one that failed leaves a cache too).
 configured() { [ -e "$1/build.ninja" ] || [ -e "$1/Makefile" ]; }
 

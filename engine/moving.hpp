@@ -91,14 +91,47 @@ struct MovingCourse {
     std::vector<Sample> samples;  ///< in the order of the way
 };
 
-/// Something given that may be changed while all else stays: a driver's rate, the size of a load. Never zero: verdicts hang on
-/// that.
+/// Something given that may be changed while all else stays: a driver's rate, the size of a load, the length of a bar, how far
+/// apart the frame's two hinges are, a parameter of the file. Never zero: verdicts hang on that.
 struct MovingSetting {
-    enum class Kind { velocity, acceleration, load } kind = Kind::velocity;
-    int of = 0;  ///< index of the driver or the load in the mechanism
+    enum class Kind {
+        velocity,
+        acceleration,
+        load,
+        bar,       ///< of a body that two hinges hold: all its places, seen from its reference, in proportion
+        ground,    ///< the hinge at `ends[1]` goes along the line from the one at `ends[0]`
+        parameter  ///< see MovingEffect
+    } kind = Kind::velocity;
+    int of = 0;  ///< index of the driver, the load or the body in the mechanism
     std::string name;
     QuantityKind unit = QuantityKind::angular_velocity;
-    double value = 0;  ///< SI, as given
+    double value = 0;               ///< SI, as given; of a parameter in `written_unit`
+    std::string written_unit = {};  ///< of a parameter, as the file writes it: "mm"; of a bare number empty
+    std::array<PointIndex, 2> ends{};
+};
+
+/// A number of the closure, of a plan or of the settings that follows from parameters of the file:
+///   number = (what the file gives) + Σ by · Δ_first · Δ_second,  Δ of a setting: its value less what the file gives.
+struct MovingEffect {
+    enum class List {
+        row,    ///< `item` of Moving::rows; `part` 0 … 9 as they stand in ClosureRowOf, from p.x to share_j
+        body,   ///< reference of a body, x or y
+        point,  ///< local of a point, x or y
+        local,  ///< locals of a joint: part / 2 the side, part % 2 x or y
+        reach,  ///< reaches of a joint, by side
+        guide,  ///< of a joint, x or y
+        tangent,
+        setting,       ///< value of a setting
+        given,         ///< part of a given of a plan
+        given_factor,  ///< of a moving given
+        given_offset
+    } list = List::row;
+    int plan = -1, item = 0, part = 0;
+    struct Term {
+        int first = 0, second = -1;  ///< settings; −1: Δ alone
+        double by = 0;
+    };
+    std::vector<Term> terms;
 };
 
 struct Moving {
@@ -111,8 +144,9 @@ struct Moving {
     std::vector<Positions::JointRule> joints;
     std::vector<double> directions;  ///< by body: from its first point to the next, as drawn, rad
     std::vector<MovingSetting> settings;
-    std::vector<Column> columns;    ///< angles, places, slides and results
-    std::vector<MovingPlan> plans;  ///< the first is that of the drawn position
+    std::vector<MovingEffect> effects;  ///< of the settings that are parameters
+    std::vector<Column> columns;        ///< angles, places, slides and results
+    std::vector<MovingPlan> plans;      ///< the first is that of the drawn position
     std::vector<MovingCourse> courses;
     std::vector<std::pair<std::string, Error>> still;  ///< drivers that cannot be moved, and why
 };

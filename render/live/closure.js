@@ -48,13 +48,15 @@ class Places {
         this.turn = data.bodies.map(() => 0);
         this.facing = data.bodies.map(() => ({x: 1, y: 0}));
         this.columns = data.frozen.length;
+        /** As they were closed last, by column. */
+        this.q = new Float64Array(this.columns);
     }
 
     /** @param {ArrayLike<number>} q */
     set(q) {
         this.data.bodies.forEach((body, i) => {
             if (i === 0) return;
-            if (body[2] >= 0) this.at[i] = {x: q[body[2]], y: q[body[2] + 1]};
+            this.at[i] = body[2] >= 0 ? {x: q[body[2]], y: q[body[2] + 1]} : {x: body[0], y: body[1]};
             this.turn[i] = q[body[3]];
             this.facing[i] = {x: Math.cos(this.turn[i]), y: Math.sin(this.turn[i])};
         });
@@ -150,6 +152,7 @@ class Places {
             if (!(size < 0.5)) return false;
             if (size < 1e-15 || (pass > 3 && size < 1e-13)) {
                 this.set(q);
+                this.q = q;
                 return true;
             }
         }

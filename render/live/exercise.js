@@ -193,7 +193,8 @@ class Exercise {
         const task = tasks[this.next], isDone = task === undefined;
         page.hideFrom(isDone ? Infinity : task.statement);
         for (const figure of page.sheet.querySelectorAll('.figures > figure')) {
-            figure.classList.toggle('aside', !figure.contains(view.svg) && /** @type {HTMLElement} */ (figure).dataset.figureName !== 'mechanism');
+            const isMechanism = figure.getAttribute('data-figure-name') === 'mechanism';
+            figure.classList.toggle('aside', !figure.contains(view.svg) && !isMechanism);
         }
         for (const id of ['try-point', 'try-direction', 'try-check', 'try-hint', 'try-show']) page.at(id).disabled = isDone;
         const score = this.points.reduce((sum, each) => sum + each, 0);
@@ -386,8 +387,9 @@ class Exercise {
  * @param {string} name
  */
 function unscored(name) {
-    const lowered = /** @type {Record<string, string>} */ ({0: '₀', 1: '₁', 2: '₂', 3: '₃', 4: '₄', 5: '₅', 6: '₆', 7: '₇', 8: '₈', 9: '₉', v: 'ᵥ', a: 'ₐ'});
-    return name.replace(/_(\d+|[va]$)/g, (_, digits) => [...digits].map((each) => lowered[each]).join(''));
+    const lowered = /** @type {Record<string, string>} */ ({v: 'ᵥ', a: 'ₐ'});
+    const low = (/** @type {string} */ each) => lowered[each] ?? '₀₁₂₃₄₅₆₇₈₉'[Number(each)];
+    return name.replace(/_(\d+|[va]$)/g, (_, digits) => [...digits].map(low).join(''));
 }
 
 /**

@@ -5,6 +5,7 @@
 /**
  * @typedef {{name: string, origin: [number, number], labels: string[][]}} FigureInfo
  * @typedef {{letter: string, numbers: number[]}} Segment
+ * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}} Drawn
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies: [number, number]}[],
  *   points: {label: string}[], centres: Record<string, string>}} Names
  */
@@ -108,9 +109,17 @@ class FigureView {
         this.unit = group.getAttribute('data-unit') ?? '';
         this.drawnScale = Number(group.getAttribute('data-scale') ?? 1);
         this.scale = this.drawnScale;
-        /** @type {Map<number, {vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}>} */
+        /** @type {Map<number, Drawn>} */
         this.plans = new Map();
-        this.isMechanism = info.name === 'mechanism' || info.name === 'centres';
+        /**
+         * Of vectors that are drawn here, by name: under which they are in the plans.
+         * @type {Map<string, string>}
+         */
+        this.keys = new Map();
+        this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name);
+        /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
+        this.vectorScale = this.drawnScale;
+        if (info.name === 'velocities') this.drawnScale = this.scale = this.scaleOfPlaces();
         this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
         this.drawnOrigin = this.origin;
         /**
@@ -125,12 +134,15 @@ class FigureView {
         /** @type {Map<Element, Map<string, string | null>>} */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
+        this.room = {left: 0, top: 0, right: 0, bottom: 0};
         this.isBound = false;
+        /** Leaders, which go with their labels. */
+        this.taken = new Set();
     }
 
     /** Whether the figure can follow the mechanism at all. */
     get follows() {
-        return this.isMechanism || this.vectorsOf(0).size > 0;
+        return this.isMechanism ? this.scale > 0 : this.keys.size > 0 && ![...this.keys.values()].includes('');
     }
     get caption() {
         return this.group.querySelector('title')?.textContent ?? '';
@@ -140,16 +152,44 @@ class FigureView {
      * @returns {Spot}
      */
     poleOf() {
+        /** @type {{name: string, key: string, x: number, y: number}[]} */
+        const told = [];
         for (const node of this.group.querySelectorAll(':scope > g.vector')) {
-            const elements = this.vectorsOf(0).get(node.getAttribute('data-name') ?? ''), axis = node.querySelector('line.axis');
-            const tail = elements && this.motion.spot(elements[0]);
-            if (!tail || !axis) continue;
-            return {
-                x: Number(axis.getAttribute('x1')) - tail.x / this.scale,
-                y: Number(axis.getAttribute('y1')) + tail.y / this.scale,
-            };
+            const name = node.getAttribute('data-name') ?? '', axis = node.querySelector('line.axis');
+            for (const [key, [element]] of this.vectorsOf(0)) {
+                const tail = axis && key.split('#')[0] === name ? this.motion.spot(element) : null;
+                if (!axis || !tail) continue;
+                const x = Number(axis.getAttribute('x1')) - tail.x / this.scale, y = Number(axis.getAttribute('y1')) + tail.y / this.scale;
+                told.push({name, key, x, y});
+            }
         }
-        return {x: 0, y: 0};
+        // Two polygons may be of one body: what most of the vectors tell is this one's.
+        const agreeing = told.map((one) => told.filter((other) => apart(one, other) < 0.05));
+        const most = agreeing.reduce((best, each) => each.length > best.length ? each : best, []);
+        // One that is drawn a hair beside its place, so that it is seen beside another, is known by its name.
+        told.forEach(({name, key}) => this.keys.set(name, this.keys.has(name) ? '' : key));
+        most.forEach(({name, key}) => this.keys.set(name, key));
+        return most.length > 0 ? {x: most[0].x, y: most[0].y} : {x: 0, y: 0};
+    }
+
+    /**
+     * The point at which a vector is drawn on the mechanism: v_B at B; −1: none.
+     * @param {string} name
+     */
+    pointOf(name) {
+        return this.names.points.findIndex(({label}) => label === name.slice(2).replace('*', ''));
+    }
+    /** Of a drawing whose own scale is that of its vectors: as far from the origin as they begin; 0: it cannot be told. */
+    scaleOfPlaces() {
+        const origin = {x: this.info.origin[0], y: this.info.origin[1]};
+        let scale = 0, farthest = 0;
+        for (const node of this.group.querySelectorAll('g.vector')) {
+            const at = this.motion.read.points[this.pointOf(node.getAttribute('data-name') ?? '')], axis = node.querySelector('line.axis');
+            if (!at || !axis) continue;
+            const off = apart({x: Number(axis.getAttribute('x1')), y: Number(axis.getAttribute('y1'))}, origin);
+            if (off > farthest) [farthest, scale] = [off, Math.hypot(at.x, at.y) / off];
+        }
+        return scale;
     }
 
     // --- where things are -----------------------------------------------------------------------------------------------------
@@ -170,12 +210,19 @@ class FigureView {
         let found = this.plans.get(plan);
         if (found) return found;
         const own = this.isMechanism ? '' : this.id, drawn = this.motion.data.plans[plan];
+        const from = this.info.name === 'velocities' ? 'velocity' : this.id;
         const vectors = drawn?.vectors ?? [], spots = drawn?.spots ?? [], lines = drawn?.lines ?? [];
         found = {
-            vectors: new Map(vectors.filter(([figure]) => figure === this.id).map(([, name, tail, tip]) => [name, [tail, tip]])),
+            vectors: new Map(),
             spots: new Map(spots.filter(([figure]) => figure === own).map(([, name, point]) => [name, point])),
             lines: new Map(lines.filter(([figure]) => figure === own).map(([, name, , line, ...points]) => [name, {line, points}])),
         };
+        for (const [figure, name, tail, tip] of vectors) {
+            if (figure !== from) continue;
+            let key = name;
+            for (let k = 1; found.vectors.has(key); ++k) key = `${name}#${k}`;
+            found.vectors.set(key, [tail, tip]);
+        }
         this.plans.set(plan, found);
         return found;
     }
@@ -192,9 +239,14 @@ class FigureView {
      * @returns {[Spot, Spot] | null}
      */
     vector(name) {
-        const found = this.vectorsOf(this.motion.plan).get(name);
+        const found = this.vectorsOf(this.motion.plan).get(this.keys.get(name) ?? name);
         const tail = found && this.motion.spot(found[0]), tip = found && this.motion.spot(found[1]);
-        return tail && tip ? [this.paper(tail), this.paper(tip)] : null;
+        if (!tail || !tip) return null;
+        if (!this.isMechanism) return [this.paper(tail), this.paper(tip)];
+        const point = this.pointOf(name), by = minus(tip, tail);
+        if (point < 0) return null;
+        const from = this.point(point);
+        return [from, {x: from.x + by.x / this.vectorScale, y: from.y - by.y / this.vectorScale}];
     }
     /**
      * A vertex, or a centre, on paper.
@@ -280,7 +332,8 @@ class FigureView {
      * @param {string} transform
      */
     transform(node, transform) {
-        const own = this.drawn.get(node)?.get('transform') ?? (this.drawn.get(node)?.has('transform') ? '' : node.getAttribute('transform'));
+        const before = this.drawn.get(node);
+        const own = before?.has('transform') ? before.get('transform') : node.getAttribute('transform');
         this.set(node, 'transform', own ? `${transform} ${own}` : transform);
     }
     /**
@@ -298,15 +351,27 @@ class FigureView {
         if (this.isBound) return;
         this.isBound = true;
         this.bindLabels();
+        for (const node of this.svg.children) this.bindScaleBar(node);
         for (const node of this.group.children) {
+            if (this.taken.has(node)) continue;
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
             else if (node.matches('g.vector')) this.bindVector(node);
-            else if (node.matches('g.figure, g.detail')) node.classList.add('still');
+            else if (node.matches('g.figure')) node.classList.add('still');
             else if (node.tagName === 'path') this.bindPath(node);
             else if (node.matches('g.text:not(.label ~ .text)')) this.measures.push(node);
         }
     }
 
+    /**
+     * Beside the figures of a drawing: a bar half of which is filled, its outline, and what it measures.
+     * @param {Element} node
+     */
+    bindScaleBar(node) {
+        const d = node.tagName === 'path' && node.getAttribute('fill') !== 'none' ? node.getAttribute('d') ?? '' : '';
+        const spots = /^M[^A]*Z$/.test(d) ? spotsOf(parsePath(d)) : [], box = boxOf(spots);
+        if (spots.length !== 4 || box.bottom - box.top > 2) return;
+        for (let next = node, k = 0; next && k < 4; next = /** @type {Element} */ (next.nextElementSibling), ++k) this.measures.push(next);
+    }
     /** @param {Element} node */
     bindVector(node) {
         const name = node.getAttribute('data-name') ?? '';
@@ -417,12 +482,15 @@ class FigureView {
     // --- labels ---------------------------------------------------------------------------------------------------------------
 
     bindLabels() {
+        const isDetailed = this.svg.querySelector('[data-figure=detail]') !== null;
         [...this.svg.querySelectorAll('g.label')].forEach((label, i) => {
             if (label.closest('.dimension') || label.closest('g.figure') !== this.group) return;
-            const names = this.info.labels[i] ?? [];
+            const told = this.info.labels[i] ?? [], names = told.length > 0 ? told : [label.getAttribute('data-label') ?? ''];
             const box = /** @type {SVGGElement} */ (label).getBBox();
             const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
             const parts = this.partsOf(label, centre);
+            if (isDetailed && /^[IVX]+$/.test(names[0])) return parts.forEach((part) => part.classList.add('still'));
+            this.cutNumber(label);
             const vector = names.find((name) => this.vector(name));
             const spot = names.find((name) => this.spot(name));
             if (vector !== undefined) this.vectorLabels.push({label, name: vector, box});
@@ -445,7 +513,24 @@ class FigureView {
             const box = boxOf(spotsOf(parsePath(before.getAttribute('d') ?? '')));
             if (apart(box.centre, centre) < 1.5 && box.right - box.left < 8) parts.push(before);
         }
+        for (const part of this.leaderBefore(parts[parts.length - 1], centre)) {
+            parts.push(part);
+            this.taken.add(part);
+        }
         return parts;
+    }
+    /**
+     * The line that leads from a label to what it names, and the dot at its end.
+     * @param {Element} first of the label
+     * @param {Spot} centre
+     * @returns {Element[]}
+     */
+    leaderBefore(first, centre) {
+        const dot = first.matches('g.text') ? null : first.previousElementSibling, line = dot?.previousElementSibling;
+        if (dot?.tagName !== 'path' || line?.tagName !== 'path') return [];
+        const ends = spotsOf(parsePath(line.getAttribute('d') ?? '')), end = boxOf(spotsOf(parsePath(dot.getAttribute('d') ?? '')));
+        const isLeader = end.right - end.left < 1.2 && ends.length === 2 && apart(end.centre, ends[0]) < samePlace;
+        return isLeader && apart(ends[1], centre) < apart(ends[0], centre) ? [dot, line] : [];
     }
     /**
      * @param {Element[]} parts
@@ -499,7 +584,8 @@ class FigureView {
                 continue;
             }
             text ??= /** @type {SVGTextElement} */ (drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height}));
-            const ends = this.vector(name), value = ends && Number((apart(...ends) * this.scale).toPrecision(4));
+            const ends = this.vector(name), scale = this.isMechanism ? this.vectorScale : this.scale;
+            const value = ends && Number((apart(...ends) * scale).toPrecision(4));
             text.textContent = value === null ? '' : `= ${written(value)} ${this.unit}`;
         }
     }
@@ -549,15 +635,18 @@ class FigureView {
         const role = group.getAttribute('class') ?? '';
         if (role === 'dimensions') return group.classList.add('still');
         if (role === 'vector') return this.bindVector(group);
-        if (role === 'label' || role === 'text' || role === 'ground' && !group.querySelector('g')) return;
+        if (role === 'label' || role === 'text') return;
         for (const node of group.children) {
-            if (role === 'links') this.bindLink(node);
+            if (node.matches('g.vector')) this.bindVector(node);
+            else if (role === 'links') this.bindLink(node);
             else if (role === 'tint') this.bindTint(node);
             else if (role === 'joints') this.bindJoint(node);
             else if (role === 'centres') this.bindCentre(node);
             else if (role === 'construction') this.bindGuide(node);
             else if (role === 'ground' && node.tagName === 'g') node.classList.add('still');
-            else if (role === 'arrows' && !this.isAtRest(node)) node.classList.add('still');
+            else if (role === 'ground') this.bindToGround(node, 15);
+            else if (role === 'arrows' && node.hasAttribute('data-statement')) node.classList.add('still');
+            else if (role === 'arrows' && !this.bindToGround(node, 16)) node.classList.add('still');
         }
     }
     /**
@@ -567,18 +656,36 @@ class FigureView {
      */
     bindToBody(node, body) {
         if (body <= 0) return;
-        const {places, data} = this.motion;
+        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body];
+        const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
+        const paths = all.map((path) => ({path, d: path.getAttribute('d') ?? ''}));
+        let wasShaped = false;
         this.bindings.push(() => {
-            const [rx, ry] = data.bodies[body], {x: c, y: s} = places.facing[body];
+            const shape = givens.shapes[body], {x: c, y: s} = places.facing[body];
+            if (shape || wasShaped) {
+                for (const {path, d} of paths) this.set(path, 'd', shape ? mappedPath(parsePath(d), (at) => this.shaped(body, at)) : d);
+            }
+            wasShaped = shape !== null;
+            if (shape) return this.set(node, 'transform', '');
             const from = this.paper({x: data.unit * rx, y: data.unit * ry});
             const to = this.paper({x: data.unit * places.at[body].x, y: data.unit * places.at[body].y});
             const e = to.x - c * from.x - s * from.y, f = to.y + s * from.x - c * from.y;
             this.transform(node, `matrix(${[c, -s, s, c, e, f].map((each) => each.toFixed(6)).join(' ')})`);
         });
     }
+    /**
+     * Where a place that was drawn on a body is now, on paper.
+     * @param {number} body
+     * @param {Spot} drawn
+     */
+    shaped(body, drawn) {
+        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body], at = this.unpaper(drawn);
+        const local = {x: at.x / data.unit - rx, y: at.y / data.unit - ry}, {x, y} = givens.shapes[body]?.(local) ?? local;
+        return this.paper(scaledBy(data.unit, places.world(body, x, y)));
+    }
     /** @param {Element} node */
     bindLink(node) {
-        const body = this.names.bodies.findIndex(({id}) => `link-${id}` === node.getAttribute('data-id'));
+        const body = this.names.bodies.findIndex(({id}) => linkOf(node) === id);
         if (body < 0 || node.matches('.crossing')) node.classList.add('still');
         else this.bindToBody(node, body);
     }
@@ -590,7 +697,7 @@ class FigureView {
         const outline = node.getAttribute('d') ?? '';
         const links = [...this.group.querySelectorAll('g.link')];
         const link = links.find((each) => [...each.querySelectorAll('path')].some((path) => path.getAttribute('d') === outline));
-        const body = this.names.bodies.findIndex(({id}) => link && `link-${id}` === link.getAttribute('data-id'));
+        const body = this.names.bodies.findIndex(({id}) => link && linkOf(link) === id);
         if (body < 0) node.classList.add('still');
         else this.bindToBody(node, body);
     }
@@ -660,17 +767,65 @@ class FigureView {
             const e = unitOf(minus(spots[1], spots[0]));
             return turnsWith >= 0 && Math.abs(dot(minus(this.point(point), spots[0]), quarterTurn(e))) < samePlace;
         });
-        if (joint) this.bindToBody(node, joint.turnsWith);
+        if (joint?.turnsWith === 0) this.bindToGuideOfFrame(node, spots, samePlace);
+        else if (joint) this.bindToBody(node, joint.turnsWith);
         else node.classList.add('still');
     }
     /**
-     * The arrow of a driver on the frame stays where it is.
+     * What stands at a place of the frame stays there, unless that goes elsewhere with a length. False: there is none so near.
      * @param {Element} node
+     * @param {number} reach mm
      */
-    isAtRest(node) {
+    bindToGround(node, reach) {
         const spots = spotsOf(parsePath(node.getAttribute('d') ?? ''));
         if (spots.length === 0) return false;
-        return this.motion.data.points.some(([body], i) => body === 0 && apart(this.point(i), boxOf(spots).centre) < 16);
+        const point = this.groundAt(boxOf(spots).centre, reach);
+        if (point < 0) return this.bindToGuideOfFrame(node, spots, reach);
+        const drawn = this.point(point);
+        this.carry(node, () => minus(this.point(point), drawn));
+        return true;
+    }
+    /**
+     * What goes elsewhere with a length alone.
+     * @param {Element} node
+     * @param {() => Spot} offset
+     */
+    carry(node, offset) {
+        let wasMoved = false;
+        this.bindings.push(() => {
+            const by = offset(), isMoved = Math.hypot(by.x, by.y) > 1e-9;
+            if (isMoved || wasMoved) this.translate(node, by);
+            wasMoved = isMoved;
+        });
+    }
+    /**
+     * The axis of a guide on the frame, and the ground beside it.
+     * @param {Element} node
+     * @param {Spot[]} spots
+     * @param {number} reach
+     */
+    bindToGuideOfFrame(node, spots, reach) {
+        const {data, read} = this.motion, {centre} = boxOf(spots);
+        const across = (/** @type {number} */ joint) => quarterTurn(unitOf({x: read.guides[joint].x, y: -read.guides[joint].y}));
+        const joint = this.names.joints.findIndex(({bodies, point}, k) => data.joints[k].point >= 0 && bodies.includes(0) &&
+            (read.guides[k].x !== 0 || read.guides[k].y !== 0) && Math.abs(dot(minus(centre, this.point(point)), across(k))) < reach);
+        if (joint < 0) return false;
+        const {point} = this.names.joints[joint], drawn = this.point(point), n = across(joint);
+        this.carry(node, () => scaledBy(dot(minus(this.point(point), drawn), n), n));
+        return true;
+    }
+    /**
+     * The place of the frame that is nearest; −1: none.
+     * @param {Spot} at
+     * @param {number} reach
+     */
+    groundAt(at, reach) {
+        let best = -1, least = reach;
+        this.motion.data.points.forEach(([body], i) => {
+            const off = body === 0 ? apart(this.point(i), at) : least;
+            if (off < least) [best, least] = [i, off];
+        });
+        return best;
     }
     /**
      * @param {Element} label
@@ -682,19 +837,39 @@ class FigureView {
         const first = text.split(' ≡ ')[0];
         const point = this.names.points.findIndex((each, i) => each.label === first && apart(this.point(i), centre) < 40);
         const body = this.names.bodies.findIndex((each) => each.label === text);
+        if (/ = [−\d]/.test(text)) return this.bindNumber(parts, text, centre);
         const isBalloon = parts.some((part) => part.tagName === 'path');
         if (isBalloon && body > 0) {
-            const {places, data} = this.motion;
-            const at = this.unpaper(centre), [rx, ry] = data.bodies[body];
-            this.bindToPlace(parts, () => {
-                const now = places.world(body, at.x / data.unit - rx, at.y / data.unit - ry);
-                return this.paper({x: data.unit * now.x, y: data.unit * now.y});
-            });
+            this.bindToPlace(parts, () => this.shaped(body, centre));
         } else if (point >= 0) {
             this.bindToPlace(parts, () => this.point(point));
-        } else if (!this.motion.data.points.some(([on], i) => on === 0 && apart(this.point(i), centre) < 25)) {
-            parts.forEach((part) => part.classList.add('still'));
+        } else {
+            const ground = this.groundAt(centre, 25);
+            if (ground < 0) parts.forEach((part) => part.classList.add('still'));
+            else this.bindToPlace(parts, () => this.point(ground));
         }
+    }
+    /**
+     * What says a number is left out where it says another than holds: "ω_2 = 5 rad/s" of a driver stays as long as nobody changes it.
+     * @param {Element[]} parts
+     * @param {string} text
+     * @param {Spot} centre
+     */
+    bindNumber(parts, text, centre) {
+        const {motion} = this, {settings} = motion.data, ground = this.groundAt(centre, Infinity);
+        const setting = settings.findIndex(({name}) => text.startsWith(`${name.replace(/^([ωv]) /, '$1_')} = `));
+        if (ground < 0 || setting < 0) return parts.forEach((part) => part.classList.add('still'));
+        this.bindToPlace(parts, () => motion.settings[setting] === settings[setting].value ? this.point(ground) : null);
+    }
+    /**
+     * "P_13  (O_2P_13 = 424 mm)": its name alone goes elsewhere.
+     * @param {Element} label
+     */
+    cutNumber(label) {
+        const [name, number] = (label.getAttribute('data-label') ?? '').split('  (');
+        if (number === undefined) return;
+        const glyphs = [...name.replace(/[_^ ]/g, '')].length;
+        [...label.querySelectorAll('use')].slice(glyphs).forEach((glyph) => glyph.classList.add('still'));
     }
     /**
      * @param {Spot} at mm
@@ -711,23 +886,74 @@ class FigureView {
      * @returns {Spot[]}
      */
     extent() {
-        if (this.isMechanism) return this.motion.read.points.map((at) => this.paper(at));
-        return [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []);
+        if (this.isMechanism) {
+            // A vector that grows beyond all bounds near a dead point leaves the room.
+            const [x, y, width, height] = this.viewBox, rim = width / 4;
+            const tips = [...this.vectorsOf(this.motion.plan).keys()].flatMap((name) => this.vector(name) ?? []).filter(
+                (at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim);
+            return [...this.motion.read.points.map((at) => this.paper(at)), ...tips];
+        }
+        return [...this.keys.keys()].flatMap((name) => this.vector(name) ?? []);
     }
-    /**
-     * Scale and origin with which what it shows fills the middle of its room.
-     * @returns {{scale: number, origin: Spot}}
-     */
-    fitted() {
-        const [x, y, width, height] = this.viewBox, rim = 12, below = 8;
+    /** Of what it shows at the drawing's scale, mm. */
+    box() {
+        const {scale, origin} = this;
         this.scale = this.drawnScale;
         this.origin = this.drawnOrigin;
         const spots = this.extent();
-        if (spots.length === 0) return {scale: this.scale, origin: this.origin};
-        const box = boxOf(spots);
-        const wide = Math.max(width - 2 * rim, 20), high = Math.max(height - 2 * rim - below, 20);
-        const k = Math.max((box.right - box.left) / wide, (box.bottom - box.top) / high, 1e-9);
-        const middle = {x: x + width / 2, y: y + (height - below) / 2};
+        [this.scale, this.origin] = [scale, origin];
+        return spots.length > 0 ? boxOf(spots) : null;
+    }
+    /**
+     * Its part of the drawing: as far as to halfway to others in it. In the drawn position.
+     * @param {FigureView[]} others
+     */
+    takeRoom(others) {
+        const [x, y, width, height] = this.viewBox, own = this.box(), rim = 12, below = 8;
+        const room = {left: x + rim, top: y + rim, right: x + width - rim, bottom: y + height - rim - below};
+        for (const other of own ? others : []) {
+            const box = other.box();
+            if (!box || !own) continue;
+            const beside = Math.max(box.left - own.right, own.left - box.right);
+            if (beside >= Math.max(box.top - own.bottom, own.top - box.bottom)) {
+                if (box.centre.x > own.centre.x) room.right = Math.min(room.right, (box.left + own.right) / 2 - rim / 3);
+                else room.left = Math.max(room.left, (box.right + own.left) / 2 + rim / 3);
+            } else if (box.centre.y > own.centre.y) {
+                room.bottom = Math.min(room.bottom, (box.top + own.bottom) / 2 - rim / 2);
+            } else {
+                room.top = Math.max(room.top, (box.bottom + own.top) / 2 + rim / 2);
+            }
+        }
+        if (others.length > 0) {  // what is known of the forces stands below
+            const boxes = [this, ...others].flatMap((each) => each.box() ?? []);
+            room.top = Math.max(room.top, Math.min(...boxes.map(({top}) => top)) - rim / 3);
+            room.bottom = Math.min(room.bottom, Math.max(...boxes.map(({bottom}) => bottom)) + rim / 3);
+        }
+        this.room = room;
+    }
+    /** How much smaller than on the sheet it must be drawn to fill its room. */
+    shrinkage() {
+        const box = this.box(), {left, top, right, bottom} = this.room;
+        if (!box) return 1e-9;
+        return Math.max((box.right - box.left) / Math.max(right - left, 20), (box.bottom - box.top) / Math.max(bottom - top, 20), 1e-9);
+    }
+    /**
+     * Scale and origin with which what it shows stands in the middle of its room.
+     * @param {number} k how much smaller than on the sheet
+     * @returns {{scale: number, origin: Spot}}
+     */
+    fitted(k) {
+        const box = this.box(), {left, top, right, bottom} = this.room;
+        if (!box) return {scale: this.drawnScale, origin: this.drawnOrigin};
+        const middle = {x: (left + right) / 2, y: (top + bottom) / 2};
         return {scale: this.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre, this.drawnOrigin))};
     }
+}
+
+/**
+ * The body whose link it is, as ids have it: "link-3", "velocities-link-3".
+ * @param {Element} link
+ */
+function linkOf(link) {
+    return (link.getAttribute('data-id') ?? '').replace(/^(velocities-)?link-/, '');
 }

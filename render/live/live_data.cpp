@@ -121,12 +121,15 @@ public:
         write_closure();
         json_.list("directions", moving_.directions, [&](double each) { json_.number(each); });
         json_.list("settings", moving_.settings, [&](const MovingSetting& each) {
-            const Unit unit = each.unit == QuantityKind::angular_acceleration
-                                  ? Unit{"rad/s²", 1}
-                                  : suitable_unit(each.value, each.unit, solution_.mechanism.units);
+            const Unit unit = unit_of(each);
             json_.open('{').key("name").text(each.name).key("unit").text(unit.symbol);
-            json_.key("size").number(unit.si.to_double()).key("value").number(each.value).close('}');
+            json_.key("size").number(unit.si.to_double()).key("value").number(each.value);
+            if (each.kind == MovingSetting::Kind::bar) json_.key("bar").number(each.of);
+            if (each.unit == QuantityKind::length) json_.key("ends").open('[').all(each.ends[0], each.ends[1]).close(']');
+            if (each.kind == MovingSetting::Kind::parameter) json_.key("parameter").truth(true);
+            json_.close('}');
         });
+        json_.list("effects", moving_.effects, [&](const MovingEffect& each) { write(each); });
         json_.list("columns", moving_.columns, [&](const Column& each) { write(each); });
         json_.list("plans", moving_.plans, [&](const MovingPlan& each) { write(each); });
         json_.list("courses", moving_.courses, [&](const MovingCourse& each) { write(each); });
@@ -173,6 +176,55 @@ private:
                    : q.component == Quantity::Component::x ? "x"
                                                            : "whole")
             .close('}');
+    }
+    Unit unit_of(const MovingSetting& setting) const {
+        if (setting.kind == MovingSetting::Kind::parameter) return {setting.written_unit, 1};
+        if (setting.unit == QuantityKind::angular_acceleration) return {"rad/s²", 1};
+        return suitable_unit(setting.value, setting.unit, solution_.mechanism.units);
+    }
+    /// The way to the number through the data, and its terms.
+    void write(const MovingEffect& effect) {
+        using List = MovingEffect::List;
+        const int item = effect.item, part = effect.part;
+        const auto way = [&](const auto&... steps) { json_.open('[').open('[').all(steps...).close(']'); };
+        const std::string rows = "rows", bodies = "bodies", points = "points", joints = "joints", plans = "plans";
+        switch (effect.list) {
+            case List::row:
+                way(rows, item, first_of_row + part);
+                break;
+            case List::body:
+                way(bodies, item, part);
+                break;
+            case List::point:
+                way(points, item, 1 + part);
+                break;
+            case List::local:
+                way(joints, item, std::string("locals"), part / 2, part % 2);
+                break;
+            case List::reach:
+                way(joints, item, std::string("reaches"), part);
+                break;
+            case List::guide:
+                way(joints, item, std::string("guide"), part);
+                break;
+            case List::tangent:
+                way(joints, item, std::string("tangent"), part);
+                break;
+            case List::setting:
+                way(std::string("settings"), item, std::string("value"));
+                break;
+            case List::given:
+                way(plans, effect.plan, std::string("givens"), item, part);
+                break;
+            case List::given_factor:
+                way(plans, effect.plan, std::string("moving"), item, std::string("factor"));
+                break;
+            case List::given_offset:
+                way(plans, effect.plan, std::string("moving"), item, std::string("offset"));
+                break;
+        }
+        for (const MovingEffect::Term& term : effect.terms) json_.all(term.first, term.second, term.by);
+        json_.close(']');
     }
     void write(const MovingPlan& plan) {
         json_.open('{');
@@ -235,6 +287,8 @@ private:
         });
         json_.close('}');
     }
+
+    static constexpr int first_of_row = 3;  ///< after kind and bodies
 
     const Moving& moving_;
     const Solution& solution_;
@@ -352,6 +406,7 @@ std::string words_json() {
                                                                   "live ruler end",
                                                                   "live values beside",
                                                                   "live givens",
+                                                                  "live does not close",
                                                                   "live trace",
                                                                   "live plot",
                                                                   "live none"});

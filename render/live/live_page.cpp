@@ -115,11 +115,13 @@ std::string element(const std::string& tag, const std::string& attributes, const
 
 // --- figures ------------------------------------------------------------------------------------------------------------------
 
-/// Figures as they stand in HTML: outlines shared by all of them once, ids of the drawing as data, so that none comes twice.
+/// Figures as they stand in HTML: outlines shared by all of them once, ids of the drawing as data, so that none comes twice. What
+/// the second language draws as the first did is not sent again: in its place stands the first one's number among the elements of
+/// all figures, `data-as`, and the page puts it there.
 class Drawings {
 public:
     /// `svg` of a page, under what a reader hears it called.
-    std::string add(const std::string& svg, const std::string& label) {
+    std::string add(const std::string& svg, const std::string& label, bool is_second) {
         pugi::xml_document document;
         document.load_buffer(svg.data(), svg.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
         pugi::xml_node root = document.child("svg");
@@ -136,6 +138,10 @@ public:
         root.append_attribute("role").set_value("img");
         root.append_attribute("aria-label").set_value(label.c_str());
         tidy(root);
+        if (is_second)
+            refer(root);
+        else
+            remember(root);
         return printed(root);
     }
     std::string outlines() const {
@@ -183,8 +189,35 @@ private:
         }
     }
 
+    /// In the order of the document, as a selector finds them.
+    void remember(const pugi::xml_node& parent) {
+        for (const pugi::xml_node child : parent.children()) {
+            if (child.type() != pugi::node_element) continue;
+            numbers_.try_emplace(printed(child), count_++);
+            remember(child);
+        }
+    }
+    void refer(pugi::xml_node parent) {
+        constexpr std::size_t shortest_reference = 24;
+        for (pugi::xml_node child = parent.first_child(), next; child; child = next) {
+            next = child.next_sibling();
+            if (child.type() != pugi::node_element) continue;
+            const std::string text = printed(child);
+            const auto same = numbers_.find(text);
+            if (same == numbers_.end() || text.size() <= shortest_reference) {
+                refer(child);
+                continue;
+            }
+            pugi::xml_node stands = parent.insert_child_before("g", child);
+            stands.append_attribute("data-as").set_value(same->second);
+            parent.remove_child(child);
+        }
+    }
+
     std::set<std::string> known_;
     std::string outlines_;
+    std::map<std::string, int> numbers_;  // by what they are printed as
+    int count_ = 0;
 };
 
 // --- themes -------------------------------------------------------------------------------------------------------------------
@@ -346,7 +379,8 @@ private:
         figures_json_.clear();
         for (const AloneFigure& figure : drawn) {
             figures_json_ += (figures_json_.empty() ? "" : ",") + figure_json(figure);
-            const std::string svg = drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption));
+            const std::string svg =
+                drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption), language != options_.language);
             std::string caption = html(figure.caption);
             if (!figure.scale_in_words.empty()) caption += " <span class=\"scale\">" + html(figure.scale_in_words) + "</span>";
             out += element("figure", "data-figure-name=\"" + escaped(figure.name) + "\"",

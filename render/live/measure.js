@@ -95,7 +95,8 @@ class Handle {
  * @param {(value: number) => string} written
  */
 function measured(length, scale, unit, written) {
-    const paper = `${written(Math.round(length * 10) / 10)} mm`, value = Number((length * scale * (unit === 'm' ? 1000 : 1)).toPrecision(3));
+    const paper = `${written(Math.round(length * 10) / 10)} mm`,
+        value = Number((length * scale * (unit === 'm' ? 1000 : 1)).toPrecision(3));
     return scale > 0 && unit !== '' ? `${paper} ≙ ${written(value)} ${unit === 'm' ? 'mm' : unit}` : paper;
 }
 

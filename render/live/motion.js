@@ -9,7 +9,10 @@ class Motion {
         this.data = data;
         this.places = new Places(data);
         this.replays = data.plans.map((plan) => new Replay(plan, data.size));
+        /** The ways with what is given now. */
+        this.courses = data.courses;
         this.course = data.courses[0];
+        this.givens = new Givens(data, this.places, this.replays);
         /** As Sample.at. */
         this.at = 0;
         /** Index of the plan that holds here; −1: none. */
@@ -35,7 +38,9 @@ class Motion {
      * @param {Course} course
      */
     toDrawn(course = this.course) {
-        this.settings = this.data.settings.map(({value}) => value);
+        const index = Math.max(this.courses.indexOf(course), 0);
+        if (!this.isAsGiven) this.give(this.data.settings.map(({value}) => value));
+        course = this.courses[index];
         const {places, data} = this;
         const q = new Float64Array(data.frozen.length);
         for (const [x, y, column] of data.bodies) {
@@ -52,6 +57,29 @@ class Motion {
         this.plan = this.planHere([0]);
     }
 
+    /**
+     * Other values, as Motion.settings; the mechanism is where it was as far as it can be. False where the joints do not close with
+     * them: then nothing changed.
+     * @param {number[]} settings
+     */
+    give(settings) {
+        const {givens, data} = this, index = this.courses.indexOf(this.course), values = [...settings];
+        const differs = (/** @type {number} */ i) => values[i] !== this.settings[i];
+        const isFirst = (/** @type {number} */ i) => !givens.isOfPlace(i) || values[i] === data.settings[i].value;
+        if (values.every((_, i) => isFirst(i))) {
+            givens.put(values);
+            givens.shapes.fill(null);
+            this.courses = data.courses;
+        } else if (values.some((_, i) => differs(i) && givens.isOfPlace(i))) {
+            const ways = givens.waysWith(this.courses, this.settings, values, this.at);
+            if (!ways) return false;
+            this.courses = ways;
+        }
+        this.settings = values;
+        const course = this.courses[index], {samples} = course;
+        this.moveTo(course, Math.min(Math.max(this.at, samples[0].at), samples[samples.length - 1].at));
+        return true;
+    }
     /**
      * False where the joints do not close; then nothing moved.
      * @param {Course} course
@@ -76,7 +104,8 @@ class Motion {
         this.told = null;
         const likely = [nearest.plan, low.plan, high.plan];
         this.plan = this.planHere(likely);
-        if (this.plan < 0) this.stepAside(course, start, coordinate, likely, nearest.at === place && this.isAsGiven ? nearest.values : undefined);
+        if (this.plan < 0) this.stepAside(course, start, coordinate, likely,
+            nearest.at === place && this.isAsGiven ? nearest.values : undefined);
         return true;
     }
 

@@ -14,11 +14,21 @@ class Page {
          * @type {Map<string, Map<SVGSVGElement, number[]>>}
          */
         this.rooms = new Map();
+        /** @type {Course | null} */
+        this.shownWay = null;
         this.ruler = new Ruler(this);
         this.exercise = new Exercise(this);
         this.traces = new Traces(this);
         this.panel = new Panel(this);
         this.sheets = [...document.querySelectorAll('main')];
+        this.completeDrawings();
+    }
+    /** What is drawn alike in both languages was sent with the first. */
+    completeDrawings() {
+        const sent = document.querySelectorAll('main:first-of-type .figures svg *');
+        for (const stand of document.querySelectorAll('[data-as]')) {
+            stand.replaceWith(sent[Number(stand.getAttribute('data-as'))].cloneNode(true));
+        }
     }
 
     start() {
@@ -111,20 +121,24 @@ class Page {
     bindFigures() {
         const {motion} = this;
         if (!motion || this.views[this.language]) return;
-        const here = {course: motion.course, at: motion.at}, {settings} = motion;
+        const here = {at: motion.at, index: motion.courses.indexOf(motion.course)}, {settings, isDrawn} = motion;
         motion.toDrawn();
         const svgs = [...this.sheet.querySelectorAll('.figures svg')];
         this.views[this.language] = svgs.flatMap((svg, i) => {
             const info = this.data.figures[this.language][i], own = /** @type {SVGSVGElement} */ (svg);
-            const groups = [...svg.querySelectorAll('g.figure')].filter((group) => !group.parentElement?.closest('g.figure'));
+            const figures = [...svg.querySelectorAll('g.figure:not([data-figure=detail])')];
+            const groups = figures.filter((group) => !group.parentElement?.closest('g.figure'));
+            for (const node of svg.querySelectorAll('g.detail, g.figure[data-figure=detail]')) node.classList.add('still');
             const views = groups.map((group) => new FigureView(own, group, info, motion, this.data.names));
             const follow = views.length > 0 && views.every((view) => view.follows);
             svg.classList.toggle('following', follow);
             if (follow) views.forEach((view) => view.bind());
+            if (follow) views.forEach((view) => view.takeRoom(views.filter((each) => each !== view)));
             return views;
         });
-        motion.settings = settings;
-        motion.moveTo(here.course, here.at);
+        if (isDrawn) return;
+        motion.give(settings);
+        motion.moveTo(motion.courses[here.index], here.at);
     }
 
     // --- reading --------------------------------------------------------------------------------------------------------------
@@ -303,19 +317,26 @@ class Page {
     }
     /** @returns {Course} */
     get course() {
-        return this.data.moving.courses[Number(this.at('driver').value) || 0];
+        const {courses} = /** @type {Motion} */ (this.motion);
+        return courses[Number(this.at('driver').value) || 0];
     }
     /** @param {number} index */
     chooseDriver(index) {
         this.pause();
         this.at('driver').value = String(index);
+        this.motion?.toDrawn(this.course);
+        this.showWay();
+        this.traces.draw();
+    }
+    /** From where to where the driver goes, with what is given now. */
+    showWay() {
         const {course} = this, position = this.at('position');
+        this.shownWay = course;
+        this.rooms.clear();
         position.min = String(course.samples[0].at);
         position.max = String(course.samples[course.samples.length - 1].at);
         position.setAttribute('aria-label', `${this.word('position')}: ${course.name}`);
-        this.motion?.toDrawn(course);
         this.showStops();
-        this.traces.draw();
     }
     /** Limits and change points of the way, a button each. */
     showStops() {
@@ -377,6 +398,7 @@ class Page {
         const {motion} = this;
         if (!motion) return;
         const {course} = this, {samples} = course;
+        if (course !== this.shownWay) this.showWay();
         this.at('position').value = String(motion.at);
         this.at('where').textContent = this.positionText(motion.at);
         const isNear = (/** @type {number} */ at) => Math.abs(at - motion.at) < 1e-6 * Math.abs(course.to - course.from);
@@ -421,7 +443,9 @@ class Page {
             return this.sayScale(view, 1);
         }
         const fits = this.at('fit').checked && !view.isMechanism;
-        const to = fits ? view.fitted() : undefined;
+        // Polygons of one drawing have one scale.
+        const together = fits ? this.figures.filter(({svg}) => svg === view.svg) : [];
+        const to = fits ? view.fitted(Math.max(...together.map((each) => each.shrinkage()))) : undefined;
         view.follow(fits ? view.viewBox : this.roomOf(view), to);
         this.sayScale(view, to ? to.scale / view.drawnScale : 1);
     }
@@ -464,9 +488,9 @@ class Page {
                 view.origin = view.drawnOrigin;
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
-                    room.right = Math.min(Math.max(room.right, at.x + margin), x + most * width);
+                    room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);
                     room.top = Math.max(Math.min(room.top, at.y - margin), y - most * height);
-                    room.bottom = Math.min(Math.max(room.bottom, at.y + margin), y + most * height);
+                    room.bottom = Math.min(Math.max(room.bottom, at.y + margin), y + (1 + most) * height);
                 }
             }
         }

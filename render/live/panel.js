@@ -1,46 +1,64 @@
-// The panel of what is given: speeds of drivers and sizes of loads, which a reader may change. The record is replayed with them.
+// The panel of what is given: speeds of drivers, sizes of loads, lengths, parameters of the file, which a reader may change. The
+// joints are closed and the record is replayed with them.
 
 class Panel {
     /** @param {Page} page */
     constructor(page) {
         this.page = page;
-        /** @type {HTMLInputElement[]} */
-        this.inputs = [];
+        /** @type {Map<number, HTMLInputElement>} */
+        this.inputs = new Map();
     }
     /** @param {Motion} motion */
     wire(motion) {
-        const panel = this.page.at('givens');
-        panel.hidden = motion.data.settings.length === 0;
-        motion.data.settings.forEach(({name, unit, size}, i) => {
+        const panel = this.page.at('givens'), {settings} = motion.data;
+        panel.hidden = settings.length === 0;
+        settings.forEach(({name, unit, size, value, ends}, i) => {
+            if (motion.givens.follows(i)) return;
             const label = document.createElement('label'), input = document.createElement('input');
             Object.assign(input, {type: 'number', step: 'any'});
-            input.oninput = () => this.give(motion, i, input.valueAsNumber * size);
-            label.append(`${name} `, input, ` ${unit}`);
+            input.oninput = () => {
+                const isFirst = input.value === shortText(value / size);
+                this.give(motion, i, input, isFirst ? value : input.valueAsNumber * size);
+            };
+            input.onblur = () => this.show(motion);
+            const said = ends ? ends.map((end) => unscored(this.page.data.names.points[end].label)).join('') : name;
+            label.append(`${said} `, input, ` ${unit}`);
             panel.append(label);
-            this.inputs.push(input);
+            this.inputs.set(i, input);
         });
     }
     /**
      * @param {Motion} motion
      * @param {number} setting
-     * @param {number} value SI
+     * @param {HTMLInputElement} input
+     * @param {number} value SI, of a parameter in its unit
      */
-    give(motion, setting, value) {
-        this.page.pause();
-        if (!Number.isFinite(value)) return;
-        motion.settings[setting] = value;
-        this.page.rooms.clear();
-        this.page.moveTo(motion.at);
-        this.page.traces.draw();
+    give(motion, setting, input, value) {
+        const {page} = this, isLength = motion.data.settings[setting].ends !== undefined;
+        page.pause();
+        const isGood = Number.isFinite(value) && !(isLength && value <= 0) &&
+            motion.give(motion.settings.map((each, i) => i === setting ? value : each));
+        input.setAttribute('aria-invalid', String(!isGood));
+        if (!isGood) return page.say(page.word('does not close'));
+        page.rooms.clear();
+        page.show();
+        page.traces.draw();
     }
     /**
      * What is given now; an input that is being written in is left alone.
      * @param {Motion} motion
      */
     show(motion) {
-        this.inputs.forEach((input, i) => {
+        for (const [i, input] of this.inputs) {
             const value = motion.settings[i] / motion.data.settings[i].size;
-            if (input !== document.activeElement) input.value = String(Number(value.toPrecision(12)));
-        });
+            if (input === document.activeElement) continue;
+            input.value = shortText(value);
+            input.removeAttribute('aria-invalid');
+        }
     }
+}
+
+/** @param {number} value */
+function shortText(value) {
+    return String(Number(value.toPrecision(10)));
 }

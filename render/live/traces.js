@@ -14,9 +14,11 @@ class Traces {
     fillLists(motion) {
         const {page} = this, trace = page.at('trace'), plot = page.at('plot');
         const none = ['', page.word('none')];
-        const points = motion.data.points.flatMap(([body], i) => body === 0 ? [] : [[String(i), unscored(page.data.names.points[i].label)]]);
+        const points = motion.data.points.flatMap(([body], i) => body === 0 ? [] :
+            [[String(i), unscored(page.data.names.points[i].label)]]);
         fill(trace, [none, ...points], trace.value);
-        fill(plot, [none, ...motion.data.columns.map(({name, unit}, i) => [String(i), unit === '' ? name : `${name} [${unit}]`])], plot.value);
+        fill(plot, [none, ...motion.data.columns.map(({name, unit}, i) =>
+            [String(i), unit === '' ? name : `${name} [${unit}]`])], plot.value);
     }
     /** For the language and the driver that are chosen. */
     draw() {

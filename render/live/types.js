@@ -19,9 +19,13 @@
  *   values?: (number | null)[]}} Sample
  * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
+ * @typedef {{name: string, unit: string, size: number, value: number,
+ *   ends?: [number, number], bar?: number, parameter?: boolean}} Changeable
+ *   ends: points, of a length; bar: the body whose length it is, else the frame's
  * @typedef {{size: number, unit: number, rows: Row[], bodies: [number, number, number, number][], frozen: boolean[],
  *   points: [number, number, number, number][], joints: JointRule[], directions: number[],
- *   settings: {name: string, unit: string, size: number, value: number}[], columns: Column[], plans: Plan[],
+ *   settings: Changeable[], effects: [(string | number)[], ...number[]][], columns: Column[], plans: Plan[],
  *   courses: Course[]}} MovingData
+ *   effects: the way to a number through this data; then for each term one or two settings (the second −1) and its factor
  *   bodies: reference x and y, columns of place (−1: a hinge on the frame) and turn; points: carrier, local x and y, contact
  */

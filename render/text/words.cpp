@@ -735,6 +735,8 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"live plot", "Plot", "Diagramma"},
     FixedWords{"live none", "none", "nessuno"},
     FixedWords{"live givens", "Given", "Dati"},
+    FixedWords{"live does not close", "With this value the mechanism does not close; it stays as it was.",
+               "Con questo valore il meccanismo non si chiude: resta com’era."},
     FixedWords{"live values", "Values", "Valori"},
     FixedWords{"live column", "quantity", "grandezza"},
     FixedWords{"live value", "value", "valore"},

@@ -91,9 +91,8 @@ export class Browser {
     }
     async close() {
         const gone = new Promise((resolve) => this.process.on('exit', resolve));
-        this.send('Browser.close', {}).catch(() => {});
-        await Promise.race([gone, new Promise((resolve) => setTimeout(resolve, 3000))]);
-        this.process.kill('SIGKILL');
+        this.process.kill('SIGKILL');  // nothing of it is kept
+        await gone;
         rmSync(this.home, {recursive: true, force: true, maxRetries: 5});
     }
 }

@@ -12,11 +12,15 @@ export function readPage(path) {
     return {html, data, script, ...context};
 }
 
+/** Of a column, what its values may be measured by: "omega", "v", "place_x". */
+export function kindOf({kind, name}) {
+    return kind === 'result' || kind === 'along' ? name.split(' ')[0].replace(/[xy]$/, '') : kind;
+}
+
 /** The largest difference of a page's columns from the rows of a sweep, as a share of the largest value of its kind. */
 export function differences(page, sweep, course = 0) {
     const motion = new page.Motion(page.data.moving), {columns} = page.data.moving, way = page.data.moving.courses[course];
     const indices = columns.map((column) => sweep.columns.indexOf(column.name));
-    const kindOf = (column) => `${column.kind === 'result' || column.kind === 'along' ? column.name.split(' ')[0].replace(/[xy]$/, '') : column.kind}`;
     const largest = new Map();
     columns.forEach((column, i) => {
         if (indices[i] < 0) return;
@@ -36,7 +40,8 @@ export function differences(page, sweep, course = 0) {
             const value = motion.value(i);
             if (value === null) return void missing.push(`${at}: ${column.name}`);
             ++compared;
-            const share = Math.abs(value - row[indices[i]]) / Math.max(largest.get(kindOf(column)), 1e-3);  // less is nothing beside an example's values
+            // Less than a thousandth is nothing beside an example's values.
+            const share = Math.abs(value - row[indices[i]]) / Math.max(largest.get(kindOf(column)), 1e-3);
             if (!(share <= worst.share)) Object.assign(worst, {share, column: column.name, at});
         });
     }
