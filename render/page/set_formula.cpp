@@ -64,9 +64,7 @@ public:
     /// Factors stand a thin space apart, a matrix and its column two.
     static double air_before(std::span<const Formula> parts, std::size_t i, double size) {
         const auto is = [&](std::size_t part, Formula::Kind kind) { return parts[part].kind == kind; };
-        if (i == 0 || is(i, Formula::Kind::sign) || is(i - 1, Formula::Kind::sign) || parts[i].stands_close() ||
-            parts[i - 1].is_differential())
-            return 0;
+        if (i == 0 || is(i, Formula::Kind::sign) || is(i - 1, Formula::Kind::sign) || parts[i].stands_close()) return 0;
         const bool matrices = is(i, Formula::Kind::matrix) && is(i - 1, Formula::Kind::matrix);
         return (matrices ? 2 : 1) * thin * millimetres(size);
     }

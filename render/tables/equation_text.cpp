@@ -1014,32 +1014,46 @@ private:
             }
         }
         if (e_.free.size() != 1) return;
-        for (const Equations::Loop& loop : e_.loops) {
-            const Solved& solved = loop.solved;
-            if (!solved.dead_points) continue;
+        for (std::size_t i = 0; i < e_.loops.size(); ++i) {
+            if (!e_.loops[i].solved.dead_points) continue;
             title();
-            const LetterIndex driver = e_.free.front();
-            if (solved.dead_points->empty())
-                say(letter(driver).is_angle
-                        ? Words("det {J} vanishes for no {0}: the driven body makes full turns.",
-                                "det {J} non si annulla per alcun {0}: il membro movente compie giri completi.", spoken(driver))
-                        : Words("det {J} vanishes for no {0}.", "det {J} non si annulla per alcun {0}.", spoken(driver)));
-            else
-                say(letter(driver).is_angle
-                        ? Words(
-                              "det {J} = 0 at {0} = {1}: there {0} cannot be driven, and its body makes no full turn.",
-                              "det {J} = 0 per {0} = {1}: lì {0} non può essere movente, e il suo membro non compie giri completi.",
-                              spoken(driver), list_of(*solved.dead_points, driver))
-                        : Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven.",
-                                "det {J} = 0 per {0} = {1}: lì {0} non può essere movente.", spoken(driver),
-                                list_of(*solved.dead_points, driver)));
-            for (const auto& [at, slide] : solved.standstills)
-                say(Words(
-                    "Crank and rod lie in one line at {0} = {1}, {2} = {3}: there {Λ} = 0, and {2} could not drive.",
-                    "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì {Λ} = 0, e {2} non potrebbe essere movente.",
-                    spoken(driver), amount_of(driver, at, 0), spoken(loop.sides[at_index(solved.second)].length),
-                    amount_of(loop.sides[at_index(solved.second)].length, slide, 0)));
+            write_dead_points_of(e_.loops[i], i);
         }
+    }
+    /// Of several loops each speaks for itself alone: another may stop the driver.
+    void write_dead_points_of(const Equations::Loop& loop, std::size_t index) {
+        const LetterIndex driver = e_.free.front();
+        const std::string of = numbered(index);
+        const auto told = [&](const Words& words) {
+            const std::string loop_named = of.empty() ? std::string() : in(Words("Loop {0}: ", "Maglia {0}: ", of));
+            items_.push_back({Kind::words, loop_named + in(words), {}, {}});
+        };
+        const Solved& solved = loop.solved;
+        if (!solved.dead_points->empty())
+            told(
+                letter(driver).is_angle
+                    ? Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven, and its body makes no full turn.",
+                            "det {J} = 0 per {0} = {1}: lì {0} non può essere movente, e il suo membro non compie giri completi.",
+                            spoken(driver), list_of(*solved.dead_points, driver))
+                    : Words("det {J} = 0 at {0} = {1}: there {0} cannot be driven.",
+                            "det {J} = 0 per {0} = {1}: lì {0} non può essere movente.", spoken(driver),
+                            list_of(*solved.dead_points, driver)));
+        else if (!letter(driver).is_angle)
+            told(Words("det {J} vanishes for no {0}.", "det {J} non si annulla per alcun {0}.", spoken(driver)));
+        else
+            told(of.empty()
+                     ? Words("det {J} vanishes for no {0}: the driven body makes full turns.",
+                             "det {J} non si annulla per alcun {0}: il membro movente compie giri completi.", spoken(driver))
+                     : Words("det {J} vanishes for no {0}; as for this loop, the driven body may make full turns.",
+                             "det {J} non si annulla per alcun {0}; per questa maglia il membro movente può compiere giri "
+                             "completi.",
+                             spoken(driver)));
+        for (const auto& [at, slide] : solved.standstills)
+            told(Words(
+                "Crank and rod lie in one line at {0} = {1}, {2} = {3}: there {Λ} = 0, and {2} could not drive.",
+                "Manovella e biella sono allineate per {0} = {1}, {2} = {3}: lì {Λ} = 0, e {2} non potrebbe essere movente.",
+                spoken(driver), amount_of(driver, at, 0), spoken(loop.sides[at_index(solved.second)].length),
+                amount_of(loop.sides[at_index(solved.second)].length, slide, 0)));
     }
 
     const Solution& solution_;

@@ -257,7 +257,10 @@ Formula& Formula::operator+=(Formula more) {
     return *this;
 }
 
-bool Formula::stands_close() const { return kind == Kind::text && (as_plain.starts_with(' ') || as_plain.starts_with(',')); }
+bool Formula::stands_close() const {
+    const bool is_between = as_plain.starts_with(' ') && as_plain.ends_with(' ');
+    return kind == Kind::text && !is_between && (as_plain.starts_with(' ') || as_plain.starts_with(','));
+}
 
 bool Formula::is_differential() const {
     if (kind == Kind::power) return parts[0].is_differential();
@@ -276,7 +279,8 @@ std::string Formula::plain() const {
             for (std::size_t i = 0; i < parts.size(); ++i) {
                 const std::string own = parts[i].plain();
                 const bool close = i == 0 || parts[i].kind == Kind::sign || parts[i - 1].kind == Kind::sign ||
-                                   all.ends_with(' ') || parts[i].stands_close() || parts[i - 1].is_differential();
+                                   all.ends_with(' ') || own.starts_with(' ') || own.starts_with(',') ||
+                                   parts[i - 1].is_differential();
                 all += (close ? "" : " ") + own;
             }
             return all;
