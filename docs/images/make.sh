@@ -43,7 +43,7 @@ draw contact joint_contact/cam_and_roller 4 --dpi 100
 draw equations slider_crank_offset 3 --dpi 110 --with equations
 draw virtual_work virtual_work 2 --dpi 110
 draw truss truss_simple 1 --dpi 100
-draw engine engine_inertia_gas 2 --dpi 110
+draw engine engine_inertia_gas 2 --dpi 100
 draw superposition four_bar_weights 4 --dpi 110
 draw gerber_beam gerber_beam 1 --dpi 110
 draw equilibrium plate_under_forces 1 --dpi 110
