@@ -303,6 +303,15 @@ private:
     Numbers numbers_;
 };
 
+/// To twelve digits: beyond them stands the noise of sines, which are not the same on every machine.
+double to_twelve_digits(double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific, 11).ptr;
+    double rounded = 0;
+    std::from_chars(digits.data(), end, rounded);
+    return rounded;
+}
+
 // --- polynomials --------------------------------------------------------------------------------------------------------------
 
 /// number = base + Σ slopes · Δ + Σ products · Δ Δ.
@@ -396,7 +405,7 @@ private:
         return true;
     }
     double without_noise(double slope, double by, std::size_t i) const {
-        return std::abs(slope * by) < 1e-13 * std::max(std::abs(base_.values[i]), 1.0) ? 0 : slope;
+        return std::abs(slope * by) < 1e-13 * std::max(std::abs(base_.values[i]), 1.0) ? 0 : to_twelve_digits(slope);
     }
     /// By the polynomials.
     std::vector<double> values(const Differences& differences) const {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "constructions/moving.hpp"
 #include "constructions/solve.hpp"
@@ -42,6 +43,63 @@ TEST(Moving, APlanForEveryStretchAndNoneTwice) {
         const auto serves = [&](const MovingCourse::Sample& sample) { return sample.plan == static_cast<int>(i); };
         EXPECT_TRUE(std::any_of(course.samples.begin(), course.samples.end(), serves)) << i;
     }
+}
+
+/// Of an example, with what may be changed in it.
+Moving moving_example(const std::string& name) {
+    const std::string text = contents(std::filesystem::path(KINEGRAPH_EXAMPLES_DIR) / name);
+    auto mechanism = read_mechanism(text, name);
+    EXPECT_TRUE(mechanism.has_value());
+    const auto solution = solve(*std::move(mechanism));
+    EXPECT_TRUE(solution.has_value());
+    auto moving = moving_of(*solution, rereading_of(text, name, {}));
+    EXPECT_TRUE(moving.has_value());
+    return *std::move(moving);
+}
+std::vector<std::pair<std::string, double>> names_and_values(const Moving& moving) {
+    std::vector<std::pair<std::string, double>> all;
+    for (const MovingSetting& each : moving.settings) all.emplace_back(each.name, each.value);
+    return all;
+}
+
+TEST(Moving, LengthsOfBarsAndOfTheFrameMayBeChanged) {
+    const Moving moving = moving_example("four_bar.json");
+    const std::vector<std::pair<std::string, double>> expected{
+        {"ω 2", -4 * std::acos(-1.0)}, {"O2A", 0.04}, {"AB", 0.15}, {"BO4", 0.08}, {"O2O4", 0.15}};
+    const auto found = names_and_values(moving);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].first, expected[i].first);
+        EXPECT_NEAR(found[i].second, expected[i].second, 1e-14);
+    }
+    EXPECT_TRUE(moving.effects.empty());
+    // A rod with its mass centre beside its line is no bar; nor is what a slide holds.
+    for (const auto& [name, value] : names_and_values(moving_example("exam_2001.json"))) EXPECT_NE(name, "AC");
+}
+
+TEST(Moving, ParametersWhoseNumbersAreMadeComparableAreInPlaceOfTheLengths) {
+    const Moving moving = moving_example("variants/slider_crank.json");
+    const std::vector<std::pair<std::string, double>> expected{{"ω 2", 10}, {"r", 50}, {"l", 160}, {"e", 10}, {"w", 10}};
+    EXPECT_EQ(names_and_values(moving), expected);  // not phi: that is where the crank is drawn
+    // e moves the guide across, and nothing else; w is the rate.
+    std::size_t of_e = 0, of_w = 0;
+    for (const MovingEffect& effect : moving.effects) {
+        for (const MovingEffect::Term& term : effect.terms) {
+            EXPECT_EQ(term.second, -1);
+            of_e += term.first == 3 ? 1 : 0;
+            of_w += term.first == 4 ? 1 : 0;
+            if (term.first == 3) {
+                EXPECT_EQ(effect.list, MovingEffect::List::row);
+                EXPECT_NEAR(std::abs(term.by) * moving.unit, 1e-3, 1e-15);  // m a mm
+            }
+            if (term.first == 4) {
+                EXPECT_EQ(effect.list, MovingEffect::List::setting);
+                EXPECT_EQ(term.by, 1);
+            }
+        }
+    }
+    EXPECT_EQ(of_e, 1U);
+    EXPECT_EQ(of_w, 1U);
 }
 
 TEST(Moving, NothingMovesWithoutDriver) {

@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
 import {createRequire} from 'node:module';
-import {existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {after, before as beforehand, test} from 'node:test';
 import {Browser} from './browser.mjs';
 import {differences, kindOf, readPage} from './page.mjs';
 
@@ -14,7 +14,7 @@ const [program, examples] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'live-test-'));
 /** @type {Browser} */
 let browser;
-before(async () => {
+beforehand(async () => {
     browser = await Browser.start();
 });
 after(async () => {
@@ -37,12 +37,12 @@ const quiet = () => assert.deepEqual(browser.messages, []);
 
 // --- the interpreter ----------------------------------------------------------------------------------------------------------
 
-const moved = [
+const followed = [
     'four_bar', 'slider_crank', 'slider_crank_law', 'watt_six_bar', 'quick_return', 'exam_2001', 'geneva_wheel', 'cam_roller_follower',
     'planetary_train', 'jansen_leg', 'five_bar', 'peaucellier', 'scotch_yoke', 'stephenson_1_driver_2', 'whitworth', 'lever_on_springs',
     'elliptic_trammel', 'rack_and_pinion', 'disc_on_line', 'slider_crank_offset',
 ];
-for (const name of moved) {
+for (const name of followed) {
     test(`${name}: every value in 72 positions is the sweep's`, () => {
         const page = readPage(pageOf(name));
         const sweep = JSON.parse(run('sweep', join(examples, `${name}.json`), '--steps', '72', '-o', '-', '--format', 'json'));
