@@ -341,14 +341,15 @@ private:
                     continue;
                 }
                 Wanted& wanted = wanted_.list[drawn.wanted];
-                if (wanted.to_force_scale && !asks_for_more_room(drawn)) {
+                const bool misses = wanted.asked && !wanted.empty && !wanted.fills && !wanted.spare &&
+                                    std::abs(drawn.figure.scale - *wanted.asked) > 1e-9 * drawn.figure.scale;
+                const bool tries_again = misses && roomier_.insert(wanted.name).second;
+                if (wanted.to_force_scale && !tries_again && !asks_for_more_room(drawn)) {
                     least = std::min(least, drawn.figure.scale);
                     most = std::max(most, drawn.figure.scale);
                 }
-                const bool misses = wanted.asked && !wanted.empty && !wanted.fills && !wanted.spare &&
-                                    std::abs(drawn.figure.scale - *wanted.asked) > 1e-9 * drawn.figure.scale;
                 constexpr double more = 16;
-                if (misses && roomier_.insert(wanted.name).second) {
+                if (tries_again) {
                     wanted.rim_x += more;
                     wanted.rim_y += more;
                     otherwise = true;
