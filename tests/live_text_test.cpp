@@ -177,7 +177,7 @@ TEST(LiveText, TheFontComesAlongUnderANameOfItsOwn) {
 }
 
 TEST(LiveText, TheSameBytesTwice) {
-    const std::vector<Page> pages = sheet("four_bar", Language::en);
+    const std::vector<Page> pages = sheet("quick_return", Language::en);
     EXPECT_EQ(to_live_svg(pages, fonts(), font_subset), to_live_svg(pages, fonts(), font_subset));
     EXPECT_EQ(to_live_pdf(pages, fonts()), to_live_pdf(pages, fonts()));
     EXPECT_EQ(to_live_svg(pages, fonts(), font_subset).at(1), live_svg(pages.at(1)));  // whatever stands before it

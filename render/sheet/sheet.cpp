@@ -52,7 +52,8 @@ public:
 
 private:
     std::vector<Page> pages() {
-        constexpr int most_rounds = 12;  // a figure that its whole page cannot hold stays as it is
+        // From then on no figure refuses its room; one that its whole page cannot hold stays as it is.
+        constexpr int most_rounds = 12;
         for (int round = 1;; ++round) {
             const std::size_t pages_before = plan_.size();
             takes_what_comes_ = round >= most_rounds;
@@ -61,8 +62,8 @@ private:
             refused_.clear();
             draw();
             const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
-            if (round >= most_rounds && !lacks_equations) break;
-            if (!drawn_otherwise() && !takes_less_than_thought()) break;
+            if (round >= 2 * most_rounds && !lacks_equations) break;
+            if (!drawn_otherwise() && (takes_what_comes_ || !takes_less_than_thought())) break;
         }
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));

@@ -1459,7 +1459,7 @@ RichText worked_out(const Working& working, Language language) {
     for (std::size_t i = 0; i < working.summands.size(); ++i) {
         const double value = working.summands[i];
         const char* sign = value < 0 ? "−" : i > 0 ? "+" : "";
-        product += i > 0 ? std::string(unbroken_blank) + sign + unbroken_blank : std::string(sign);
+        product += i > 0 ? std::string(" ") + sign + unbroken_blank : std::string(sign);  // a long sum parts before a sign
         product += factor(std::abs(value), language);
     }
     if (working.divisor) product += "/" + factor(*working.divisor, language);
