@@ -237,6 +237,11 @@ void WantedFigures::add_truss() {
                        [this](double x, double y, std::optional<double> scale, bool fixed) {
                            return cremona_figure(context_, x, y, scale, fixed);
                        });
+    // It needs room for its letters, whatever the other polygons have.
+    list.back().to_force_scale = false;
+    list.back().draw = [this, scale = list.back().asked](double x, double y) {
+        return cremona_figure(context_, x, y, scale, scale.has_value());
+    };
     list.back().least = 50;
     list.back().weight = 1.2;
 }
