@@ -225,8 +225,7 @@ TEST_F(Batch, ResumeDoesWhatIsMissingAndNothingElse) {
     const Outcome again = batch(changed, "--resume --jobs 2");
     EXPECT_TRUE(again.out == whole.out) << again.out;
     EXPECT_TRUE(lines_are(again.err, "kinegraph: lines done before: 3 of 6"));
-    for (const std::string name : {"0.svg", "0.json", "4.svg", "5.json"})
-        EXPECT_EQ(number(name), numbers[name]) << name;
+    for (const std::string name : {"0.svg", "0.json", "4.svg", "5.json"}) EXPECT_EQ(number(name), numbers[name]) << name;
     for (const std::string name : {"1.json", "2.svg", "3.svg"}) EXPECT_NE(number(name), numbers[name]) << name;
     Snapshot after = files("out");
     EXPECT_FALSE(after["3.json"] == made.at("3.json"));

@@ -17,8 +17,8 @@
 namespace kinegraph::render {
 
 /// `moving`: nothing where the mechanism has one position only; then the page is for reading. `options.language` is the one that
-/// is shown first; `dark`: the theme for dark screens, nothing where the look was asked for. `served`: the number of a page that is
-/// served while its file is watched, from 1: it asks where it came from whether there is a later one or a fault; 0: from disk.
+/// is shown first; `dark`: the theme for dark screens, nothing where the look was asked for. `served`: the number of a page that
+/// is served while its file is watched, from 1: it asks where it came from whether there is a later one or a fault; 0: from disk.
 std::string live_page(const Solution& solution, const std::optional<Moving>& moving, const SheetOptions& options,
                       const std::optional<Theme>& dark, const Fonts& fonts, int served = 0);
 /// What is served before a file was first solved: its name, its faults, and a page as soon as there is one.

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "engine/index.hpp"
@@ -20,7 +17,6 @@ constexpr int least_height = 5;  // steps, of a band
 constexpr int gap_steps = 3;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double impossible = BandLayout::impossible, possible = 0.5 * impossible;
 constexpr double above_block = 4;
 
@@ -44,14 +40,22 @@ public:
         : layouts_(layouts),
           bands_(bands),
           format_(format),
-          taken_by_block_(content_of(format, true).max.y - format.block.min.y + above_block) {
+          taken_by_block_(content_of(format, true).max.y - format.block.min.y + above_block),
+          heights_(at_index(std::max(steps_of(true), steps_of(false))) + 1) {
         for (std::size_t cells = 1; cells <= most_cells; ++cells)
             for (const int of : {format.columns, format.columns + 1}) {
                 if (cells == 1 && of != format.columns) continue;
                 std::vector<int> now;
                 std::vector<std::vector<int>> all;
                 shares(of, cells, now, all);
-                for (const std::vector<int>& each : all) splits_[cells].push_back({of, each});
+                for (const std::vector<int>& each : all) {
+                    Split split{of, each};
+                    for (std::size_t i = 0; i < each.size(); ++i) {
+                        split.stands.push_back(stand_of({each[i], of}, {}));
+                        split.at_block.push_back(stand_of({each[i], of}, notch_of(split, i)));
+                    }
+                    splits_[cells].push_back(std::move(split));
+                }
             }
         for (int count = 1; count <= static_cast<int>(most_in_a_row); ++count)
             for (std::size_t cells = 1; cells <= most_cells && static_cast<int>(cells) <= count; ++cells) {
@@ -63,6 +67,9 @@ public:
                         (cells > 1 || count == 1))
                         fillings_[static_cast<std::size_t>(count)].push_back(each);
             }
+        curves_.resize(bands.size() * stands_.size());
+        cells_.resize(bands.size() * stands_.size() * heights_);
+        rows_.resize(bands.size() * (most_in_a_row + 1) * 2 * heights_);
     }
 
     std::vector<PlannedPage> pages(std::size_t& lost) {
@@ -97,6 +104,7 @@ private:
     struct Split {
         int of;
         std::vector<int> columns;
+        std::vector<std::size_t> stands{}, at_block{};  ///< of its cells; in the lowest row of the first page
     };
     /// How the bands of a row are dealt out to its cells.
     using Filling = std::vector<int>;
@@ -104,6 +112,13 @@ private:
         double worth = impossible;
         const Split* split = nullptr;
         const Filling* filling = nullptr;
+        bool is_known = false;
+    };
+    /// Two bands, one under the other.
+    struct Cell {
+        double worth = impossible;
+        int upper = 0;  ///< height of the upper one
+        bool is_known = false;
     };
     /// The best of the rows that end with a band, by the height they take.
     struct State {
@@ -125,40 +140,63 @@ private:
         return free >= format_.span(split.columns[i], split.of) ? Notch{} : Notch{free, taken_by_block_};
     }
 
-    WorthByHeight& curve(std::size_t band, Width width, const Notch& notch) {
-        return layouts_[band].worth(width, notch, step, std::max(steps_of(true), steps_of(false)));
+    /// Where a band may stand: so wide, with that much taken by the title block.
+    struct Stand {
+        Width width;
+        Notch notch;
+        std::size_t upright = 0;  ///< the stand of this width that the block takes nothing of
+    };
+    std::size_t stand_of(Width width, const Notch& notch) {
+        const auto same = [&](const Stand& stand) {
+            return stand.width == width && stand.notch.left == notch.left && stand.notch.high == notch.high;
+        };
+        const auto found = std::find_if(stands_.begin(), stands_.end(), same);
+        if (found != stands_.end()) return static_cast<std::size_t>(found - stands_.begin());
+        const std::size_t own = stands_.size();
+        stands_.push_back({width, notch, own});
+        if (notch.high > 0) {
+            const std::size_t upright = stand_of(width, {});
+            stands_[own].upright = upright;
+        }
+        return own;
+    }
+    WorthByHeight& curve(std::size_t band, std::size_t stand) {
+        WorthByHeight*& known = curves_[band * stands_.size() + stand];
+        if (known == nullptr)
+            known = &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
+        return *known;
     }
     /// Of one band, or of two one under the other, with the height of the upper one then.
-    std::pair<double, int> cell(std::size_t first, int count, Width width, int height, const Notch& notch) {
-        if (count == 1) return {curve(first, width, notch).at(height), height};
-        const auto [found, fresh] = cells_.try_emplace(std::tuple(first, width, height, notch.left, notch.high), impossible, 0);
-        std::pair<double, int>& best = found->second;
-        if (!fresh) return best;
-        WorthByHeight &over = curve(first, width, {}), &under = curve(first + 1, width, notch);
+    std::pair<double, int> cell(std::size_t first, int count, std::size_t stand, int height) {
+        if (count == 1) return {curve(first, stand).at(height), height};
+        Cell& best = cells_[(first * stands_.size() + stand) * heights_ + at_index(height)];
+        if (best.is_known) return {best.worth, best.upper};
+        best.is_known = true;
+        WorthByHeight &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
         for (int upper = least_height; upper + gap_steps + least_height <= height; ++upper) {
             const double below = under.at(height - upper - gap_steps);
             if (below < possible) break;
             const double above = over.at(upper);
-            if (above > possible && above + below > best.first) best = {above + below, upper};
+            if (above > possible && above + below > best.worth) best = {above + below, upper, true};
         }
-        return best;
+        return {best.worth, best.upper};
     }
     /// Cells side by side; `at_block`: the lowest row of the first page.
     const Row& row(std::size_t first, std::size_t count, int height, bool at_block) {
-        const auto [found, fresh] = rows_.try_emplace(std::tuple(first, count, height, at_block));
-        Row& best = found->second;
-        if (!fresh) return best;
+        Row& best = rows_[((first * (most_in_a_row + 1) + count) * 2 + (at_block ? 1 : 0)) * heights_ + at_index(height)];
+        if (best.is_known) return best;
+        best.is_known = true;
         for (const Filling& filling : fillings_[count])
             for (const Split& split : splits_[filling.size()]) {
                 double sum = 0;
                 std::size_t band = first;
                 for (std::size_t i = 0; i < filling.size() && sum > possible; ++i) {
-                    const Notch notch = at_block ? notch_of(split, i) : Notch{};
-                    const double worth = cell(band, filling[i], {split.columns[i], split.of}, height, notch).first;
+                    const std::size_t stand = (at_block ? split.at_block : split.stands)[i];
+                    const double worth = cell(band, filling[i], stand, height).first;
                     sum = worth < possible ? impossible : sum + worth;
                     band += static_cast<std::size_t>(filling[i]);
                 }
-                if (sum > best.worth) best = {sum, &split, &filling};
+                if (sum > best.worth) best = {sum, &split, &filling, true};
             }
         return best;
     }
@@ -233,7 +271,7 @@ private:
             const Notch notch = at_block ? notch_of(*best.split, i) : Notch{};
             const double left = left_of(*best.split, i), right = left + format_.span(width.columns, width.of);
             const int count = (*best.filling)[i];
-            int height = cell(band, count, width, state.height, notch).second;
+            int height = cell(band, count, (at_block ? best.split->at_block : best.split->stands)[i], state.height).second;
             double y = top;
             PlannedCell& bands = cells.emplace_back();
             for (int k = 0; k < count; ++k) {
@@ -250,8 +288,11 @@ private:
     double taken_by_block_;
     std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
     std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
-    std::map<std::tuple<std::size_t, Width, int, double, double>, std::pair<double, int>> cells_;
-    std::map<std::tuple<std::size_t, std::size_t, int, bool>, Row> rows_;
+    std::size_t heights_;                                           // that a row may have, in steps
+    std::vector<Stand> stands_;
+    std::vector<WorthByHeight*> curves_;  // by band and stand
+    std::vector<Cell> cells_;             // of two bands: by the first, stand, height
+    std::vector<Row> rows_;               // by the first band, count, whether at the block, height
 };
 
 }  // namespace

@@ -23,8 +23,8 @@ struct ProblemSection {
     std::string question;  ///< its data-question
     Words heading;
     std::vector<ProblemFigure> figures;
-    std::vector<Words> sentences;  ///< as formula() reads them; a line break begins an equation on a line of its own
-    std::size_t found = 0;         ///< of what is given: how many of the last sentences a question keeps back
+    std::vector<Words> sentences;         ///< as formula() reads them; a line break begins an equation on a line of its own
+    std::size_t found = 0;                ///< of what is given: how many of the last sentences a question keeps back
     std::vector<PieceAfter> pieces = {};  ///< formulas and tables among the sentences
 };
 /// In the order in which they are read, without the results and remarks, which all problems share.
