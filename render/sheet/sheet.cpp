@@ -95,7 +95,7 @@ private:
             const Band& band = bands_.list[b];
             BandLayouts layouts(texts_, band, wanted_, format_, crowded_.contains(band.question),
                                 !cornerless_.contains(band.question));
-            const bool same = b < before.size() && band.figures.size() > 0 && before[b].is_like(layouts);
+            const bool same = b < before.size() && !band.figures.empty() && before[b].is_like(layouts);
             layouts_.push_back(std::move(same ? before[b] : layouts));
         }
         std::size_t lost = 0;
