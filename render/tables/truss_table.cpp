@@ -13,9 +13,21 @@ namespace {
 struct Columns {
     double spaces, force_end, sense;
 };
-Columns columns_of(double width) {
-    const double used = std::min(width, 96.0);
-    return {0.18 * used, 0.55 * used, 0.62 * used};
+RichText head_of_force(const DrawingContext& context) {
+    RichText force = one_piece(word("axial force", context.language));
+    append(force, one_piece(" " + context.solution.mechanism.units.force.symbol));
+    return force;
+}
+/// In a narrow column the heads keep apart.
+Columns columns_of(const DrawingContext& context, double width) {
+    constexpr double widest = 96, apart = 1.6;
+    const double used = std::min(width, widest);
+    const auto wide = [&](const RichText& text) { return context.fonts.shape(text, context.theme.small).width; };
+    const double spaces = 0.18 * used;
+    const double before =
+        has_plan(context.solution) ? spaces + wide(one_piece(word("spaces", context.language))) + apart : spaces;
+    const double force_end = std::max(0.55 * used, before + wide(head_of_force(context)));
+    return {spaces, force_end, std::max(0.62 * used, force_end + apart)};
 }
 
 void put(Block& block, const DrawingContext& context, const RichText& text, double x, bool ends_there, double size, Colour colour,
@@ -25,16 +37,14 @@ void put(Block& block, const DrawingContext& context, const RichText& text, doub
 }
 
 Block head_of(const DrawingContext& context, double width) {
-    const Columns columns = columns_of(width);
+    const Columns columns = columns_of(context, width);
     const Theme& theme = context.theme;
     Block head;
     head.marks.emplace_back(line({0, 0}, {width, 0}, {theme.outline, theme.text, {}, false}));
     const auto words = [&](const char* key) { return one_piece(word(key, context.language)); };
     put(head, context, words("bar"), 0, false, theme.small, theme.secondary, 3.4);
     if (has_plan(context.solution)) put(head, context, words("spaces"), columns.spaces, false, theme.small, theme.secondary, 3.4);
-    RichText force = words("axial force");
-    append(force, one_piece(" " + context.solution.mechanism.units.force.symbol));
-    put(head, context, force, columns.force_end, true, theme.small, theme.secondary, 3.4);
+    put(head, context, head_of_force(context), columns.force_end, true, theme.small, theme.secondary, 3.4);
     put(head, context, words("sense"), columns.sense, false, theme.small, theme.secondary, 3.4);
     head.marks.emplace_back(line({0, 4.8}, {width, 4.8}, {theme.thin, theme.text, {}, false}));
     head.width = width;
@@ -64,7 +74,7 @@ bool has_plan(const Solution& solution) { return solution.truss && solution.trus
 std::vector<Block> bar_lines(const DrawingContext& context, double width) {
     const Truss& truss = *context.solution.truss;
     const Theme& theme = context.theme;
-    const Columns columns = columns_of(width);
+    const Columns columns = columns_of(context, width);
     const double si = context.solution.mechanism.units.force.si.to_double();
     std::vector<Block> lines{head_of(context, width)};
     for (std::size_t bar = 0; bar < truss.bars.size(); ++bar) {
