@@ -48,7 +48,7 @@ bool holds_any(const Range& range, double offset, double period) {
 }
 Range cosine(const Range& of) {
     constexpr double turn = 2 * std::numbers::pi;
-    const auto [low, high] = std::minmax(std::cos(of.low), std::cos(of.high));
+    const auto [low, high] = std::minmax({std::cos(of.low), std::cos(of.high)});
     return {holds_any(of, std::numbers::pi, turn) ? -1 : low, holds_any(of, 0, turn) ? 1 : high};
 }
 Range even(const Range& of, double first, double last) {
