@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
+#include <functional>
 
 namespace kinegraph::render {
 namespace {
@@ -199,32 +200,26 @@ void BandLayouts::try_figures(BandLayout& best, const BandLayout& layout, Spot r
     }
 }
 
-WorthByHeight::WorthByHeight(const BandLayouts& layouts, Width width, Notch notch, double step, int most)
-    : width_(width), notch_(notch), step_(step), worth_(static_cast<std::size_t>(most) + 1, BandLayout::impossible) {
-    const std::size_t high = worth_.size() - 1;
-    worth_[high] = layouts.in(width_, static_cast<double>(high) * step_, notch_).worth;
-    fill(layouts, 0, high);
-}
-
-/// Between two heights that are known.
-void WorthByHeight::fill(const BandLayouts& layouts, std::size_t low, std::size_t high) {
-    if (worth_[low] == worth_[high]) {
-        std::fill(worth_.begin() + static_cast<std::ptrdiff_t>(low), worth_.begin() + static_cast<std::ptrdiff_t>(high),
-                  worth_[low]);
-        return;
-    }
-    if (high - low < 2) return;
-    const std::size_t middle = (low + high) / 2;
-    worth_[middle] = layouts.in(width_, static_cast<double>(middle) * step_, notch_).worth;
-    fill(layouts, low, middle);
-    fill(layouts, middle, high);
-}
-
-WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double step, int most) const {
-    const auto key = std::tuple(width, notch.left, notch.high);
-    const auto found = worth_.find(key);
-    if (found != worth_.end()) return found->second;
-    return worth_.emplace(key, WorthByHeight(*this, width, notch, step, most)).first->second;
+const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double step, int most) const {
+    const auto [found, fresh] = worth_.try_emplace(std::tuple(width, notch.left, notch.high));
+    if (!fresh) return found->second;
+    WorthByHeight& worth = found->second;
+    worth.assign(static_cast<std::size_t>(most) + 1, BandLayout::impossible);
+    const auto ask = [&](std::size_t height) { worth[height] = in(width, static_cast<double>(height) * step, notch).worth; };
+    // Between two heights that are known.
+    const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t low, std::size_t high) {
+        if (worth[low] == worth[high])
+            std::fill(worth.begin() + static_cast<std::ptrdiff_t>(low), worth.begin() + static_cast<std::ptrdiff_t>(high),
+                      worth[low]);
+        if (worth[low] == worth[high] || high - low < 2) return;
+        const std::size_t middle = (low + high) / 2;
+        ask(middle);
+        fill(low, middle);
+        fill(middle, high);
+    };
+    ask(worth.size() - 1);
+    fill(0, worth.size() - 1);
+    return worth;
 }
 
 bool BandLayouts::is_like(const BandLayouts& other) const {

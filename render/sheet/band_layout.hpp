@@ -70,23 +70,9 @@ private:
     std::map<std::string, Block> equations_;
 };
 
-class BandLayouts;
-
 /// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two heights at
 /// which it is the same it need not be asked for.
-class WorthByHeight {
-public:
-    WorthByHeight(const BandLayouts& layouts, Width width, Notch notch, double step, int most);
-    double at(int height) { return worth_[static_cast<std::size_t>(height)]; }
-
-private:
-    void fill(const BandLayouts& layouts, std::size_t low, std::size_t high);
-
-    Width width_;
-    Notch notch_;
-    double step_;
-    std::vector<double> worth_;
-};
+using WorthByHeight = std::vector<double>;
 
 class BandLayouts {
 public:
@@ -98,7 +84,7 @@ public:
     /// The best in a room so high.
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
-    WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
+    const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
     /// Whether another has the same figures, so that all it was asked for holds here.
     bool is_like(const BandLayouts& other) const;
     /// The text in the columns of a page divided by so many.

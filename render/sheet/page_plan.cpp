@@ -160,23 +160,23 @@ private:
         }
         return own;
     }
-    WorthByHeight& curve(std::size_t band, std::size_t stand) {
-        WorthByHeight*& known = curves_[band * stands_.size() + stand];
+    const WorthByHeight& curve(std::size_t band, std::size_t stand) {
+        const WorthByHeight*& known = curves_[band * stands_.size() + stand];
         if (known == nullptr)
             known = &layouts_[band].worth(stands_[stand].width, stands_[stand].notch, step, static_cast<int>(heights_) - 1);
         return *known;
     }
     /// Of one band, or of two one under the other, with the height of the upper one then.
     std::pair<double, int> cell(std::size_t first, int count, std::size_t stand, int height) {
-        if (count == 1) return {curve(first, stand).at(height), height};
+        if (count == 1) return {curve(first, stand)[at_index(height)], height};
         Cell& best = cells_[(first * stands_.size() + stand) * heights_ + at_index(height)];
         if (best.is_known) return {best.worth, best.upper};
         best.is_known = true;
-        WorthByHeight &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
+        const WorthByHeight &over = curve(first, stands_[stand].upright), &under = curve(first + 1, stand);
         for (int upper = least_height; upper + gap_steps + least_height <= height; ++upper) {
-            const double below = under.at(height - upper - gap_steps);
+            const double below = under[at_index(height - upper - gap_steps)];
             if (below < possible) break;
-            const double above = over.at(upper);
+            const double above = over[at_index(upper)];
             if (above > possible && above + below > best.worth) best = {above + below, upper, true};
         }
         return {best.worth, best.upper};
@@ -290,9 +290,9 @@ private:
     std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
     std::size_t heights_;                                           // that a row may have, in steps
     std::vector<Stand> stands_;
-    std::vector<WorthByHeight*> curves_;  // by band and stand
-    std::vector<Cell> cells_;             // of two bands: by the first, stand, height
-    std::vector<Row> rows_;               // by the first band, count, whether at the block, height
+    std::vector<const WorthByHeight*> curves_;  // by band and stand
+    std::vector<Cell> cells_;                   // of two bands: by the first, stand, height
+    std::vector<Row> rows_;                     // by the first band, count, whether at the block, height
 };
 
 }  // namespace
