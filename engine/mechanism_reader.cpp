@@ -1093,7 +1093,7 @@ private:
         const Members form =
             members(value, {"couple", "body", "from", "force"}, {"a couple that balances", "una coppia di forze equilibrante"});
         one_of(form, {"couple", "force"});
-        const Named name = effort_name(form["couple"], {"the couple's name", "il nome della coppia di forze"});
+        Named name = effort_name(form["couple"], {"the couple's name", "il nome della coppia di forze"});
         CoupleEffort couple;
         couple.where = value.pointer();
         couple.body = body(required(form, "body", {"the body on which it acts", "il corpo su cui agisce"}));
@@ -1110,7 +1110,7 @@ private:
     }
     Named read_actuator(JsonValue value) {
         const Members form = members(value, {"force", "joint"}, {"an actuator", "un attuatore"});
-        const Named name = effort_name(required(form, "force", {"the force's name", "il nome della forza"}),
+        Named name = effort_name(required(form, "force", {"the force's name", "il nome della forza"}),
                                        {"the force's name", "il nome della forza"});
         ActuatorEffort actuator;
         actuator.where = value.pointer();
@@ -1133,7 +1133,7 @@ private:
                           "manca il nome dell’azione equilibrante: \"force\" o \"couple\""});
             return {};
         }
-        const Named name = effort_name(form["force"], {"the force's name", "il nome della forza"});
+        Named name = effort_name(form["force"], {"the force's name", "il nome della forza"});
         ForceEffort force;
         force.where = value.pointer();
         force.body = moving_body(
