@@ -151,12 +151,11 @@ private:
     Clutter clutter_;
 };
 
-Figure drawn(const DrawingContext& context, const Subject& subject, double scale, Spot room, std::size_t dimensions,
-             const std::set<std::string>& left_out) {
+Figure drawn(const DrawingContext& context, const Subject& subject, double scale, Spot room, const DimensionWish& wish) {
     Sketch sketch(subject, context, scale, "");
     ExerciseDrawing drawing(sketch);
     drawing.draw();
-    if (dimensions > 0) draw_dimensions(sketch, room, false, left_out, dimensions);
+    if (wish.most > 0) draw_dimensions(sketch, room, wish);
     name_points(sketch);
     drawing.say_masses();
     Figure figure = sketch.finish("mechanism", "mechanism", "m");
@@ -171,16 +170,16 @@ Figure exercise_figure(const DrawingContext& context, double scale, double room_
     constexpr int most_rounds = 5;
     const Subject subject(context.solution);
     const Spot room{room_x, room_y};
-    if (context.dimensions == Dimensions::off) return drawn(context, subject, scale, room, 0, {});
-    std::set<std::string> left_out;
+    if (context.dimensions == Dimensions::off) return drawn(context, subject, scale, room, {.most = 0});
+    DimensionWish wish{.most = most_dimensions};
     for (int round = 0; round < most_rounds; ++round) {
-        Figure figure = drawn(context, subject, scale, room, most_dimensions, left_out);
+        Figure figure = drawn(context, subject, scale, room, wish);
         std::set<std::string> covered = covered_dimensions(figure, context.fonts);
         if (covered.empty() && figure.box.width() <= room_x && figure.box.height() <= room_y) return figure;
         if (covered.empty()) break;
-        left_out.merge(covered);
+        wish.left_out.merge(covered);
     }
-    return drawn(context, subject, scale, room, 0, {});
+    return drawn(context, subject, scale, room, {.most = 0});
 }
 
 }  // namespace kinegraph::render

@@ -166,8 +166,9 @@ struct MechanismFigure {
         const FitPolicy policy{
             .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
         return fit(policy, [&](const Trial& trial) {
-            return context.dimensions == Dimensions::automatic ? with_free_dimensions(trial)
-                                                               : drawn(trial, context.dimensions, {}).figure;
+            if (context.dimensions == Dimensions::automatic) return with_free_dimensions(trial);
+            if (context.dimensions == Dimensions::off) return drawn(trial, std::nullopt).figure;
+            return drawn(trial, DimensionWish{.all = true}).figure;
         });
     }
 
@@ -176,7 +177,7 @@ private:
         Figure figure;
         bool dimensioned;
     };
-    Drawn drawn(const Trial& trial, Dimensions dimensions, const std::set<std::string>& left_out) const {
+    Drawn drawn(const Trial& trial, const std::optional<DimensionWish>& dimensions) const {
         Sketch sketch(subject, context, trial.scale, "");
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
@@ -186,7 +187,7 @@ private:
         if (shows.centres) draw_centres(sketch);
         draw_equivalent_linkages(sketch);
         if (shows.turnings) draw_turnings(sketch, *shows.turnings);
-        if (dimensions != Dimensions::off) draw_dimensions(sketch, room, dimensions == Dimensions::on, left_out);
+        if (dimensions) draw_dimensions(sketch, room, *dimensions);
         const bool dimensioned = !sketch.dimensions.empty();
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
         name_points(sketch);
@@ -199,20 +200,25 @@ private:
         return {std::move(figure), dimensioned};
     }
 
-    /// Dimensions that are not asked for never cost the mechanism a step of its scale; one that a name's leader covers is left
-    /// out, and the rest placed anew.
+    /// Dimensions that are not asked for never cost the mechanism a step of its scale, nor a name its place: names come first.
+    /// One that a name's leader covers is left out, and the rest placed anew.
     Figure with_free_dimensions(const Trial& trial) const {
         constexpr int most_rounds = 4;
-        std::set<std::string> left_out;
+        Figure plain = drawn(trial, std::nullopt).figure;
+        if (!has_room(plain)) return plain;
+        DimensionWish wish{.names = places_of_names(plain, context.fonts)};
         for (int round = 0; round < most_rounds; ++round) {
-            auto [figure, dimensioned] = drawn(trial, Dimensions::automatic, left_out);
-            if (!dimensioned) return std::move(figure);
-            if (!figure.labels.empty() || figure.box.width() > room.x || figure.box.height() > room.y) break;
+            auto [figure, dimensioned] = drawn(trial, wish);
+            if (!dimensioned || !has_room(figure)) break;
             std::set<std::string> covered = covered_dimensions(figure, context.fonts);
             if (covered.empty()) return std::move(figure);
-            left_out.merge(covered);
+            wish.left_out.merge(covered);
         }
-        return drawn(trial, Dimensions::off, {}).figure;
+        return plain;
+    }
+    /// … and all its names are set.
+    bool has_room(const Figure& figure) const {
+        return figure.labels.empty() && figure.box.width() <= room.x && figure.box.height() <= room.y;
     }
 };
 

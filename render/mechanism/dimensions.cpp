@@ -13,8 +13,17 @@ namespace {
 
 class DimensionsDrawing {
 public:
-    DimensionsDrawing(Sketch& sketch, Spot room, const std::set<std::string>& left_out, bool through_ground)
-        : sketch_(sketch), room_(room), left_out_(left_out), box_(sketch.mechanism_box()) {
+    DimensionsDrawing(Sketch& sketch, Spot room, const DimensionWish& wish)
+        : sketch_(sketch), room_(room), wish_(wish), box_(sketch.mechanism_box()) {
+        constexpr std::size_t most_beside_a_solution = 8;
+        const bool through_ground = wish.most > most_beside_a_solution;
+        for (const InkBox& name : wish.names) {
+            const Spot along = name.half.x * name.axis;
+            for (const double level : {-1.0, 0.0, 1.0}) {
+                const Spot middle = name.centre + level * name.half.y * turned(name.axis);
+                taken_.push_back({middle - along, middle + along});
+            }
+        }
         // A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
         for (const std::vector<Mark>* layer : {&sketch.bodies, &sketch.pins, &sketch.arrows, &sketch.centres})
             add(*layer, heavy_);
@@ -30,8 +39,8 @@ public:
         if (through_ground) gather_offsets();
     }
 
-    /// `all`: each datum is drawn at its best place, else only where that is free.
-    void draw(bool all, std::size_t most) {
+    void draw() {
+        const auto [all, most] = std::pair(wish_.all, wish_.most);
         if (!all && lengths_.size() + angles_.size() + radii_.size() > 2 * most) return;
         std::size_t count = 0;
         for (const Length& length : lengths_) count += all || count < most ? draw(length, all) : 0;
@@ -323,7 +332,7 @@ private:
             }
         if (!best || (!all && least > free_enough)) return false;
         std::string group = sketch_.id("dimension", name);
-        if (left_out_.contains(group)) return false;
+        if (wish_.left_out.contains(group)) return false;
         std::vector<Mark>& marks = sketch_.dimensions;
         marks.emplace_back(GroupBegin{"dimension", std::move(group), title, {}});
         for (const Bar& extension : best->extensions) marks.emplace_back(line(extension.from, extension.to, thin()));
@@ -434,8 +443,8 @@ private:
 
     Sketch& sketch_;
     Spot room_;
-    const std::set<std::string>& left_out_;  // ids of groups
-    Box box_;                                // of all that is drawn
+    const DimensionWish& wish_;
+    Box box_;  // of all that is drawn
     std::vector<Bar> heavy_, light_, taken_;
     std::vector<Bar> crossed_;  // what extension lines had better not cross
     std::vector<Length> lengths_;
@@ -454,9 +463,17 @@ struct DimensionPath {
 
 }  // namespace
 
-void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out, std::size_t most) {
-    constexpr std::size_t most_beside_a_solution = 8;
-    DimensionsDrawing(sketch, room, left_out, most > most_beside_a_solution).draw(all, most);
+void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish) { DimensionsDrawing(sketch, room, wish).draw(); }
+
+std::vector<InkBox> places_of_names(const Figure& figure, const Fonts& fonts) {
+    std::vector<InkBox> places;
+    for (const Mark& mark : figure.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark))
+            if (auto ink = ink_of(*text, fonts)) {
+                ink->centre = ink->centre - figure.origin;
+                places.push_back(*ink);
+            }
+    return places;
 }
 
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts) {

@@ -10,6 +10,7 @@
 
 #include "render/mechanism/layout.hpp"
 #include "render/page/figure.hpp"
+#include "render/page/ink_map.hpp"
 #include "render/page/labels.hpp"
 #include "render/page/scale.hpp"
 #include "render/scene/drawing_context.hpp"
@@ -86,9 +87,17 @@ void draw_centres(Sketch& sketch);
 void draw_pole(Sketch& sketch, const InstantCentre& centre);
 Symbol symbol_of(const Mechanism& mechanism, const InstantCentre& centre);
 void draw_equivalent_linkages(Sketch& sketch);
-/// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn. `all`: even where it is
-/// not. `left_out`: ids of groups that are not to be drawn. `most`: how many are drawn where not all are.
-void draw_dimensions(Sketch& sketch, Spot room, bool all, const std::set<std::string>& left_out, std::size_t most = 8);
+/// Which of the file's data become dimensions, and where they may not stand.
+struct DimensionWish {
+    bool all = false;                  ///< even where no place is free
+    std::size_t most = 8;              ///< where not all are drawn
+    std::set<std::string> left_out{};  ///< ids of groups
+    std::vector<InkBox> names{};       ///< places of letters that a dimension keeps off
+};
+/// What the file gives, as dimensions, each where it is free; within a room (mm) for all that is drawn.
+void draw_dimensions(Sketch& sketch, Spot room, const DimensionWish& wish);
+/// Where a finished figure has its names, as its sketch sees them.
+std::vector<InkBox> places_of_names(const Figure& figure, const Fonts& fonts);
 /// Ids of the dimensions of a finished figure whose text lies on a line that is not their own: on a leader, say, that a name got
 /// later. Of two dimensions in each other's way one is named.
 std::set<std::string> covered_dimensions(const Figure& figure, const Fonts& fonts);
