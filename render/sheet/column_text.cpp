@@ -1,4 +1,5 @@
-// Column text: a heading never parts from the row below it, and a table that goes on has its head again.
+// Column text: a heading never parts from the lines below it, no line stands alone in a column, and a table that goes on has its
+// head again.
 #include "render/sheet/column_text.hpp"
 
 #include <algorithm>
@@ -9,11 +10,23 @@ namespace kinegraph::render {
 namespace {
 
 constexpr double passage_gap = 3.5, grace = 1e-6;
+constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
 bool is_wider(const Passage& passage, double measure) {
     constexpr double ink = 0.2;
     return (!passage.heading.marks.empty() && box_of(passage.heading.marks).max.x > measure + ink) ||
            std::any_of(passage.rows.begin(), passage.rows.end(), [&](const Block& row) { return row.width > measure + ink; });
+}
+
+/// How many rows from one on stay together: no line is parted from what it belongs to, the first ones from their heading, the
+/// last ones from each other.
+std::size_t end_of_group(const std::vector<Block>& rows, std::size_t first) {
+    std::size_t end = first + 1;
+    double height = rows[first].height;
+    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++].height;
+    double left = 0;
+    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i].height;
+    return left < two_lines ? rows.size() : end;
 }
 
 }  // namespace
@@ -41,9 +54,12 @@ bool ColumnText::flow(const std::vector<TextColumn>& columns, double height,
         y += block.height;
     };
     for (const Passage& passage : passages_)
-        for (std::size_t i = 0; i < passage.rows.size(); ++i) {
+        for (std::size_t i = 0, end = 0; i < passage.rows.size(); i = end) {
             const bool first = i == 0;
-            const double own = passage.rows[i].height, above = first ? passage.heading.height + passage.head.height : 0;
+            end = end_of_group(passage.rows, i);
+            double own = 0;
+            for (std::size_t k = i; k < end; ++k) own += passage.rows[k].height;
+            const double above = first ? passage.heading.height + passage.head.height : 0;
             const double before = first && y > 0 ? passage_gap : 0;
             const bool turns = y + before + above + own > room();
             if (turns) {
@@ -55,7 +71,7 @@ bool ColumnText::flow(const std::vector<TextColumn>& columns, double height,
             y = turns ? 0 : y + before;
             if (first) put(passage.heading);
             if (first || turns) put(passage.head);
-            put(passage.rows[i]);
+            for (std::size_t k = i; k < end; ++k) put(passage.rows[k]);
         }
     return true;
 }
