@@ -60,12 +60,23 @@ std::vector<FigureSize> sizes_of(Wanted wanted, const SheetFormat& format, std::
 }  // namespace
 
 const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
-    const Key key{band.question, band.first_row, band.end_row, divided, cornered};
+    const Rows key{{band.question, divided, cornered}, band.first_row, band.end_row};
     const auto found = texts_.find(key);
     if (found != texts_.end()) return found->second;
-    const double measure = format_.span(1, divided);
-    ColumnText words(bands_.text(band, measure / format_.text_size, cornered, bands_.results()), measure, format_.text_size);
-    return texts_.emplace(key, std::move(words)).first->second;
+    std::vector<Passage> own = own_rows(whole(band, divided, cornered), band);
+    return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), format_.text_size)).first->second;
+}
+
+const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
+    const auto [found, fresh] = wholes_.try_emplace({band.question, divided, cornered});
+    if (fresh) found->second = bands_.text(band, format_.span(1, divided) / format_.text_size, cornered, results_);
+    return found->second;
+}
+
+std::size_t BandTexts::rows(const Band& band) {
+    std::size_t rows = 0;
+    for (const Passage& passage : own_rows(whole(band, format_.columns, false), band)) rows += passage.rows.size();
+    return rows;
 }
 
 const Block& BandTexts::equations(const Band& band) {
@@ -77,7 +88,8 @@ const Block& BandTexts::equations(const Band& band) {
 }
 
 void BandTexts::forget(const std::string& question) {
-    std::erase_if(texts_, [&](const auto& each) { return std::get<0>(each.first) == question; });
+    std::erase_if(wholes_, [&](const auto& each) { return std::get<0>(each.first) == question; });
+    std::erase_if(texts_, [&](const auto& each) { return std::get<0>(std::get<0>(each.first)) == question; });
 }
 
 BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,

@@ -50,23 +50,31 @@ struct FigureSize {
     bool operator==(const FigureSize&) const = default;
 };
 
-/// The text of bands as they were set, kept from one plan to the next.
+/// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
 class BandTexts {
 public:
-    BandTexts(const Bands& bands, const SheetFormat& format) : bands_(bands), format_(format) {}
+    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format)
+        : bands_(bands), results_(results), format_(format) {}
 
     /// In the columns of a page divided by so many; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
+    /// How many rows it has.
+    std::size_t rows(const Band& band);
     /// As a block to stand in a corner of a figure.
     const Block& equations(const Band& band);
     /// What was set of a band that now says more.
     void forget(const std::string& question);
 
 private:
+    const std::vector<Passage>& whole(const Band& band, int divided, bool cornered);
+
     const Bands& bands_;
+    const std::vector<ResultRow>& results_;
     const SheetFormat& format_;
-    using Key = std::tuple<std::string, std::size_t, std::size_t, int, bool>;  // question, rows, division, cornered
-    std::map<Key, ColumnText> texts_;
+    using Setting = std::tuple<std::string, int, bool>;          // question, division, cornered
+    using Rows = std::tuple<Setting, std::size_t, std::size_t>;  // the first, the end
+    std::map<Setting, std::vector<Passage>> wholes_;
+    std::map<Rows, ColumnText> texts_;
     std::map<std::string, Block> equations_;
 };
 

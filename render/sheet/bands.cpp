@@ -660,22 +660,26 @@ std::vector<Passage> Bands::text(const Band& band, double measure, bool equation
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
                           natural_, wanted_);
     std::vector<Passage> all;
-    for (const Band::Part& part : band.parts) {
-        all.push_back(writer.passage_of(part, results, remarks_));
+    for (const Band::Part& part : band.parts) all.push_back(writer.passage_of(part, results, remarks_));
+    return all;
+}
+
+std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band) {
+    std::vector<Passage> own;
+    std::size_t before = 0;
+    for (const Passage& passage : text) {
+        const std::size_t count = passage.rows.size();
+        const std::size_t first = std::clamp(band.first_row, before, before + count) - before;
+        const std::size_t end = std::clamp(band.end_row, before, before + count) - before;
+        before += count;
+        if (first >= end) continue;
+        const auto rows = passage.rows.begin();
+        own.push_back({first > 0 ? passage.heading_again : passage.heading,
+                       passage.heading_again,
+                       passage.head,
+                       {rows + static_cast<std::ptrdiff_t>(first), rows + static_cast<std::ptrdiff_t>(end)}});
     }
-    // What goes on from a page before begins in the middle.
-    std::size_t row = 0;
-    std::vector<Passage> passages;
-    for (Passage& passage : all) {
-        Passage kept{std::move(passage.heading), std::move(passage.heading_again), std::move(passage.head)};
-        for (std::size_t i = 0; i < passage.rows.size(); ++i, ++row) {
-            if (row < band.first_row || row >= band.end_row) continue;
-            if (kept.rows.empty() && i > 0) kept.heading = kept.heading_again;
-            kept.rows.push_back(std::move(passage.rows[i]));
-        }
-        if (!kept.rows.empty()) passages.push_back(std::move(kept));
-    }
-    return passages;
+    return own;
 }
 
 }  // namespace kinegraph::render

@@ -52,6 +52,9 @@ struct Band {
     bool draws_mechanism = false;  ///< one such band to a page: what stands in its figure has the names of the mechanism's parts
 };
 
+/// Of the text of a band and of those that it goes on in, its own rows; what goes on from a page before begins in the middle.
+std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band);
+
 /// The bands of a solution, and their text once a width is chosen.
 class Bands {
 public:
@@ -67,7 +70,7 @@ public:
     std::vector<ResultRow> results_on(const std::vector<Figure>& drawn) const;
     /// The same with no length measured: as wide and as high as they will be.
     const std::vector<ResultRow>& results() const { return results_; }
-    /// Set to a width of `measure` mm; `equations_apart`: its equations stand in the figure.
+    /// The text of all its rows, set to a width of `measure` mm; `equations_apart`: its equations stand in the figure.
     std::vector<Passage> text(const Band& band, double measure, bool equations_apart,
                               const std::vector<ResultRow>& results) const;
     /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it has none, or

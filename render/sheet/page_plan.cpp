@@ -34,14 +34,23 @@ void shares(int of, std::size_t bands, std::vector<int>& now, std::vector<std::v
     }
 }
 
+int steps_of(const SheetFormat& format, bool first_page) {
+    return static_cast<int>(content_of(format, first_page).height() / step);
+}
+double taken_by_block(const SheetFormat& format) { return content_of(format, true).max.y - format.block.min.y + above_block; }
+/// What the title block takes of a cell of the lowest row of the first page.
+Notch notch_of(const SheetFormat& format, double left, Width width) {
+    const double free = format.block.min.x - above_block - left;
+    return free >= format.span(width.columns, width.of) ? Notch{} : Notch{free, taken_by_block(format)};
+}
+
 class Planner {
 public:
     Planner(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands, const SheetFormat& format)
         : layouts_(layouts),
           bands_(bands),
           format_(format),
-          taken_by_block_(content_of(format, true).max.y - format.block.min.y + above_block),
-          heights_(at_index(std::max(steps_of(true), steps_of(false))) + 1) {
+          heights_(at_index(std::max(steps_of(format, true), steps_of(format, false))) + 1) {
         for (std::size_t cells = 1; cells <= most_cells; ++cells)
             for (const int of : {format.columns, format.columns + 1}) {
                 if (cells == 1 && of != format.columns) continue;
@@ -72,7 +81,7 @@ public:
         rows_.resize(bands.size() * (most_in_a_row + 1) * 2 * heights_);
     }
 
-    std::vector<PlannedPage> pages(std::size_t& lost) {
+    std::vector<PlannedPage> pages() {
         const std::size_t n = bands_.size();
         struct Rest {
             int pages = 1 << 20;
@@ -90,10 +99,7 @@ public:
                 if (found.pages < rest[first].pages || (found.pages == rest[first].pages && found.worth > rest[first].worth))
                     rest[first] = found;
             }
-            if (rest[first].worth < possible) {
-                lost = first;
-                return {};
-            }
+            if (rest[first].worth < possible) return {};
         }
         std::vector<PlannedPage> pages;
         for (std::size_t first = 0; first < n; first = rest[first].end) pages.push_back(page(first, rest[first].end));
@@ -128,16 +134,13 @@ private:
     };
     using Table = std::vector<std::vector<State>>;  // by bands, by height
 
-    int steps_of(bool first_page) const { return static_cast<int>(content_of(format_, first_page).height() / step); }
     double left_of(const Split& split, std::size_t i) const {
         double x = format_.content.min.x;
         for (std::size_t k = 0; k < i; ++k) x += format_.span(split.columns[k], split.of) + gap;
         return x;
     }
-    /// What the title block takes of a cell of the lowest row of the first page.
     Notch notch_of(const Split& split, std::size_t i) const {
-        const double left = left_of(split, i), free = format_.block.min.x - above_block - left;
-        return free >= format_.span(split.columns[i], split.of) ? Notch{} : Notch{free, taken_by_block_};
+        return kinegraph::render::notch_of(format_, left_of(split, i), {split.columns[i], split.of});
     }
 
     /// Where a band may stand: so wide, with that much taken by the title block.
@@ -204,8 +207,8 @@ private:
     /// All rows from a band on; the lowest of the first page apart.
     std::pair<Table, std::vector<State>> tables(std::size_t first) {
         const bool first_page = first == 0;
-        const int whole = steps_of(first_page);
-        const int block = static_cast<int>(std::ceil(taken_by_block_ / step));
+        const int whole = steps_of(format_, first_page);
+        const int block = static_cast<int>(std::ceil(taken_by_block(format_) / step));
         const std::size_t most = std::min(most_on_a_page, bands_.size() - first);
         Table table(most + 1, std::vector<State>(static_cast<std::size_t>(whole) + 1));
         std::vector<State> ends(most + 1);
@@ -249,7 +252,7 @@ private:
         const Box content = content_of(format_, first == 0);
         PlannedPage rows;
         State state = ends[end - first];
-        int bottom = steps_of(first == 0);
+        int bottom = steps_of(format_, first == 0);
         bool last = true;
         for (std::size_t b = end - first; b > 0;) {
             b -= state.count;
@@ -285,7 +288,6 @@ private:
     const std::vector<BandLayouts>& layouts_;
     const std::vector<Band>& bands_;
     const SheetFormat& format_;
-    double taken_by_block_;
     std::array<std::vector<Split>, most_cells + 1> splits_;         // by the number of cells
     std::array<std::vector<Filling>, most_in_a_row + 1> fillings_;  // by the number of bands
     std::size_t heights_;                                           // that a row may have, in steps
@@ -303,9 +305,15 @@ Box content_of(const SheetFormat& format, bool first_page) {
     return box;
 }
 
+bool has_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page) {
+    const Width whole{format.columns, format.columns};
+    const Notch notch = first_page ? notch_of(format, format.content.min.x, whole) : Notch{};
+    return layouts.in(whole, steps_of(format, first_page) * step, notch).worth > possible;
+}
+
 std::vector<PlannedPage> plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
-                                    const SheetFormat& format, std::size_t& lost) {
-    return Planner(layouts, bands, format).pages(lost);
+                                    const SheetFormat& format) {
+    return Planner(layouts, bands, format).pages();
 }
 
 }  // namespace kinegraph::render

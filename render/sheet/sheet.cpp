@@ -39,7 +39,7 @@ public:
           after_(options.pages_after),
           wanted_(context_, options.joukowsky, options.detail),
           bands_(context_, wanted_, options.detail),
-          texts_(bands_, format_) {}
+          texts_(bands_, bands_.results(), format_) {}
 
     DrawnSheet drawn() && {
         DrawnSheet sheet{pages(), {}, first_caption_, first_caption_width_};
@@ -92,21 +92,23 @@ private:
         std::vector<BandLayouts> before = std::move(layouts_);
         layouts_.clear();
         for (std::size_t b = 0; b < bands_.list.size(); ++b) {
-            const Band& band = bands_.list[b];
-            BandLayouts layouts(texts_, band, wanted_, format_, crowded_.contains(band.question),
-                                !cornerless_.contains(band.question));
-            const bool same = b < before.size() && !band.figures.empty() && before[b].is_like(layouts);
+            BandLayouts layouts = layouts_of(bands_.list[b]);
+            const bool same = b < before.size() && !bands_.list[b].figures.empty() && before[b].is_like(layouts);
             layouts_.push_back(std::move(same ? before[b] : layouts));
         }
-        std::size_t lost = 0;
-        plan_ = plan_pages(layouts_, bands_.list, format_, lost);
-        if (!plan_.empty()) {
-            share_force_scale();
-            return;
-        }
-        if (crowded_.insert(bands_.list[lost].question).second) return plan();
-        divide(lost);
+        plan_ = plan_pages(layouts_, bands_.list, format_);
+        if (!plan_.empty()) return share_force_scale();
+        give_each_a_page();
         plan();
+    }
+    void give_each_a_page() {
+        layouts_.clear();
+        for (std::size_t b = 0; b < bands_.list.size(); ++b)
+            while (!has_a_page(layouts_of(bands_.list[b]), format_, b == 0))
+                if (!crowded_.insert(bands_.list[b].question).second) divide(b);
+    }
+    BandLayouts layouts_of(const Band& band) {
+        return {texts_, band, wanted_, format_, crowded_.contains(band.question), !cornerless_.contains(band.question)};
     }
     /// A figure that would want a page more for its letters takes the room that it had, as it comes.
     void take_back_refusals() {
@@ -124,14 +126,14 @@ private:
     /// there is hardly any text the figures are parted.
     void divide(std::size_t index) {
         Band& band = bands_.list[index];
-        std::size_t rows = 0;
-        for (const Passage& passage : bands_.text(band, format_.measure, false, bands_.results())) rows += passage.rows.size();
+        const std::size_t rows = texts_.rows(band);
         Band rest = band;
         if (rows < 2) {
             KG_ASSERT(band.figures.size() > 1, "a page holds a figure with a row of its text");
             const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
             rest.figures.assign(band.figures.begin() + half, band.figures.end());
             rest.parts.clear();
+            rest.first_row = rest.end_row = 0;
             rest.draws_mechanism = false;
             band.figures.resize(static_cast<std::size_t>(half));
             bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
@@ -140,7 +142,6 @@ private:
         rest.figures.clear();
         rest.draws_mechanism = false;
         band.end_row = rest.first_row = band.first_row + (rows * 2 + 2) / 3 - (rows == 2 ? 1 : 0);
-        layouts_.clear();
         bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
     }
 
@@ -456,26 +457,27 @@ private:
         }
         if (layout.under > 0) {
             const ColumnText& planned = layouts_[placed.band].text(layout.divided, layout.cornered);
-            text_of(band, planned.measure(), layout.cornered)
+            text_of(band, layout)
                 .set(marks, at, layout.text_columns(placed.room.width(), planned.measure(), below, placed.notch));
         } else if (layout.divided > 0) {
             const ColumnText& planned = layouts_[placed.band].text(layout.divided, layout.cornered);
             const double width = layout.columns * (planned.measure() + gap) - gap;
             const Spot corner = layout.beside ? Spot{placed.room.max.x - width, at.y}
                                               : Spot{at.x, at.y + below + (figures.empty() ? 0 : text_gap)};
-            text_of(band, planned.measure(), layout.cornered).set(marks, corner, layout.columns, gap);
+            text_of(band, layout).set(marks, corner, layout.columns, gap);
         }
         marks.emplace_back(GroupEnd{});
     }
     /// With the lengths that are measured on the figures as drawn.
-    ColumnText text_of(const Band& band, double measure, bool cornered) {
-        if (!results_) {
+    const ColumnText& text_of(const Band& band, const BandLayout& layout) {
+        if (!measured_texts_) {
             std::vector<Figure> all;
             for (const auto& [index, figures] : drawn_)
                 for (const Drawn& drawn : figures) all.push_back(drawn.figure);
             results_ = bands_.results_on(all);
+            measured_texts_.emplace(bands_, results_, format_);
         }
-        return {bands_.text(band, measure / format_.text_size, cornered, *results_), measure, format_.text_size};
+        return measured_texts_->of(band, layout.divided, layout.cornered);
     }
 
     DrawingContext context_;
@@ -507,7 +509,8 @@ private:
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> plan_;
     std::map<std::size_t, std::vector<Drawn>> drawn_;  // by band
-    std::optional<std::vector<ResultRow>> results_;    // measured on them
+    std::vector<ResultRow> results_;                   // measured on them
+    std::optional<BandTexts> measured_texts_;          // with these
     Spot first_caption_;                               // of figure 1: its corner, and the room it has
     double first_caption_width_ = 0;
     bool corner_missing_ = false;    // one was promised to equations
