@@ -69,7 +69,20 @@ const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
 
 const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
     const auto [found, fresh] = wholes_.try_emplace({band.question, divided, cornered});
-    if (fresh) found->second = bands_.text(band, format_.span(1, divided) / format_.text_size, cornered, results_);
+    if (!fresh) return found->second;
+    // Only what is another text here is set anew.
+    const std::vector<Passage>* known = nullptr;
+    if (cornered)
+        known = &whole(band, divided, false);
+    else if (planned_ != nullptr)
+        known = &planned_->whole(band, divided, false);
+    const Band::Part::Kind other = cornered ? Band::Part::Kind::steps : Band::Part::Kind::results;
+    for (std::size_t p = 0; p < band.parts.size(); ++p) {
+        const Band::Part& part = band.parts[p];
+        const bool as_known = known != nullptr && part.kind != other;
+        found->second.push_back(as_known ? (*known)[p]
+                                         : bands_.text(part, format_.span(1, divided) / format_.text_size, cornered, results_));
+    }
     return found->second;
 }
 

@@ -53,8 +53,9 @@ struct FigureSize {
 /// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
 class BandTexts {
 public:
-    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format)
-        : bands_(bands), results_(results), format_(format) {}
+    /// `planned`: the same with other results, of which the rest is taken.
+    BandTexts(const Bands& bands, const std::vector<ResultRow>& results, const SheetFormat& format, BandTexts* planned = nullptr)
+        : bands_(bands), results_(results), format_(format), planned_(planned) {}
 
     /// In the columns of a page divided by so many; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
@@ -71,6 +72,7 @@ private:
     const Bands& bands_;
     const std::vector<ResultRow>& results_;
     const SheetFormat& format_;
+    BandTexts* planned_;
     using Setting = std::tuple<std::string, int, bool>;          // question, division, cornered
     using Rows = std::tuple<Setting, std::size_t, std::size_t>;  // the first, the end
     std::map<Setting, std::vector<Passage>> wholes_;

@@ -31,7 +31,8 @@ public:
     using Likewise = std::map<std::size_t, std::vector<std::size_t>>;
     BandText(const DrawingContext& context, double measure, bool equations_apart, const std::map<std::size_t, int>& steps,
              const Likewise& likewise, bool with_centres, const std::vector<EquationItem>& equations,
-             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, const WantedFigures& wanted)
+             const std::vector<LineNumbers>& lines, NaturalBlocks& natural, std::map<std::size_t, RichText>& said,
+             const WantedFigures& wanted)
         : context_(context),
           solution_(context.solution),
           measure_(measure),
@@ -42,6 +43,7 @@ public:
           equations_(equations),
           lines_(lines),
           natural_(natural),
+          said_(said),
           wanted_(wanted) {}
 
     Passage passage_of(const Band::Part& part, const std::vector<ResultRow>& results,
@@ -103,7 +105,9 @@ private:
         std::vector<Block> rows;
         for (const std::size_t i : statements) {
             const Statement& statement = solution_.protocol.statements[i];
-            Block row = paragraph(said(i), indent, std::to_string(steps_.at(i)));
+            const auto [words, fresh] = said_.try_emplace(i);
+            if (fresh) words->second = said(i);
+            Block row = paragraph(words->second, indent, std::to_string(steps_.at(i)));
             std::vector<Block> equations;
             if (statement.equation && !equations_apart_)
                 equations.push_back(equation_block(context_, *statement.equation, measure_ - indent));
@@ -269,6 +273,7 @@ private:
     const std::vector<EquationItem>& equations_;
     const std::vector<LineNumbers>& lines_;
     NaturalBlocks& natural_;
+    std::map<std::size_t, RichText>& said_;
     const WantedFigures& wanted_;
 };
 
@@ -655,13 +660,10 @@ Block Bands::equations(const Band& band, double most) const {
     return all;
 }
 
-std::vector<Passage> Bands::text(const Band& band, double measure, bool equations_apart,
-                                 const std::vector<ResultRow>& results) const {
+Passage Bands::text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const {
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
-                          natural_, wanted_);
-    std::vector<Passage> all;
-    for (const Band::Part& part : band.parts) all.push_back(writer.passage_of(part, results, remarks_));
-    return all;
+                          natural_, said_, wanted_);
+    return writer.passage_of(part, results, remarks_);
 }
 
 std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band) {

@@ -70,9 +70,8 @@ public:
     std::vector<ResultRow> results_on(const std::vector<Figure>& drawn) const;
     /// The same with no length measured: as wide and as high as they will be.
     const std::vector<ResultRow>& results() const { return results_; }
-    /// The text of all its rows, set to a width of `measure` mm; `equations_apart`: its equations stand in the figure.
-    std::vector<Passage> text(const Band& band, double measure, bool equations_apart,
-                              const std::vector<ResultRow>& results) const;
+    /// Set to a width of `measure` mm; `equations_apart`: the equations of its steps stand in the figure.
+    Passage text(const Band::Part& part, double measure, bool equations_apart, const std::vector<ResultRow>& results) const;
     /// The equations of motion of a band, one under the other, not wider than `most` mm where they can; no width: it has none, or
     /// so many that no figure has room for them.
     Block equations(const Band& band, double most) const;
@@ -104,8 +103,9 @@ private:
     std::vector<ResultRow> results_;
     std::map<std::string, RichText> remarks_;  // on figures as drawn
     std::vector<EquationItem> equations_;
-    std::vector<LineNumbers> lines_;  // of the polygons of motion
-    mutable NaturalBlocks natural_;   // of these, as they were set first
+    std::vector<LineNumbers> lines_;                // of the polygons of motion
+    mutable NaturalBlocks natural_;                 // of the equations, as they were set first
+    mutable std::map<std::size_t, RichText> said_;  // by statement, once asked
 };
 
 }  // namespace kinegraph::render

@@ -475,7 +475,7 @@ private:
             for (const auto& [index, figures] : drawn_)
                 for (const Drawn& drawn : figures) all.push_back(drawn.figure);
             results_ = bands_.results_on(all);
-            measured_texts_.emplace(bands_, results_, format_);
+            measured_texts_.emplace(bands_, results_, format_, &texts_);
         }
         return measured_texts_->of(band, layout.divided, layout.cornered);
     }
