@@ -60,6 +60,7 @@ struct Figure {
     std::vector<RichText> unnamed;     ///< names left out, since with all of them none could be read
     bool has_scale = true;             ///< a diagram has none, nor has a polygon of which all vectors are zero
     bool has_table = false;            ///< what is known of its vectors, or their powers, stands in it
+    bool has_key = false;              ///< names that found no place are listed under it
     bool lacks_details = false;        ///< it has vectors too short to be read, and had no room to draw them again
 
     // What it shows, told by those who draw it.

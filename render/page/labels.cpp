@@ -880,6 +880,7 @@ void set_key(Figure& figure, const LabelKey& key, double measure) {
     const LabelKey::Lines lines = key.lines(at, measure);
     figure.marks.insert(figure.marks.end(), lines.marks.begin(), lines.marks.end());
     figure.box.max = {std::max(figure.box.max.x, at.x + lines.width), at.y + lines.height};
+    figure.has_key = true;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ bool is_wider(const Passage& passage, double measure) {
            std::any_of(passage.rows.begin(), passage.rows.end(), [&](const Block& row) { return row.width > measure + ink; });
 }
 
-/// How many rows from one on stay together: no line is parted from what it belongs to, the first ones from their heading, the
-/// last ones from each other.
+/// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
+/// none by itself in the end.
 std::size_t end_of_group(const std::vector<Block>& rows, std::size_t first) {
     std::size_t end = first + 1;
     double height = rows[first].height;
@@ -34,46 +34,49 @@ std::size_t end_of_group(const std::vector<Block>& rows, std::size_t first) {
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
     : passages_(std::move(passages)), measure_(measure) {
     const auto reduce = [scale](Block& block) { block = scaled(std::move(block), scale); };
-    for (Passage& passage : passages_) {
+    for (std::size_t p = 0; p < passages_.size(); ++p) {
+        Passage& passage = passages_[p];
         if (scale != 1) {
             reduce(passage.heading);
             reduce(passage.head);
             std::for_each(passage.rows.begin(), passage.rows.end(), reduce);
         }
         too_wide_ = too_wide_ || is_wider(passage, measure_);
+        for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
+            end = end_of_group(passage.rows, first);
+            Group group{p, first, end, passage.head.height, first == 0 ? passage.heading.height : 0, 0};
+            for (std::size_t i = first; i < end; ++i) group.rows += passage.rows[i].height;
+            groups_.push_back(group);
+        }
     }
 }
 
-bool ColumnText::flow(const std::vector<TextColumn>& columns, double height,
-                      const std::function<void(const Block&, std::size_t column, double y)>& place) const {
+template <class Place>
+bool ColumnText::flow(const std::vector<TextColumn>& columns, double height, Place place) const {
     std::size_t column = 0;
     double y = 0;
-    const auto room = [&] { return height - columns[column].lift - columns[column].top + grace; };
-    const auto put = [&](const Block& block) {
-        if (place && !block.marks.empty()) place(block, column, columns[column].top + y);
-        y += block.height;
-    };
-    for (const Passage& passage : passages_)
-        for (std::size_t i = 0, end = 0; i < passage.rows.size(); i = end) {
-            const bool first = i == 0;
-            end = end_of_group(passage.rows, i);
-            double own = 0;
-            for (std::size_t k = i; k < end; ++k) own += passage.rows[k].height;
-            const double above = first ? passage.heading.height + passage.head.height : 0;
-            const double before = first && y > 0 ? passage_gap : 0;
-            const bool turns = y + before + above + own > room();
-            if (turns) {
-                const double anew = passage.head.height + (first ? passage.heading.height : 0) + own;
-                do {
-                    if (++column == columns.size()) return false;
-                } while (anew > room());
-            }
-            y = turns ? 0 : y + before;
-            if (first) put(passage.heading);
-            if (first || turns) put(passage.head);
-            for (std::size_t k = i; k < end; ++k) put(passage.rows[k]);
+    const auto room_in = [&](std::size_t c) { return height - columns[c].lift - columns[c].top + grace; };
+    double room = room_in(0);
+    for (const Group& group : groups_) {
+        const bool first = group.first == 0;
+        const double before = first && y > 0 ? passage_gap : 0;
+        const bool turns = y + before + group.heading + (first ? group.head : 0) + group.rows > room;
+        if (turns) {
+            const double anew = group.heading + group.head + group.rows;
+            do {
+                if (++column == columns.size()) return false;
+                room = room_in(column);
+            } while (anew > room);
         }
+        y = turns ? 0 : y + before;
+        place(group, turns, column, y);
+        y += group.heading + (first || turns ? group.head : 0) + group.rows;
+    }
     return true;
+}
+
+bool ColumnText::fits(const std::vector<TextColumn>& columns, double height) const {
+    return flow(columns, height, [](const Group&, bool, std::size_t, double) {});
 }
 
 double ColumnText::whole_height() const {
@@ -109,8 +112,16 @@ double ColumnText::height(int columns) const {
 }
 
 void ColumnText::set(std::vector<Mark>& marks, Spot at, const std::vector<TextColumn>& columns) const {
-    flow(columns, height(columns), [&](const Block& block, std::size_t column, double y) {
-        render::set(marks, block, {at.x + columns[column].x, at.y + y});
+    flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
+        const Passage& passage = passages_[group.passage];
+        Spot corner{at.x + columns[column].x, at.y + columns[column].top + y};
+        const auto put = [&](const Block& block) {
+            if (!block.marks.empty()) render::set(marks, block, corner);
+            corner.y += block.height;
+        };
+        if (group.first == 0) put(passage.heading);
+        if (group.first == 0 || turns) put(passage.head);
+        for (std::size_t i = group.first; i < group.end; ++i) put(passage.rows[i]);
     });
 }
 

@@ -1,7 +1,6 @@
 // Column text: passages set in columns side by side, as even as their rows let them. Knows rows and headings, no sentence.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "render/sheet/bands.hpp"
@@ -27,17 +26,25 @@ public:
     void set(std::vector<Mark>& marks, Spot at, int columns, double between) const;
 
     /// The same in columns of different heights, from the first to the last.
-    bool fits(const std::vector<TextColumn>& columns, double height) const { return flow(columns, height, {}); }
+    bool fits(const std::vector<TextColumn>& columns, double height) const;
     double height(const std::vector<TextColumn>& columns) const;
     void set(std::vector<Mark>& marks, Spot at, const std::vector<TextColumn>& columns) const;
     /// One column under the other.
     double whole_height() const;
 
 private:
-    bool flow(const std::vector<TextColumn>& columns, double height,
-              const std::function<void(const Block&, std::size_t column, double y)>& place) const;
+    /// Rows that no column parts, and how high they are: themselves, the head over them where a column begins with them, and the
+    /// heading over the first ones of a passage.
+    struct Group {
+        std::size_t passage, first, end;
+        double head, heading, rows;
+    };
+    /// Shows place() each group, whether it begins a column, and where; false where it does not fit.
+    template <class Place>
+    bool flow(const std::vector<TextColumn>& columns, double height, Place place) const;
 
     std::vector<Passage> passages_;
+    std::vector<Group> groups_;
     double measure_;
     bool too_wide_ = false;
     mutable std::vector<double> heights_;  // by columns, once asked

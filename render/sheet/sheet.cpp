@@ -203,6 +203,13 @@ private:
             corner_missing_ = true;
         }
     }
+    /// Whether a larger room than it was drawn for lets a figure be no larger, and it lacks nothing.
+    static bool gains_nothing(const Wanted& wanted, const Figure& drawn, Spot room) {
+        constexpr double rounding = 1e-9;
+        if (wanted.empty || wanted.asked || drawn.lacks_details || drawn.has_key) return false;
+        const double finest = choose_scale(wanted.extent_x, wanted.extent_y, room.x, room.y, std::nullopt);
+        return finest >= drawn.scale * (1 - rounding);
+    }
     /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A room
     /// that holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure is empty
     /// then and at any_scale.
@@ -212,15 +219,16 @@ private:
         const std::optional<double> force_scale = wanted.to_force_scale ? wanted_.force_scale : std::nullopt;
         std::vector<Known>& known = known_[index];
         for (const Known& each : known) {
-            if (each.force_scale != force_scale || room.x > each.room.x + rounding || room.y > each.room.y + rounding) continue;
+            if (each.force_scale != force_scale) continue;
+            const bool larger = room.x > each.room.x + rounding || room.y > each.room.y + rounding;
             if (each.refused_at) {
-                if (coarsest <= *each.refused_at) return each.figure;
+                if (!larger && coarsest <= *each.refused_at) return each.figure;
                 continue;
             }
-            const bool same = room.x > each.room.x - rounding && room.y > each.room.y - rounding;
+            const bool same = !larger && room.x > each.room.x - rounding && room.y > each.room.y - rounding;
             const Box& box = each.figure.box;
-            if (same || (!wanted.fills && box.width() <= room.x + rounding && box.height() <= room.y + rounding))
-                return each.figure;
+            const bool fits = !wanted.fills && box.width() <= room.x + rounding && box.height() <= room.y + rounding;
+            if (same || (fits && (!larger || gains_nothing(wanted, each.figure, room)))) return each.figure;
         }
         Known drawn{room, force_scale, {}, {}};
         if (coarsest < any_scale) {
