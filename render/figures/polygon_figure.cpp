@@ -310,6 +310,8 @@ constexpr double least_shown = 12;
 constexpr int most_steps = 2;
 // Names that would take more of the room than this hardly ever find places: not worth trying where another room may do.
 constexpr double crowded = 0.25;
+// … and if they would take even more they are not tried at several scales: the smallest is taken, whatever places they find.
+constexpr double hopeless = 0.4;
 // A polygon smaller than this is worth more than details beside it.
 constexpr double least_with_details = 60;
 
@@ -331,9 +333,11 @@ public:
                                .coarsest = coarsest_,
                                .extent = extent(),
                                .least_shown = std::max(least_shown, smallest_worth_lettering())};
+        const double names = room_of_names(drawing_.at(policy.first), context_.fonts) / (room_.x * room_.y);
+        if (!policy.asked && names > crowded && coarsest_ < any_scale) return Figure::empty_at(any_scale);
         return fit(policy, [&](const Trial& trial) -> std::optional<Figure> {
             if (trial.asked) return as_asked(trial.scale);
-            if (trial.number == 0 && coarsest_ < any_scale && is_crowded(trial.scale)) return Figure::empty_at(any_scale);
+            if (names > hopeless) return trial.last ? std::optional(as_it_comes(trial.scale)) : std::nullopt;
             return tried(trial);
         });
     }
@@ -365,9 +369,6 @@ private:
     bool fits(const Figure& figure, double reach = 0) const {
         return figure.box.width() + 2 * reach <= room_.x && figure.box.height() + 2 * reach <= room_.y;
     }
-    bool is_crowded(double scale) const {
-        return room_of_names(drawing_.at(scale), context_.fonts) > crowded * room_.x * room_.y;
-    }
     /// Whether the labels have places; the group is closed then.
     bool finish(Figure& figure, bool whatever_it_takes) const {
         const Labelling labelling = whatever_it_takes ? Labelling::free : Labelling::if_it_fits;
@@ -391,6 +392,13 @@ private:
         if (auto with_details = detailed(made)) return with_details;
         Figure figure = drawing_.with_parts(made.empty, made.parts, {});
         if (!fits(figure) || !finish(figure, false)) return std::nullopt;
+        return figure;
+    }
+    Figure as_it_comes(double scale) const {
+        const Attempt made = attempt(scale);
+        Figure figure = drawing_.with_parts(made.empty, made.parts, {});
+        finish(figure, true);
+        figure.lacks_details = !made.details.empty();
         return figure;
     }
     std::optional<Figure> tried(const Trial& trial) const {
