@@ -29,7 +29,7 @@ struct Notch {
 };
 
 struct BandLayout {
-    static constexpr double impossible = -1e300;
+    static constexpr double impossible = -1e300, possible = 0.5 * impossible;
     double worth = impossible;
     int divided = 0;            ///< the text's column is a page divided by this; 0: no text
     int columns = 0;            ///< of text

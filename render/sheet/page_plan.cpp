@@ -17,7 +17,7 @@ constexpr int least_height = 5;  // steps, of a band
 constexpr int gap_steps = 3;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
-constexpr double impossible = BandLayout::impossible, possible = 0.5 * impossible;
+constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;
 constexpr double above_block = 4;
 
 /// All ways to share `of` columns among so many bands, each at least one.
@@ -305,10 +305,10 @@ Box content_of(const SheetFormat& format, bool first_page) {
     return box;
 }
 
-bool has_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page) {
+double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page) {
     const Width whole{format.columns, format.columns};
     const Notch notch = first_page ? notch_of(format, format.content.min.x, whole) : Notch{};
-    return layouts.in(whole, steps_of(format, first_page) * step, notch).worth > possible;
+    return layouts.in(whole, steps_of(format, first_page) * step, notch).worth;
 }
 
 std::vector<PlannedPage> plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,

@@ -24,8 +24,8 @@ constexpr double row_gap = 8;  ///< between rows of bands, mm
 /// What the bands of a page after the first may take: above the strip.
 Box content_of(const SheetFormat& format, bool first_page);
 
-/// Whether a page holds a band, if it has the page to itself.
-bool has_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page);
+/// What a band is worth on a page that it has to itself; less than BandLayout::possible where none holds it.
+double worth_of_a_page(const BandLayouts& layouts, const SheetFormat& format, bool first_page);
 /// Empty where some band has none.
 std::vector<PlannedPage> plan_pages(const std::vector<BandLayouts>& layouts, const std::vector<Band>& bands,
                                     const SheetFormat& format);

@@ -87,7 +87,7 @@ private:
     // --- the plan
     // ----------------------------------------------------------------------------------------------------------------
 
-    /// What no page holds at its best is shown smaller, then its text goes on over pages.
+    /// The text of what no page holds goes on over pages; where that alone does not help the figures are shown smaller.
     void plan() {
         std::vector<BandLayouts> before = std::move(layouts_);
         layouts_.clear();
@@ -103,9 +103,39 @@ private:
     }
     void give_each_a_page() {
         layouts_.clear();
+        rejoin();
         for (std::size_t b = 0; b < bands_.list.size(); ++b)
-            while (!has_a_page(layouts_of(bands_.list[b]), format_, b == 0))
-                if (!crowded_.insert(bands_.list[b].question).second) divide(b);
+            while (worth_of(b, bands_.list[b].end_row) < BandLayout::possible)
+                if (const std::size_t rows = rows_for_a_page(b); rows > 0)
+                    divide(b, rows);
+                else if (!crowded_.insert(bands_.list[b].question).second)
+                    part_figures(b);
+    }
+    /// Of a band with a page to itself, its text only up to a row.
+    double worth_of(std::size_t index, std::size_t end_row) {
+        Band band = bands_.list[index];
+        band.end_row = end_row;
+        return worth_of_a_page(layouts_of(band), format_, index == 0);
+    }
+    /// How many of its rows a page holds with its figures about as large as without; 0: not even the fewest.
+    std::size_t rows_for_a_page(std::size_t index) {
+        constexpr std::size_t fewest = 2;
+        constexpr double one_step = 0.7;  // of the scale
+        const Band& band = bands_.list[index];
+        const std::size_t all = texts_.rows(band);
+        const auto worth = [&](std::size_t rows) { return worth_of(index, band.first_row + rows); };
+        const double best = all < fewest ? BandLayout::impossible : worth(fewest);
+        if (best < BandLayout::possible) return 0;
+        const auto is_good = [&](std::size_t rows) {
+            return worth(rows) > (band.figures.empty() ? BandLayout::possible : best - one_step);
+        };
+        std::size_t good = fewest, bad = 2 * fewest;
+        for (; bad < all && is_good(bad); bad *= 2) good = bad;
+        for (bad = std::min(bad, all); bad - good > 1;) {
+            const std::size_t middle = (good + bad) / 2;
+            (is_good(middle) ? good : bad) = middle;
+        }
+        return std::min(good, all - 1);
     }
     BandLayouts layouts_of(const Band& band) {
         return {texts_, band, wanted_, format_, crowded_.contains(band.question), !cornerless_.contains(band.question)};
@@ -122,26 +152,37 @@ private:
         }
         plan();
     }
-    /// As many rows as a page of text alone holds stay with the figures of a band, at most half of them: the rest goes on. Where
-    /// there is hardly any text the figures are parted.
-    void divide(std::size_t index) {
+    /// So many rows stay with the figures of a band; the rest goes on.
+    void divide(std::size_t index, std::size_t rows) {
         Band& band = bands_.list[index];
-        const std::size_t rows = texts_.rows(band);
         Band rest = band;
-        if (rows < 2) {
-            KG_ASSERT(band.figures.size() > 1, "a page holds a figure with a row of its text");
-            const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
-            rest.figures.assign(band.figures.begin() + half, band.figures.end());
-            rest.parts.clear();
-            rest.first_row = rest.end_row = 0;
-            rest.draws_mechanism = false;
-            band.figures.resize(static_cast<std::size_t>(half));
-            bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
-            return;
-        }
         rest.figures.clear();
         rest.draws_mechanism = false;
-        band.end_row = rest.first_row = band.first_row + (rows * 2 + 2) / 3 - (rows == 2 ? 1 : 0);
+        band.end_row = rest.first_row = band.first_row + rows;
+        bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
+    }
+    /// What was divided for figures of other sizes is one band again.
+    void rejoin() {
+        std::vector<Band> whole;
+        for (Band& band : bands_.list)
+            if (!whole.empty() && band.figures.empty() && band.question == whole.back().question &&
+                band.first_row == whole.back().end_row)
+                whole.back().end_row = band.end_row;
+            else
+                whole.push_back(std::move(band));
+        bands_.list = std::move(whole);
+    }
+    /// Half of its figures go on without text.
+    void part_figures(std::size_t index) {
+        Band& band = bands_.list[index];
+        KG_ASSERT(band.figures.size() > 1, "a page holds a figure with a row of its text");
+        Band rest = band;
+        const auto half = static_cast<std::ptrdiff_t>((band.figures.size() + 1) / 2);
+        rest.figures.assign(band.figures.begin() + half, band.figures.end());
+        rest.parts.clear();
+        rest.first_row = rest.end_row = 0;
+        rest.draws_mechanism = false;
+        band.figures.resize(static_cast<std::size_t>(half));
         bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
     }
 
