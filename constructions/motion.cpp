@@ -541,6 +541,7 @@ private:
         VectorOn<plane> missed[2];
         ScalarHandle mismatch[2];
         std::optional<PointOn<plane>> ends[2];
+        std::optional<Chain<plane>> loci[2];
         const Hand hand = hand_;
         for (const int i : {0, 1}) {
             hand_ = hand != Hand::solution ? Hand::silent : i == 0 ? Hand::first_trial : Hand::second_trial;
@@ -554,6 +555,7 @@ private:
             if (step.closing.locus) {
                 missed[i] = miss(drawn, *step.closing.locus);
                 ends[i] = drawn.tip(step.closing.locus->node);
+                loci[i] = chain(drawn, *step.closing.locus);
             } else {
                 mismatch[i] = mismatch_of_spins(drawn, step.closing);
             }
@@ -567,6 +569,9 @@ private:
         if (ends[0] && !board_.coincide(*ends[0], *ends[1])) {
             draw_line_of_ends(track, *ends[0], *ends[1]);
         }
+        if (hand_ == Hand::solution && step.closing.locus)
+            for (const int i : {0, 1})
+                PolygonPen<plane>(board_, track.polygon, i + 1).miss(loci[i]->end, loci[i]->line, *ends[i]);
         settle(track, step, assumed, share);
     }
 
@@ -666,7 +671,8 @@ private:
     std::vector<Argument> closing_arguments(const Step& step) {
         const Symbol assumed = step.node != none ? image<plane>(step.node) : spin_of<plane>(step.body);
         if (!step.closing.locus) return {spin_of<plane>(step.closing.body), spin_of<plane>(step.closing.other), assumed};
-        return {image<plane>(step.closing.locus->node), reason_of(*step.closing.locus), assumed};
+        return {image<plane>(step.closing.locus->node), reason_of(*step.closing.locus), assumed, closing_error(1),
+                closing_error(2)};
     }
 
     // --- loci --------------------------------------------------------------------------------------------------------------

@@ -65,6 +65,8 @@ template <Plane plane>
 Symbol image_symbol(std::string label) {
     return {Symbol::Letter::image, std::move(label), is_velocity<plane> ? "" : "'"};
 }
+/// ε^I, ε^II.
+inline Symbol closing_error(int trial) { return {Symbol::Letter::error, "", trial == 1 ? "I" : "II"}; }
 template <Plane plane>
 constexpr Sentence either(Sentence velocity, Sentence acceleration) {
     return is_velocity<plane> ? velocity : acceleration;
@@ -116,6 +118,18 @@ public:
         drawn.reason = std::move(reason);
         drawn.points = std::move(points);
         drawn.trial = trial_;
+        board_.draw(std::move(drawn));
+    }
+    /// How far a trial's tip is from the line through a place, along the perpendicular.
+    void miss(PointOn<plane> through, LineOn<plane> line, PointOn<plane> tip) const {
+        const auto foot = board_.meet(line, board_.through(tip, board_.perpendicular(board_.direction(line))));
+        if (!foot) return;
+        DrawnMiss drawn;
+        drawn.symbol = closing_error(trial_);
+        drawn.polygon = polygon_;
+        drawn.through = through.element;
+        drawn.foot = foot->element;
+        drawn.tip = tip.element;
         board_.draw(std::move(drawn));
     }
     void image(Symbol symbol, PointOn<plane> tip, BodyIndex body) const {

@@ -313,6 +313,8 @@ void for_each_drawn(Protocol& protocol, const std::function<void(ElementIndex&)>
     see_vectors(protocol.trials.vectors);
     see_images(protocol.trials.images);
     see_lines(protocol.trials.lines);
+    for (DrawnMiss& miss : protocol.trials.misses)
+        for (ElementIndex* element : {&miss.through, &miss.foot, &miss.tip}) see(*element);
     for (Polygon& polygon : protocol.polygons)
         for (Face& face : polygon.faces)
             for (ElementIndex& corner : face.corners) see(corner);
@@ -343,6 +345,11 @@ void Board::draw(DrawnLine line) {
     line.statement = current_statement_;
     if (line.trial != 0) return protocol_.trials.lines.push_back(std::move(line));
     protocol_.lines.push_back(std::move(line));
+}
+
+void Board::draw(DrawnMiss miss) {
+    miss.statement = current_statement_;
+    protocol_.trials.misses.push_back(std::move(miss));
 }
 
 Protocol Board::finish() && {

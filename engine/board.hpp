@@ -136,11 +136,22 @@ struct Statement {
     std::vector<BodyIndex> bodies;  ///< forces: the bodies it takes together; curvature: the body it is about
 };
 
+/// By how much the tip of a trial misses the line that it must lie on.
+struct DrawnMiss {
+    Symbol symbol;  ///< ε^I
+    int polygon = 0;
+    ElementIndex through = none;  ///< what the line was drawn from
+    ElementIndex foot = none;     ///< of the perpendicular from the tip
+    ElementIndex tip = none;
+    StatementIndex statement = none;
+};
+
 /// What was drawn from trial values on the way, apart from the solution: thin broken lines of the same polygons.
 struct Trials {
     std::vector<DrawnVector> vectors;
     std::vector<Image> images;
     std::vector<DrawnLine> lines;
+    std::vector<DrawnMiss> misses;
 };
 
 /// The finished board.
@@ -374,6 +385,7 @@ public:
     void label(Image image);
     void add_face(int polygon, Face face);
     void draw(DrawnLine line);
+    void draw(DrawnMiss miss);
 
     /// The strokes so far, to be replayed; recipes and planner look at none.
     const Program& program() const { return protocol_.program; }

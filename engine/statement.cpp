@@ -38,6 +38,8 @@ std::string_view stem(Symbol::Letter letter) {
             return "rho";
         case Symbol::Letter::diameter:
             return "delta";
+        case Symbol::Letter::error:
+            return "epsilon";
         case Symbol::Letter::F:
             return "F";
         case Symbol::Letter::M:

@@ -13,7 +13,7 @@ namespace kinegraph {
 
 /// The written form of a quantity: v_B, a_BA^t, ω_3, α_3, P_13, a (image of A). See docs/notation.md.
 struct Symbol {
-    enum class Letter { point, image, pole, v, a, omega, alpha, centre, length, radius, diameter, F, M, speed, body };
+    enum class Letter { point, image, pole, v, a, omega, alpha, centre, length, radius, diameter, error, F, M, speed, body };
     Letter letter = Letter::point;
     std::string about;  ///< subscript: "B", "BA" (of B relative to A), "3"; for point, image and body the name itself
     std::string term;   ///< superscript: "n", "t", "rel", "tr", "cor", "∞"
@@ -81,6 +81,7 @@ enum class Sentence {
     trial_on_line,           ///< {0} image, {1} its line's reason: no rule leads on, so it is tried at two places of its line
     trial_of_spin,           ///< {0} ω or α: the same for an angular velocity
     trial_closes_on_line,    ///< {0} image, {1} reason of the line it must lie on, {2} image or ω: the true value in proportion
+                             ///< to the errors {3} {4}
     trial_closes_by_spin,    ///< {0} {1} ω that must agree, {2} image or ω: the true value in proportion
     relative_transport_velocity,      ///< {0} point, {1} observer body, {2} v_tr, {3} v_rel
     relative_transport_acceleration,  ///< … {2} a_tr {3} a_cor {4} a_rel

@@ -76,6 +76,35 @@ TEST(Trials, AreKeptApartFromTheSolution) {
     for (const DrawnVector& vector : solution.protocol.vectors) EXPECT_EQ(vector.trial, 0);
 }
 
+// On paper: d divides the way from d^I to d^II as 0 divides the way from ε^I to ε^II.
+TEST(Trials, ErrorsAreDrawnAndTheTruePlaceDividesAsTheyDo) {
+    const Solution solution = solved(double_butterfly(R"({"body": 5, "omega": 2, "alpha": 1})"));
+    const Protocol& protocol = solution.protocol;
+    ASSERT_EQ(protocol.trials.misses.size(), 4U);  // two of each polygon
+    const auto place = [&](ElementIndex element) { return protocol.point(element).place(); };
+    for (std::size_t first = 0; first < 4; first += 2) {
+        const DrawnMiss &one = protocol.trials.misses[first], &two = protocol.trials.misses[first + 1];
+        EXPECT_EQ(one.symbol.term + two.symbol.term, "III");
+        const Vector error = place(one.tip) - place(one.foot), other = place(two.tip) - place(two.foot);
+        EXPECT_EQ(dot(error, place(one.through) - place(one.foot)), 0);
+        EXPECT_EQ(cross(error, other), 0);
+        const Message& said = protocol.statements[at(one.statement)].message;
+        ASSERT_EQ(said.sentence, Sentence::trial_closes_on_line);
+        const auto* sought = std::get_if<Symbol>(&said.arguments[2]);
+        ASSERT_NE(sought, nullptr);
+        const auto tip = [&](const std::vector<Image>& images, int trial) {
+            const auto found = std::find_if(images.begin(), images.end(), [&](const Image& image) {
+                return image.symbol == *sought && image.polygon == one.polygon && image.trial == trial;
+            });
+            EXPECT_NE(found, images.end());
+            return place(found->point);
+        };
+        const Vector from = tip(protocol.trials.images, 1), to = tip(protocol.trials.images, 2), at = tip(protocol.images, 0);
+        const Exact whole = dot(error - other, error);
+        EXPECT_EQ(whole * (at - from), dot(error, error) * (to - from));
+    }
+}
+
 TEST(Trials, DoNotDependOnWhichBodyIsDriven) {
     const Solution by_crank = solved(double_butterfly(R"({"body": 5, "omega": 2, "alpha": 1})"));
     for (const int body : {2, 3, 4, 6, 7, 8}) {

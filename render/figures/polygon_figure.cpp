@@ -183,6 +183,28 @@ private:
             drawn.statement = each.statement;
             parts.lines.push_back(std::move(drawn));
         }
+        for (const SceneMiss& each : scene_.misses) add_miss(parts, figure, each);
+    }
+    /// The line that a trial misses, broken like all of it, and by how much, full.
+    void add_miss(PolygonParts& parts, const Figure& figure, const SceneMiss& miss) const {
+        const Spot through = spot(figure, miss.through), foot = spot(figure, miss.foot), tip = spot(figure, miss.tip);
+        if (length(tip - foot) < coincident) return;
+        PolygonLine line;
+        line.from = through;
+        line.to = length(foot - through) > coincident ? foot + trial_overshoot * unit(foot - through) : foot;
+        line.pen = {context_.theme.thin, context_.theme.secondary, dashes(), false};
+        line.statement = miss.statement;
+        parts.lines.push_back(std::move(line));
+        PolygonLine error;
+        error.from = foot;
+        error.to = tip;
+        error.pen = {context_.theme.thin, context_.theme.text, {}, false};
+        error.mark = typeset(miss.symbol, context_.language);
+        error.mark_at = 0.5 * (foot + tip);
+        error.mark_toward = tip;
+        error.mark_along = false;
+        error.statement = miss.statement;
+        parts.lines.push_back(std::move(error));
     }
 
     void add_vectors(PolygonParts& parts, const Figure& figure) const {

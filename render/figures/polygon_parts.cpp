@@ -136,7 +136,7 @@ private:
             if (each.mark.empty()) continue;
             LabelRequest& mark = ask_label(each.mark, theme_.small, theme_.secondary, each.mark_at, 1.2, each.statement);
             mark.toward = each.mark_toward;
-            mark.along = true;
+            mark.along = each.mark_along;
         }
     }
 
@@ -392,8 +392,13 @@ PolygonParts magnified(const PolygonParts& parts, const Detail& detail) {
     for (const PolygonLine& each : parts.lines) {
         const Spot from = larger(each.from), to = larger(each.to);
         if (const auto chord = within_circle(from, to, radius))
-            all.lines.push_back(
-                {from + chord->first * (to - from), from + chord->second * (to - from), each.pen, {}, {}, {}, each.statement});
+            all.lines.push_back({.from = from + chord->first * (to - from),
+                                 .to = from + chord->second * (to - from),
+                                 .pen = each.pen,
+                                 .mark = {},
+                                 .mark_at = {},
+                                 .mark_toward = {},
+                                 .statement = each.statement});
     }
     for (const PolygonVector& each : parts.vectors) {
         const Spot tail = larger(each.tail), tip = larger(each.tip);

@@ -18,6 +18,7 @@ struct PolygonLine {
     Pen pen;
     RichText mark;  ///< empty: none
     Spot mark_at, mark_toward;
+    bool mark_along = true;  ///< it is turned with the line
     StatementIndex statement = none;
 };
 struct PolygonVector {

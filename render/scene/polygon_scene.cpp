@@ -197,6 +197,9 @@ private:
         for (const DrawnLine& each : trials.lines)
             if (each.polygon == index_ && each.points.size() > 1)
                 add(each.points.front(), each.points.back(), true, each.statement);
+        for (const DrawnMiss& miss : trials.misses)
+            if (miss.polygon == index_ && is_near(miss.through) && is_near(miss.foot) && is_near(miss.tip))
+                scene_.misses.push_back({miss.symbol, place(miss.through), place(miss.foot), place(miss.tip), miss.statement});
         for (const Image& image : trials.images)
             if (image.polygon == index_ && is_near(image.point))
                 scene_.images.push_back(

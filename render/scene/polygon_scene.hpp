@@ -37,6 +37,12 @@ struct SceneTrial {
     bool is_line = false;  ///< it runs on; else a vector
     StatementIndex statement = none;
 };
+/// By how much a trial misses a line: from the tip to the foot of its perpendicular.
+struct SceneMiss {
+    Symbol symbol;
+    Place through, foot, tip;
+    StatementIndex statement = none;
+};
 struct SceneImage {
     enum class Kind { pole, image, trial } kind = Kind::image;
     Symbol symbol;
@@ -69,6 +75,7 @@ struct PolygonScene {
     std::vector<SceneVector> vectors;
     std::vector<SceneLine> lines;
     std::vector<SceneTrial> trials;
+    std::vector<SceneMiss> misses;
     std::vector<SceneImage> images;
     std::vector<SceneFace> faces;
     std::vector<SceneCoriolis> coriolis;

@@ -152,8 +152,8 @@ constexpr std::array
             "No dyad or triad leads on, so {0} is given two trial values, and from each the polygon is carried on.",
             "Nessuna diade o triade permette di proseguire: si danno a {0} due valori di prova, e da ciascuno si continua il poligono."},
         Row{Sentence::trial_closes_on_line,
-            "{0} must lie on the line {1}. Everything is linear, so the true {2} follows in proportion from how far the two trials miss it.",
-            "{0} deve stare sulla retta {1}. Tutto è lineare: dagli scarti delle due prove si ricava in proporzione {2}."},
+            "{0} must lie on the line {1}; the two trials miss it by {3} and {4}. Everything is linear, so the true {2} follows in proportion.",
+            "{0} deve stare sulla retta {1}; le due prove se ne scostano di {3} e {4}. Tutto è lineare: {2} si ricava in proporzione."},
         Row{Sentence::trial_closes_by_spin,
             "{0} and {1} must agree. Everything is linear, so the true {2} follows in proportion from how far they differ in the two trials.",
             "{0} e {1} devono coincidere. Tutto è lineare: dalle loro differenze nelle due prove si ricava in proporzione {2}."},
@@ -1559,6 +1559,9 @@ RichText typeset(const Symbol& symbol, Language language) {
             break;
         case Letter::diameter:
             result.text = "δ";
+            break;
+        case Letter::error:
+            result.text = "ε";
             break;
         case Letter::F:
             result.text = "F";
