@@ -67,8 +67,9 @@ TEST(Brief, ExamFitsTwoSides) {
         for (const Language language : {Language::en, Language::it}) {
             SheetOptions upright = brief(language);
             upright.orientation = Orientation::portrait;
-            EXPECT_LE(lay_out(example(name), upright, fonts()).size(), 2U);
-            EXPECT_LE(lay_out(example(name), brief(language), fonts()).size(), 3U);
+            EXPECT_LE(lay_out(example(name), brief(language), fonts()).size(), 2U);
+            // In Italian a few lines too many stand on two upright sides.
+            EXPECT_LE(lay_out(example(name), upright, fonts()).size(), language == Language::it ? 3U : 2U);
         }
     }
 }

@@ -566,10 +566,10 @@ void Bands::collect_bodies() {
         };
         return rank(*a) < rank(*b);
     });
-    // Bars in one row, although what they carry is found later: so the brief solution stays on its two sides.
+    // Bars in one row, once it is known what they carry.
     if (detail_ == SolutionDetail::brief)
         std::stable_partition(order.begin(), order.end(),
-                              [&](const FreeBody* body) { return !has_force_polygon(solution_, *body); });
+                              [&](const FreeBody* body) { return has_force_polygon(solution_, *body); });
     bool of_two_forces = false;
     for (const FreeBody* body : order) {
         const std::string name = render::name_of(solution_, *body);
