@@ -205,7 +205,7 @@ private:
     Figure with_free_dimensions(const Trial& trial) const {
         constexpr int most_rounds = 4;
         Figure plain = drawn(trial, std::nullopt).figure;
-        if (!has_room(plain)) return plain;
+        if (!has_room(plain) || plain.has_key) return plain;
         DimensionWish wish{.names = places_of_names(plain, context.fonts)};
         for (int round = 0; round < most_rounds; ++round) {
             auto [figure, dimensioned] = drawn(trial, wish);
