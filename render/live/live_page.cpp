@@ -374,10 +374,11 @@ private:
     std::string figures(Language language) {
         SheetOptions options = options_;
         options.language = language;
-        const std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
+        std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
         std::string out;
         figures_json_.clear();
-        for (const AloneFigure& figure : drawn) {
+        for (AloneFigure& figure : drawn) {
+            figure.page.tells_holds = true;
             figures_json_ += (figures_json_.empty() ? "" : ",") + figure_json(figure);
             const std::string svg =
                 drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption), language != options_.language);

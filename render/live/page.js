@@ -280,7 +280,9 @@ class Page {
      */
     scaleOf(svg) {
         const view = this.figures.find((each) => each.svg === svg), group = svg.querySelector('g.figure');
-        return {scale: view ? view.scale : Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
+        const shown = view?.scales[0];
+        return shown ? {scale: shown.now, unit: shown.unit} :
+            {scale: Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
     }
     /** @param {string} words */
     announce(words) {
@@ -408,6 +410,7 @@ class Page {
         else this.say(motion.plan < 0 ? this.word('no construction') : '');
         this.panel.show(motion);
         for (const view of this.figures) this.showFigure(view, motion);
+        for (const view of this.figures) view.written = (value) => this.numberText(value);
         for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
         this.ruler.show();
         this.traces.show();
@@ -432,7 +435,7 @@ class Page {
      * @param {Motion} motion
      */
     showFigure(view, motion) {
-        const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (view.isMechanism || motion.plan >= 0);
+        const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (!view.isConstructed || motion.plan >= 0);
         const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
         note.hidden = motion.isDrawn || canFollow;
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
@@ -440,27 +443,27 @@ class Page {
             view.restore();
             // So that a path is seen whole, and the figure stays where it is when it begins to move.
             if (view.info.name === 'mechanism' && this.traces.isTraced) view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
-            return this.sayScale(view, 1);
+            view.held?.take(false);
+            return this.sayScale(view);
         }
         const fits = this.at('fit').checked && !view.isMechanism;
+        view.held?.take(this.at('fit').checked);
         // Polygons of one drawing have one scale.
         const together = fits ? this.figures.filter(({svg}) => svg === view.svg) : [];
         const to = fits ? view.fitted(Math.max(...together.map((each) => each.shrinkage()))) : undefined;
         view.follow(fits ? view.viewBox : this.roomOf(view), to);
-        this.sayScale(view, to ? to.scale / view.drawnScale : 1);
+        this.sayScale(view);
     }
-    /**
-     * @param {FigureView} view
-     * @param {number} share
-     */
-    sayScale(view, share) {
+    /** @param {FigureView} view */
+    sayScale(view) {
         const scale = /** @type {HTMLElement | null} */ (view.svg.closest('figure')?.querySelector('.scale'));
         if (!scale) return;
         scale.dataset.drawn ??= scale.innerHTML;
-        if (share === 1) {
+        if (view.scales.every(({now, drawn: as}) => now === as)) {
             if (scale.innerHTML !== scale.dataset.drawn) scale.innerHTML = scale.dataset.drawn;
         } else {
-            scale.textContent = `1 mm ≙ ${this.numberText(Number((view.drawnScale * share).toPrecision(3)))} ${view.unit}`;
+            scale.textContent = view.scales.map(({now, unit}) =>
+                `1 mm ≙ ${this.numberText(Number(now.toPrecision(3)))} ${unit}`).join(';  ');
         }
     }
     /**
@@ -468,13 +471,13 @@ class Page {
      * @param {FigureView} view
      */
     roomOf(view) {
-        const key = `${this.language} ${this.course.driver}`;
+        const key = `${this.language} ${this.course.driver} ${this.at('fit').checked}`;
         if (!this.rooms.has(key)) this.rooms.set(key, this.measureRooms());
         return this.rooms.get(key)?.get(view.svg) ?? view.viewBox;
     }
     measureRooms() {
         const motion = /** @type {Motion} */ (this.motion), {course} = this, here = motion.at;
-        const margin = 8, most = 1;
+        const margin = 8, most = 1, fits = this.at('fit').checked;
         const rooms = new Map(this.figures.map((view) => {
             const [x, y, width, height] = view.viewBox;
             return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
@@ -482,10 +485,11 @@ class Page {
         for (const sample of course.samples) {
             if (!motion.moveTo(course, sample.at)) continue;
             for (const view of this.figures) {
-                if (!view.svg.matches('.following') || (!view.isMechanism && motion.plan < 0)) continue;
+                if (!view.svg.matches('.following') || (view.isConstructed && motion.plan < 0)) continue;
                 const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg));
                 view.scale = view.drawnScale;
                 view.origin = view.drawnOrigin;
+                view.held?.take(fits);
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
                     room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);
@@ -509,7 +513,7 @@ class Page {
     wireDragging(svg, motion) {
         /** @type {{point: number, path: Spot[], sample: number} | null} */
         let held = null;
-        const view = () => this.figures.find((each) => each.svg === svg && each.isMechanism);
+        const view = () => this.figures.find((each) => each.svg === svg && each.isMechanism && !each.isFree && each.follows);
         const spotOf = (/** @type {PointerEvent} */ event) => {
             const matrix = svg.getScreenCTM();
             return matrix ? new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()) : null;
