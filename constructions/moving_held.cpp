@@ -20,7 +20,10 @@ public:
                 read_bodies(
                     part.body != none ? solution_.mechanism.body(part.body).name : solution_.mechanism.point(part.pin).name,
                     part.bodies, part.together);
-        for (const JointForce& pair : solution_.forces) add(held_pair(pair), none, pair.force.element(), pair.couple.element());
+        for (const JointForce& pair : solution_.forces) {
+            add(held_pair(pair), none, pair.force.element());
+            add(couple_of(held_pair(pair)), none, none, pair.couple.element());
+        }
         for (const Curvature& found : solution_.curvature) read(found);
         if (solution_.virtual_work)
             for (const VirtualWork::Entry& entry : solution_.virtual_work->entries)
@@ -32,19 +35,20 @@ private:
     void add(std::string name, ElementIndex place, ElementIndex vector = none, ElementIndex couple = none) {
         if (place != none || vector != none || couple != none) held_.push_back({std::move(name), place, vector, couple});
     }
+    void add(const std::string& held, const AppliedForce& applied) {
+        if (applied.elements.force != none) add(held, applied.elements.at, applied.elements.force);
+        if (applied.elements.couple != none) add(couple_of(held), applied.elements.at, none, applied.elements.couple);
+    }
     void read_bodies(const std::string& load, const std::vector<FreeBody>& bodies, const std::vector<TakenTogether>& together) {
         for (const FreeBody& body : bodies) read_body(load, body);
         for (std::size_t i = 0; i < together.size(); ++i) {
-            for (const AppliedForce& sum : together[i].sums)
-                add(held_sum(load, i, sum), sum.elements.at, sum.elements.force, sum.elements.couple);
+            for (const AppliedForce& sum : together[i].sums) add(held_sum(load, i, sum), sum);
             if (together[i].funicular) read_strings(load, *together[i].funicular);
         }
     }
     void read_body(const std::string& load, const FreeBody& body) {
-        for (const AppliedForce& each : body.forces)
-            add(held_force(load, body, each), each.elements.at, each.elements.force, each.elements.couple);
-        for (const AppliedForce& sum : body.sums)
-            add(held_sum(load, body, sum), sum.elements.at, sum.elements.force, sum.elements.couple);
+        for (const AppliedForce& each : body.forces) add(held_force(load, body, each), each);
+        for (const AppliedForce& sum : body.sums) add(held_sum(load, body, sum), sum);
         for (const FreeBody::Meet& meet : body.meets) add(held_meet(load, meet.name), meet.element);
         for (std::size_t i = 0; i < body.arms.size(); ++i) {
             add(held_arm(load, body, i, false), body.arms[i].elements.about);

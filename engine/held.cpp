@@ -24,6 +24,7 @@ std::string held_sum(const std::string& load, const FreeBody& body, const Applie
 std::string held_sum(const std::string& load, std::size_t of, const AppliedForce& sum) {
     return under(load) + "T" + std::to_string(of) + "." + kinegraph::name_of(sum.symbol);
 }
+std::string couple_of(const std::string& held) { return held + "c"; }
 std::string held_meet(const std::string& load, const std::string& name) { return under(load) + "M" + name; }
 std::string held_arm(const std::string& load, const FreeBody& body, std::size_t arm, bool is_foot) {
     return under(load) + "A" + name_of(body) + "." + std::to_string(arm) + (is_foot ? "f" : "a");

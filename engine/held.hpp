@@ -14,6 +14,8 @@ std::string held_force(const std::string& load, const FreeBody& body, const Appl
 /// Of what was added up on a body, or on bodies taken together (`of`: their place among those).
 std::string held_sum(const std::string& load, const FreeBody& body, const AppliedForce& sum);
 std::string held_sum(const std::string& load, std::size_t of, const AppliedForce& sum);
+/// The couple of any of these: where a body has force and couple apart, two places go with them.
+std::string couple_of(const std::string& held);
 /// A point of concurrency.
 std::string held_meet(const std::string& load, const std::string& name);
 /// An arm's end: the place about which, or the foot.

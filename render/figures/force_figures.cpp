@@ -376,7 +376,8 @@ public:
             const std::string held = held_force(load_, body_, applied);
             if (!applied.couple.is_zero())
                 draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
-                            applied.couple.sign() > 0, colour_, applied.force_statement, {held, held}, unit_of_moment());
+                            applied.couple.sign() > 0, colour_, applied.force_statement, {couple_of(held), couple_of(held)},
+                            unit_of_moment());
             if (!applied.force.is_zero()) draw_force(applied, held);
         }
         // In a narrow room the line must do: the polygon has the force.
@@ -415,7 +416,7 @@ private:
         if (applied.is_component) return;
         if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied); pair != nullptr && scale_.at_pairs)
             draw_at_pair(applied, *pair, arrow);
-        if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied, held);
+        if (applied.joint != none && joints_remarked_.insert(applied.joint).second) remark_guide(applied);
     }
 
     /// Tail or tip at its place; slid along its line where another arrow is there already.
@@ -534,7 +535,7 @@ private:
         couple.couple = *pair.couple;
         const std::string point = held_point(sketch_.mechanism.joint(pair.joint).point), held = held_pair(pair);
         draw_couple(sketch_, clutter_, couple_words(sketch_.context, couple), at, pair.couple->sign() > 0, colour_,
-                    applied.force_statement, {point, held}, unit_of_moment());
+                    applied.force_statement, {point, couple_of(held)}, unit_of_moment());
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
@@ -554,12 +555,10 @@ private:
     }
     static Spot unit_along_arrow(const Bar& arrow) { return (1 / length(arrow.to - arrow.from)) * (arrow.to - arrow.from); }
 
-    void remark_guide(const AppliedForce& applied, const std::string& held) {
+    void remark_guide(const AppliedForce& applied) {
         const RichText words = beside_guide(sketch_.context, body_, applied);
-        if (words.empty()) return;
-        LabelRequest& label = sketch_.add_label(words, sketch_.theme.secondary, sketch_.spot(applied.at), 3);
-        label.size = sketch_.theme.small;
-        label.holds = at_place(held);
+        if (!words.empty())
+            sketch_.add_label(words, sketch_.theme.secondary, sketch_.spot(applied.at), 3).size = sketch_.theme.small;
     }
 
     Sketch& sketch_;
@@ -645,7 +644,7 @@ void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, c
     const Spot at = sketch.spot(applied.at);
     if (!applied.couple.is_zero())
         draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at, applied.couple.sign() > 0,
-                    colour, statement, {held, held}, 0);
+                    colour, statement, {couple_of(held), couple_of(held)}, 0);
     if (applied.force.is_zero()) return;
     const Bar arrow = free_arrow(clutter, applied, at);
     const std::size_t first = sketch.arrows.size();

@@ -392,7 +392,7 @@ class FigureView {
         this.isBound = true;
         this.bindHeld();
         this.bindLabels();
-        for (const node of this.svg.children) this.bindScaleBar(node);
+        for (const node of [...this.svg.children, ...this.group.children]) this.bindScaleBar(node);
         for (const node of this.group.children) {
             if (this.taken.has(node)) continue;
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
@@ -871,6 +871,7 @@ class FigureView {
      */
     bindGuide(node) {
         const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
+        if (this.held && node.hasAttribute('data-statement')) return node.classList.add('still');
         if (node.hasAttribute('data-statement') && spots.length === 2) return this.bindThroughCentres(node, segments, spots);
         const joint = spots.length !== 2 ? undefined : this.names.joints.find(({point, turnsWith}) => {
             const e = unitOf(minus(spots[1], spots[0]));
@@ -953,7 +954,7 @@ class FigureView {
         } else if (point >= 0) {
             this.bindToPlace(parts, () => this.point(point));
         } else {
-            const ground = this.groundAt(centre, 25);
+            const ground = this.isFree ? -1 : this.groundAt(centre, 25);
             if (ground < 0) parts.forEach((part) => part.classList.add('still'));
             else this.bindToPlace(parts, () => this.point(ground));
         }

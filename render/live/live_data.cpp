@@ -287,8 +287,12 @@ private:
         json_.key("byLaw").truth(course.by_law);
         json_.list("shares", course.shares, [&](double each) { json_.number(each); });
         json_.list("samples", course.samples, [&](const MovingCourse::Sample& sample) {
-            json_.open('{').key("at").number(sample.at).key("coordinate").number(sample.coordinate);
-            json_.key("plan").number(sample.plan).key("rate").number(sample.rate).key("acceleration").number(sample.acceleration);
+            json_.open('{').key("at").number(sample.at).key("plan").number(sample.plan);
+            // Of most drivers the coordinate is the place, and there is no rate of its own.
+            if (course.by_law) {
+                json_.key("coordinate").number(sample.coordinate);
+                json_.key("rate").number(sample.rate).key("acceleration").number(sample.acceleration);
+            }
             if (!sample.values.empty())
                 json_.list("values", sample.values, [&](const std::optional<double>& each) {
                     json_.number(each.value_or(std::numeric_limits<double>::quiet_NaN()));  // written as null

@@ -7,6 +7,13 @@ class Motion {
     /** @param {MovingData} data */
     constructor(data) {
         this.data = data;
+        for (const {samples} of data.courses) {
+            for (const sample of samples) {
+                sample.coordinate ??= sample.at;
+                sample.rate ??= 0;
+                sample.acceleration ??= 0;
+            }
+        }
         this.places = new Places(data);
         this.replays = data.plans.map((plan) => new Replay(plan, data.size));
         this.helds = data.plans.map(({held}) => new Map(held.map(([name, ...elements]) => [name, elements])));

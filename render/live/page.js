@@ -477,7 +477,7 @@ class Page {
     }
     measureRooms() {
         const motion = /** @type {Motion} */ (this.motion), {course} = this, here = motion.at;
-        const margin = 8, most = 1, fits = this.at('fit').checked;
+        const most = 1, fits = this.at('fit').checked;
         const rooms = new Map(this.figures.map((view) => {
             const [x, y, width, height] = view.viewBox;
             return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
@@ -486,7 +486,7 @@ class Page {
             if (!motion.moveTo(course, sample.at)) continue;
             for (const view of this.figures) {
                 if (!view.svg.matches('.following') || (view.isConstructed && motion.plan < 0)) continue;
-                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg));
+                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg)), margin = view.isFree ? 14 : 8;
                 view.scale = view.drawnScale;
                 view.origin = view.drawnOrigin;
                 view.held?.take(fits);
@@ -532,6 +532,10 @@ class Page {
             svg.classList.add('holding');
             event.preventDefault();
         });
+        // Where a joint is held the finger drags it, elsewhere it scrolls the page.
+        svg.addEventListener('touchstart', (event) => {
+            if (held) event.preventDefault();
+        }, {passive: false});
         svg.addEventListener('pointermove', (event) => {
             const figure = view(), at = spotOf(event);
             if (!held || !figure || !at) return;

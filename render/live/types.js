@@ -17,6 +17,7 @@
  * @typedef {{name: string, kind: string, unit: string, size: number, body: number, point: number, joint: number, component: string}} Column
  * @typedef {{at: number, coordinate: number, plan: number, rate: number, acceleration: number, q: number[],
  *   values?: (number | null)[]}} Sample
+ *   coordinate, rate and acceleration are written of a driver with a law alone; else Motion fills them in
  * @typedef {{driver: number, name: string, turns: boolean, rate: number, from: number, to: number, startsAtLimit: boolean,
  *   endsAtLimit: boolean, changePoints: number[], byLaw: boolean, shares: number[], samples: Sample[]}} Course
  * @typedef {{name: string, unit: string, size: number, value: number,

@@ -19,9 +19,9 @@ after(async () => {
 });
 
 const run = (...words) => execFileSync(program, words, {stdio: ['ignore', 'pipe', 'ignore']});
-function pageOf(name, file = join(examples, `${name}.json`)) {
+function pageOf(name, file = join(examples, `${name}.json`), ...options) {
     const out = join(folder, `${name}.html`);
-    if (!existsSync(out)) run('solve', file, '-o', out);
+    if (!existsSync(out)) run('solve', file, ...options, '-o', out);
     return out;
 }
 async function open(path, options) {
@@ -223,7 +223,10 @@ test('plays only when asked, and stops', async () => {
     const at = 'kinegraph.motion.at';
     assert.equal(await see(at), 0);
     await see('document.getElementById("play").click()');
-    await tab.waitForFunction(`${at} > 0.1`);
+    await see(`new Promise((done) => {
+        const look = () => ${at} > 0.1 ? done() : requestAnimationFrame(look);
+        look();
+    })`);
     await see('document.getElementById("play").click()');
     const stopped = await see(at);
     assert.ok(stopped > 0);
@@ -247,6 +250,28 @@ test('a joint is dragged along its path', async () => {
     await tab.mouse.up();
     const at = await see('kinegraph.motion.at');
     assert.ok(Math.abs(at - 0.8) < 0.1, String(at));
+    quiet();
+});
+
+test('a finger drags a joint, scrolls elsewhere, and takes a step', async () => {
+    await open(pageOf('four_bar'), {width: 390, height: 780});
+    await see('kinegraph.figures[0].svg.scrollIntoView({block: "center"})');
+    const spot = (turn) => `(() => {
+        const figure = kinegraph.figures[0], path = kinegraph.pathOf(kinegraph.data.names.points.findIndex((each) => each.label === 'A'));
+        const {samples} = kinegraph.course, at = figure.paper(path[samples.findIndex((each) => each.at >= ${turn} - 1e-9)]);
+        const {x, y} = new DOMPoint(at.x, at.y).matrixTransform(figure.svg.getScreenCTM());
+        return {x, y};
+    })()`;
+    const touch = (type, ...touchPoints) => protocol.send('Input.dispatchTouchEvent', {type, touchPoints});
+    const scrolled = await see('scrollY');
+    await touch('touchStart', await see(spot(0)));
+    for (const turn of [0.1, 0.2, 0.3, 0.4, 0.5]) await touch('touchMove', await see(spot(turn)));
+    await touch('touchEnd');
+    assert.ok(Math.abs(await see('kinegraph.motion.at') - 0.5) < 0.1);
+    assert.equal(await see('scrollY'), scrolled);
+    const says = await see('kinegraph.says[4].scrollIntoView({block: "center"}), (({x, y}) => ({x, y}))(kinegraph.says[4].getBoundingClientRect())');
+    await tab.touchscreen.tap(says.x + 20, says.y + 8);
+    assert.equal(await see('kinegraph.step'), 4);
     quiet();
 });
 
@@ -424,6 +449,79 @@ test('velocities stand on the mechanism where it is', async () => {
             (of('x2') - of('x1')) * scale - at('vx B'), (of('y1') - of('y2')) * scale - at('vy B')];
     })()`);
     assert.ok(found.every((each) => Math.abs(each) < 1e-4), found.join());
+    quiet();
+});
+
+for (const [name, figures, at] of [
+    ['exam_2001', ['lines-of-action', 'body-1', 'body-2', 'body-3', 'body-4', 'body-5', 'joukowsky'], [-0.2, 0.12, 0.4]],
+    ['engine_inertia_gas', ['lines-of-action', 'body-2', 'body-3', 'body-4', 'joukowsky'], [0.9, 2.5, 5]],
+    ['coupler_curve', ['curvature-3'], [0.5, 2, 4]],
+    ['slider_on_moving_guide', [], [0.3]],
+]) {
+    test(`forces and curvature of ${name} hang on what they say, there and elsewhere`, async () => {
+        await open(pageOf(`${name}_held`, join(examples, `${name}.json`), '--with', 'joukowsky'));
+        const held = await see(`kinegraph.figures.filter((each) => each.held).map(({info}) => info.name)`);
+        for (const each of figures) assert.ok(held.includes(each), `${each} of ${held}`);
+        // Put where it says, in the drawn position, every mark but the lines that are cut elsewhere stays where the sheet has it.
+        const off = await see(`kinegraph.figures.filter((each) => each.held).flatMap((view) => {
+            const nodes = [...view.group.querySelectorAll("[data-on]")].filter((each) => !each.dataset.number && !each.dataset.beyond &&
+                !/^\\["(line|through|normal|circle|arc)/.test(each.dataset.on));
+            const places = () => nodes.map((each) => each.getBoundingClientRect());
+            const drawn = places();
+            view.held.take(false);
+            view.follow(view.viewBox);
+            const now = places(), mm = view.svg.getScreenCTM().a;
+            view.restore();
+            return nodes.map((each, i) => [view.id + each.dataset.on, Math.max(...['left', 'top', 'right', 'bottom'].map((side) =>
+                Math.abs(drawn[i][side] - now[i][side]))) / mm]).filter(([, by]) => !(by < 0.05));
+        })`);
+        assert.deepEqual(off, []);
+        assert.deepEqual(await see(`[...document.querySelectorAll('main:not([hidden]) [data-on].still')].map((each) => each.dataset.on)`), []);
+        for (const turn of at) {
+            // Arrows are the forces of the record; what is said to be on a line is on it; a foot is square.
+            const wrong = await see(`kinegraph.moveTo(${turn}), kinegraph.figures.filter(({held}) => held).flatMap((view) => {
+                const {held} = view, wrong = [], seen = (node) => getComputedStyle(node).visibility === 'visible';
+                const told = (what, by) => by < 0.01 || wrong.push(view.id + ' ' + what + ' ' + by);
+                for (const node of view.group.querySelectorAll('[data-on]:not(.label)')) {
+                    const {form, on} = holdOf(node), axis = node.querySelector(':scope > line.axis');
+                    if (form === 'arrow' && axis && seen(node)) {
+                        const [a, b] = endsOf(axis), {motion} = view, element = motion.held(on[1])[1], replay = motion.replays[motion.plan];
+                        told(on[1], Math.hypot((b.x - a.x) * held.scale - replay.x(element), (a.y - b.y) * held.scale - replay.y(element)) / held.scale);
+                        told('on its line', Math.abs(dot(minus(a, held.place(on[0])), quarterTurn(held.direction([on[1]])))));
+                    }
+                    if (form !== 'line' || !seen(node)) continue;
+                    const spots = spotsOf(parsePath(node.getAttribute('d')));
+                    for (const force of on.slice(0, on.indexOf(''))) {
+                        const axes = held.axes([force, force]);
+                        if (!axes) continue;
+                        const lies = (k) => [0, 1].map((j) => Math.abs(dot(minus(spots[2 * k + j], axes.at), axes.n)));
+                        told('line of ' + force, Math.min(...Array.from({length: spots.length / 2}, (_, k) => Math.max(...lies(k)))));
+                    }
+                }
+                return wrong;
+            })`);
+            assert.deepEqual(wrong, []);
+        }
+        await see('document.getElementById("drawn").click()');
+        quiet();
+    });
+}
+
+test('forces cut free at the joints are those of the sweep', async () => {
+    await open(pageOf('exam_2001'));
+    // F_43 on body 3 at B, F_45 on body 5 at C (which the columns count on 4), the effort's couple.
+    const off = await see(`kinegraph.moveTo(0.12), [['body-3', 'F_43', 'B 4 on 3', 1], ['body-4', 'F_54', 'C 5 on 4', 1]].map(([id, name, column, sign]) => {
+        const view = kinegraph.figures.find((each) => each.id === id), {motion} = view;
+        const [a, b] = endsOf(view.group.querySelector('[data-name="' + name + '"] line.axis'));
+        const of = (letter) => motion.value(motion.data.columns.findIndex((each) => each.name === 'F' + letter + ' ' + column));
+        return Math.hypot(sign * (b.x - a.x) * view.held.scale - of('x'), sign * (a.y - b.y) * view.held.scale - of('y'));
+    })`);
+    assert.ok(off.every((each) => each < 1e-4), off.join());
+    const couple = await see(`(() => {
+        const label = document.querySelector('main:not([hidden]) [data-figure-name=body-1] [data-label^="M_C = "] .number'), {motion} = kinegraph;
+        return [parseFloat(label.textContent.slice(2)), motion.value(motion.data.columns.findIndex(({name}) => name === 'effort C'))];
+    })()`);
+    assert.ok(Math.abs(couple[0] - Math.abs(couple[1])) < 1e-3 * couple[0], couple.join());
     quiet();
 });
 
