@@ -380,6 +380,10 @@ private:
             const double now = (parameter.number + more) * radians, then = parameter.number * radians;
             return {std::cos(now) - std::cos(then), std::sin(now) - std::sin(then)};
         }
+        double largest() const {  // Δ of a step
+            const auto all = deltas(step);
+            return std::max(std::abs(all[0]), std::abs(all[1]));
+        }
         /// Values at which it is read, as many as it has Δ; and these, a row each.
         std::array<double, 2> steps() const { return {step, -step}; }
         Small at_steps() const {
@@ -475,7 +479,7 @@ private:
         for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].clear();
         for (std::size_t i = 0; i < base_.values.size(); ++i) {
             const Small by = product(solved, {2, 1, {more.values[i] - base_.values[i], 0, less.values[i] - base_.values[i], 0}});
-            for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].push_back(without_noise(by.at(a, 0), 1, i));
+            for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].push_back(without_noise(by.at(a, 0), taken.largest(), i));
         }
     }
     /// What both do beyond what each does alone.
@@ -491,7 +495,7 @@ private:
                 for (std::size_t i = 0; i < alone.size(); ++i) beyond[i].at(k, l) = both->values[i] - alone[i];
             }
         const Small before = inverse(first.at_steps()), after = transposed(inverse(second.at_steps()));
-        const double size = (first.radians == 0 ? std::abs(first.step) : 1) * (second.radians == 0 ? std::abs(second.step) : 1);
+        const double size = first.largest() * second.largest();
         for (std::size_t a = 0; a < first.count(); ++a)
             for (std::size_t b = 0; b < second.count(); ++b) {
                 std::vector<double>& found = products_[{2 * other + a, 2 * own + b}];

@@ -146,7 +146,10 @@ class FigureView {
          * @type {{points: number[], middle: Spot} | null}
          */
         this.own = null;
-        /** @type {Map<Element, Map<string, string | null>>} */
+        /**
+         * What was changed, as it was and as it is.
+         * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
+         */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         this.room = {left: 0, top: 0, right: 0, bottom: 0};
@@ -309,9 +312,11 @@ class FigureView {
     /** Shows the sheet's figure. */
     restore() {
         for (const [node, attributes] of this.drawn) {
-            for (const [name, value] of attributes) {
-                if (value === null) node.removeAttribute(name);
-                else node.setAttribute(name, value);
+            for (const [name, known] of attributes) {
+                if (known.now === known.drawn) continue;
+                known.now = known.drawn;
+                if (known.drawn === null) node.removeAttribute(name);
+                else node.setAttribute(name, known.drawn);
             }
         }
         this.scale = this.drawnScale;
@@ -354,9 +359,15 @@ class FigureView {
      * @param {string} value
      */
     set(node, name, value) {
-        const before = this.drawn.get(node) ?? new Map();
-        if (!before.has(name)) before.set(name, node.getAttribute(name));
-        this.drawn.set(node, before);
+        let all = this.drawn.get(node);
+        if (!all) this.drawn.set(node, all = new Map());
+        let known = all.get(name);
+        if (!known) {
+            const drawn = node.getAttribute(name);
+            all.set(name, known = {drawn, now: drawn});
+        }
+        if (known.now === value) return;
+        known.now = value;
         node.setAttribute(name, value);
     }
     /**
@@ -372,8 +383,7 @@ class FigureView {
      * @param {string} transform
      */
     transform(node, transform) {
-        const before = this.drawn.get(node);
-        const own = before?.has('transform') ? before.get('transform') : node.getAttribute('transform');
+        const known = this.drawn.get(node)?.get('transform'), own = known ? known.drawn : node.getAttribute('transform');
         this.set(node, 'transform', own ? `${transform} ${own}` : transform);
     }
     /**

@@ -12,6 +12,8 @@ import {differences, kindOf, readPage} from './page.mjs';
 import './watch_test.mjs';
 
 const [program, examples] = process.argv.slice(2);
+/** A mechanism of ours, with an angle of a plate, a root and a zero among its parameters. */
+const press = join(import.meta.dirname, 'press.json');
 const folder = mkdtempSync(join(tmpdir(), 'live-test-'));
 after(async () => {
     await close();
@@ -76,9 +78,10 @@ function changed(name, file, values) {
 for (const [name, values] of [
     ['four_bar', {r: 45, l: 160, d: 140, n: -90}], ['slider_crank', {r: 60, e: -15, w: 8}], ['quick_return', {r: 70, h: 160}],
     ['exam', {l: 700, a: 450, w: -2}], ['six_bar', {r: 45, x: 250}], ['planetary_train', {m: 3}],
+    ['press', {gamma: 50, c: 110, r: 40, F: 500}],
 ]) {
     test(`${name} with ${JSON.stringify(values)} is what the file with them is`, () => {
-        const file = join(examples, 'variants', `${name}.json`), {page, motion, isClosed} = changed(`variant_${name}`, file, values);
+        const file = name === 'press' ? press : join(examples, 'variants', `${name}.json`), {page, motion, isClosed} = changed(`variant_${name}`, file, values);
         assert.ok(isClosed);
         const {columns, settings} = page.data.moving, unit = (each) => settings.find((setting) => setting.name === each).unit;
         const set = Object.entries(values).flatMap(([each, value]) => ['--set', `${each}=${value} ${unit(each)}`]);
@@ -435,6 +438,19 @@ test('a length is changed in the panel, what cannot close is told, and bars reac
     await see('document.getElementById("drawn").click()');
     assert.equal(await see('document.querySelectorAll("#stops button").length'), 0);
     assert.equal(await see(drawing), picture);
+    quiet();
+});
+
+test('a parameter that the page cannot follow is named with the reason, in both languages', async () => {
+    await open(pageOf('press', press));
+    const told = (language) => see(`kinegraph.setLanguage('${language}'), [...document.querySelectorAll('#givens p')].map((each) => each.textContent)`);
+    const english = await told('en'), italian = await told('it');
+    assert.equal(english.length, 3);
+    assert.match(english[0], /most where the mechanism is drawn: phi\./);
+    assert.match(english[1], /In the file only.*: l\.$/);
+    assert.match(english[2], /zero.*: e\.$/);
+    assert.match(italian[1], /^Solo nel file.*: l\.$/);
+    await see('kinegraph.setLanguage("en")');
     quiet();
 });
 
