@@ -13,7 +13,7 @@ import './watch_test.mjs';
 
 const [program, examples] = process.argv.slice(2);
 /** A mechanism of ours, with an angle of a plate, a root and a zero among its parameters. */
-const press = join(import.meta.dirname, 'press.json');
+const pressFile = join(import.meta.dirname, 'press.json');
 const folder = mkdtempSync(join(tmpdir(), 'live-test-'));
 after(async () => {
     await close();
@@ -81,7 +81,7 @@ for (const [name, values] of [
     ['press', {gamma: 50, c: 110, r: 40, F: 500}],
 ]) {
     test(`${name} with ${JSON.stringify(values)} is what the file with them is`, () => {
-        const file = name === 'press' ? press : join(examples, 'variants', `${name}.json`), {page, motion, isClosed} = changed(`variant_${name}`, file, values);
+        const file = name === 'press' ? pressFile : join(examples, 'variants', `${name}.json`), {page, motion, isClosed} = changed(`variant_${name}`, file, values);
         assert.ok(isClosed);
         const {columns, settings} = page.data.moving, unit = (each) => settings.find((setting) => setting.name === each).unit;
         const set = Object.entries(values).flatMap(([each, value]) => ['--set', `${each}=${value} ${unit(each)}`]);
@@ -442,7 +442,7 @@ test('a length is changed in the panel, what cannot close is told, and bars reac
 });
 
 test('a parameter that the page cannot follow is named with the reason, in both languages', async () => {
-    await open(pageOf('press', press));
+    await open(pageOf('press', pressFile));
     const told = (language) => see(`kinegraph.setLanguage('${language}'), [...document.querySelectorAll('#givens p')].map((each) => each.textContent)`);
     const english = await told('en'), italian = await told('it');
     assert.equal(english.length, 3);
