@@ -655,6 +655,8 @@ class FigureView {
      * @param {{width: number, height: number}} box
      */
     bindBeside(parts, drawn, place, centre, box) {
+        // A leader led from where the label was.
+        for (const part of parts) if (this.taken.has(part)) part.classList.add('still');
         const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({x: (tail.x + tip.x) / 2, y: (tail.y + tip.y) / 2});
         const reach = (/** @type {Spot} */ n) => Math.abs(n.x) * box.width / 2 + Math.abs(n.y) * box.height / 2;
         const length = apart(drawn[0], drawn[1]);
