@@ -56,7 +56,9 @@ class Givens {
         const changed = new Set(), deltas = this.deltas(values);
         for (const {way, terms, value} of this.effects) {
             let now = value;
-            for (let k = 0; k < terms.length; k += 3) now += terms[k + 2] * deltas[terms[k]] * (terms[k + 1] < 0 ? 1 : deltas[terms[k + 1]]);
+            for (let k = 0; k < terms.length; k += 3) {
+                now += terms[k + 2] * deltas[terms[k]] * (terms[k + 1] < 0 ? 1 : deltas[terms[k + 1]]);
+            }
             if (way[0] === 'settings') values[Number(way[1])] = now;
             else partOf(data, way).set(now);
             if (way[2] === 'givens') changed.add(`${way[1]} ${way[3]}`);

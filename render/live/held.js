@@ -384,7 +384,8 @@ class HeldMarks {
         const said = label.getAttribute('data-label') ?? '', name = said.split(' = ')[0], {view} = this;
         const glyphs = [...label.querySelectorAll('use')], count = [...name.replace(/[_^ ]/g, '')].length;
         glyphs.slice(count).forEach((glyph) => glyph.classList.add('still'));
-        const kept = /** @type {SVGGraphicsElement[]} */ (glyphs.slice(0, count)), all = /** @type {SVGGraphicsElement} */ (label).getBBox();
+        const kept = /** @type {SVGGraphicsElement[]} */ (glyphs.slice(0, count));
+        const all = /** @type {SVGGraphicsElement} */ (label).getBBox();
         const right = Math.max(all.x, ...kept.map((glyph) => glyph.getBBox()).map(({x, width}) => x + width));
         const text = drawn(label, 'text', {class: 'number', x: right + 0.8, y: all.y + 0.75 * all.height});
         const symbol = said.slice(name.length + 3).replace(/^[−\d.,]+(?: ?· ?10\S*)? ?/, '');

@@ -20,6 +20,7 @@ class Page {
         this.exercise = new Exercise(this);
         this.traces = new Traces(this);
         this.panel = new Panel(this);
+        this.teller = new Teller(this);
         this.sheets = [...document.querySelectorAll('main')];
         this.completeDrawings();
     }
@@ -160,13 +161,19 @@ class Page {
         document.addEventListener('keydown', (event) => this.onKey(event));
         window.addEventListener('resize', () => this.reachTables());
         for (const sheet of this.sheets) {
-            sheet.addEventListener('pointerover', (event) => this.light(this.saidAt(event.target)));
+            sheet.addEventListener('pointerover', (event) => {
+                this.light(this.saidAt(event.target));
+                this.teller.tell(event.target);
+            });
             sheet.addEventListener('pointerdown', (event) => {
                 const svg = /** @type {SVGSVGElement | null} */ (/** @type {Element} */ (event.target).closest('.figures svg'));
                 if (svg && this.ruler.isOn) this.ruler.begin(svg, event);
                 else if (svg) this.exercise.touch(svg, event);
             });
-            sheet.addEventListener('pointerleave', () => this.light(null));
+            sheet.addEventListener('pointerleave', () => {
+                this.light(null);
+                this.teller.tell(null);
+            });
             sheet.addEventListener('click', (event) => {
                 const sentence = /** @type {Element} */ (event.target).closest('li[data-says]');
                 if (sentence) this.showStep(this.says.indexOf(/** @type {HTMLElement} */ (sentence)));

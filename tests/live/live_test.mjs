@@ -81,7 +81,8 @@ for (const [name, values] of [
     ['press', {gamma: 50, c: 110, r: 40, F: 500}],
 ]) {
     test(`${name} with ${JSON.stringify(values)} is what the file with them is`, () => {
-        const file = name === 'press' ? pressFile : join(examples, 'variants', `${name}.json`), {page, motion, isClosed} = changed(`variant_${name}`, file, values);
+        const file = name === 'press' ? pressFile : join(examples, 'variants', `${name}.json`);
+        const {page, motion, isClosed} = changed(`variant_${name}`, file, values);
         assert.ok(isClosed);
         const {columns, settings} = page.data.moving, unit = (each) => settings.find((setting) => setting.name === each).unit;
         const set = Object.entries(values).flatMap(([each, value]) => ['--set', `${each}=${value} ${unit(each)}`]);
@@ -272,7 +273,8 @@ test('a finger drags a joint, scrolls elsewhere, and takes a step', async () => 
     await touch('touchEnd');
     assert.ok(Math.abs(await see('kinegraph.motion.at') - 0.5) < 0.1);
     assert.equal(await see('scrollY'), scrolled);
-    const says = await see('kinegraph.says[4].scrollIntoView({block: "center"}), (({x, y}) => ({x, y}))(kinegraph.says[4].getBoundingClientRect())');
+    const says = await see(`kinegraph.says[4].scrollIntoView({block: 'center'}),
+        (({x, y}) => ({x, y}))(kinegraph.says[4].getBoundingClientRect())`);
     await tab.touchscreen.tap(says.x + 20, says.y + 8);
     assert.equal(await see('kinegraph.step'), 4);
     quiet();
@@ -296,6 +298,28 @@ test('steps by keys, announced, each with its sentence and its strokes', async (
     const lit = await see(`kinegraph.light('${number}'),
         [...document.querySelectorAll('main:not([hidden]) .lit')].map((each) => each.tagName)`);
     assert.ok(lit.includes('LI') && lit.includes('g'), lit.join());
+    quiet();
+});
+
+test('a vector lights its sentence, its rows and its body, and says what it is worth where the mechanism is', async () => {
+    const lit = (figure, name) => see(`kinegraph.moveTo(0.12), (() => {
+        const node = document.querySelector('main:not([hidden]) [data-figure-name=${figure}] [data-name="${name}"]');
+        node.dispatchEvent(new PointerEvent('pointerover', {bubbles: true}));
+        const all = [...document.querySelectorAll('main:not([hidden]) .lit')];
+        return {rows: all.filter((each) => each.tagName === 'TR').map((each) => each.firstElementChild.textContent),
+            said: all.some((each) => each.tagName === 'LI'),
+            links: [...new Set(all.map((each) => each.dataset.id).filter((id) => id?.startsWith('link-')))],
+            text: node.querySelector('title').textContent};
+    })()`);
+    const value = (...names) => see(`Math.hypot(...${JSON.stringify(names)}.map((name) =>
+        kinegraph.motion.value(kinegraph.motion.data.columns.findIndex((each) => each.name === name))))`);
+    await open(pageOf('exam_2001'));
+    const v = await lit('velocity', 'v_B');
+    assert.deepEqual([v.rows, v.links, v.said], [['vx B', 'vy B'], ['link-3'], true]);
+    assert.ok(Math.abs(parseFloat(v.text.slice(6)) - await value('vx B', 'vy B')) < 1e-3, v.text);
+    const force = await lit('body-3', 'F_43');
+    assert.deepEqual([force.rows, force.links, force.said], [['Fx B 4 on 3', 'Fy B 4 on 3'], ['link-3'], true]);
+    assert.ok(Math.abs(parseFloat(force.text.slice(7)) - await value('Fx B 4 on 3', 'Fy B 4 on 3')) < 1e-2, force.text);
     quiet();
 });
 
@@ -443,7 +467,8 @@ test('a length is changed in the panel, what cannot close is told, and bars reac
 
 test('a parameter that the page cannot follow is named with the reason, in both languages', async () => {
     await open(pageOf('press', pressFile));
-    const told = (language) => see(`kinegraph.setLanguage('${language}'), [...document.querySelectorAll('#givens p')].map((each) => each.textContent)`);
+    const told = (language) => see(`kinegraph.setLanguage('${language}'),
+        [...document.querySelectorAll('#givens p')].map((each) => each.textContent)`);
     const english = await told('en'), italian = await told('it');
     assert.equal(english.length, 3);
     assert.match(english[0], /most where the mechanism is drawn: phi\./);
@@ -492,7 +517,8 @@ for (const [name, figures, at] of [
                 Math.abs(drawn[i][side] - now[i][side]))) / mm]).filter(([, by]) => !(by < 0.05));
         })`);
         assert.deepEqual(off, []);
-        assert.deepEqual(await see(`[...document.querySelectorAll('main:not([hidden]) [data-on].still')].map((each) => each.dataset.on)`), []);
+        const still = `[...document.querySelectorAll('main:not([hidden]) [data-on].still')].map((each) => each.dataset.on)`;
+        assert.deepEqual(await see(still), []);
         for (const turn of at) {
             // Arrows are the forces of the record; what is said to be on a line is on it; a foot is square.
             const wrong = await see(`kinegraph.moveTo(${turn}), kinegraph.figures.filter(({held}) => held).flatMap((view) => {
@@ -502,7 +528,8 @@ for (const [name, figures, at] of [
                     const {form, on} = holdOf(node), axis = node.querySelector(':scope > line.axis');
                     if (form === 'arrow' && axis && seen(node)) {
                         const [a, b] = endsOf(axis), {motion} = view, element = motion.held(on[1])[1], replay = motion.replays[motion.plan];
-                        told(on[1], Math.hypot((b.x - a.x) * held.scale - replay.x(element), (a.y - b.y) * held.scale - replay.y(element)) / held.scale);
+                        const along = {x: (b.x - a.x) * held.scale - replay.x(element), y: (a.y - b.y) * held.scale - replay.y(element)};
+                        told(on[1], Math.hypot(along.x, along.y) / held.scale);
                         told('on its line', Math.abs(dot(minus(a, held.place(on[0])), quarterTurn(held.direction([on[1]])))));
                     }
                     if (form !== 'line' || !seen(node)) continue;
@@ -525,16 +552,17 @@ for (const [name, figures, at] of [
 
 test('forces cut free at the joints are those of the sweep', async () => {
     await open(pageOf('exam_2001'));
-    // F_43 on body 3 at B, F_45 on body 5 at C (which the columns count on 4), the effort's couple.
-    const off = await see(`kinegraph.moveTo(0.12), [['body-3', 'F_43', 'B 4 on 3', 1], ['body-4', 'F_54', 'C 5 on 4', 1]].map(([id, name, column, sign]) => {
+    // F_43 on body 3 at B, F_54 on body 4 at C, the effort's couple.
+    const off = await see(`kinegraph.moveTo(0.12), [['body-3', 'F_43', 'B 4 on 3'], ['body-4', 'F_54', 'C 5 on 4']].map(([id, name, column]) => {
         const view = kinegraph.figures.find((each) => each.id === id), {motion} = view;
         const [a, b] = endsOf(view.group.querySelector('[data-name="' + name + '"] line.axis'));
         const of = (letter) => motion.value(motion.data.columns.findIndex((each) => each.name === 'F' + letter + ' ' + column));
-        return Math.hypot(sign * (b.x - a.x) * view.held.scale - of('x'), sign * (a.y - b.y) * view.held.scale - of('y'));
+        return Math.hypot((b.x - a.x) * view.held.scale - of('x'), (a.y - b.y) * view.held.scale - of('y'));
     })`);
     assert.ok(off.every((each) => each < 1e-4), off.join());
     const couple = await see(`(() => {
-        const label = document.querySelector('main:not([hidden]) [data-figure-name=body-1] [data-label^="M_C = "] .number'), {motion} = kinegraph;
+        const label = document.querySelector('main:not([hidden]) [data-figure-name=body-1] [data-label^="M_C = "] .number');
+        const {motion} = kinegraph;
         return [parseFloat(label.textContent.slice(2)), motion.value(motion.data.columns.findIndex(({name}) => name === 'effort C'))];
     })()`);
     assert.ok(Math.abs(couple[0] - Math.abs(couple[1])) < 1e-3 * couple[0], couple.join());
