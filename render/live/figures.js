@@ -247,6 +247,8 @@ class FigureView {
         for (const [figure, name, tail, tip] of vectors) {
             if (figure !== from) continue;
             let key = name;
+            const known = found.vectors.get(name);
+            if (known && known[0] === tail && known[1] === tip) continue;  // of two bodies that share the point
             for (let k = 1; found.vectors.has(key); ++k) key = `${name}#${k}`;
             found.vectors.set(key, [tail, tip]);
         }

@@ -301,6 +301,19 @@ test('steps by keys, announced, each with its sentence and its strokes', async (
     quiet();
 });
 
+test('where another program holds the same vectors are there', async () => {
+    await open(pageOf('exam_2001'));
+    const shown = await see(`(() => {
+        const vectors = () => [...document.querySelectorAll('main:not([hidden]) [data-figure-name=velocity] g.vector')]
+            .filter((each) => getComputedStyle(each).visibility === 'visible').map((each) => each.dataset.name);
+        const drawn = vectors(), {samples} = kinegraph.course;
+        return {drawn, elsewhere: samples.filter(({plan}, i) => i % 6 === 1 && plan > 0).map(({at}) => (kinegraph.moveTo(at), vectors()))};
+    })()`);
+    assert.ok(shown.elsewhere.length > 2 && shown.drawn.includes('v_B'));
+    for (const vectors of shown.elsewhere) assert.deepEqual(vectors, shown.drawn);
+    quiet();
+});
+
 test('a vector lights its sentence, its rows and its body, and says what it is worth where the mechanism is', async () => {
     const lit = (figure, name) => see(`kinegraph.moveTo(0.12), (() => {
         const node = document.querySelector('main:not([hidden]) [data-figure-name=${figure}] [data-name="${name}"]');
@@ -553,7 +566,8 @@ for (const [name, figures, at] of [
 test('forces cut free at the joints are those of the sweep', async () => {
     await open(pageOf('exam_2001'));
     // F_43 on body 3 at B, F_54 on body 4 at C, the effort's couple.
-    const off = await see(`kinegraph.moveTo(0.12), [['body-3', 'F_43', 'B 4 on 3'], ['body-4', 'F_54', 'C 5 on 4']].map(([id, name, column]) => {
+    const off = await see(`kinegraph.moveTo(0.12), [['body-3', 'F_43', 'B 4 on 3'], ['body-4', 'F_54', 'C 5 on 4']].map(([id, name,
+        column]) => {
         const view = kinegraph.figures.find((each) => each.id === id), {motion} = view;
         const [a, b] = endsOf(view.group.querySelector('[data-name="' + name + '"] line.axis'));
         const of = (letter) => motion.value(motion.data.columns.findIndex((each) => each.name === 'F' + letter + ' ' + column));
