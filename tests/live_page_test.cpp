@@ -120,8 +120,11 @@ TEST(Moving, ForcesAndPlacesOfAPlanHaveNamesThatComeOnce) {
             for (const MovingPlan::Held& held : plan.held) {
                 EXPECT_TRUE(names.insert(held.name).second || held.name[0] == 'M')
                     << held.name;  // a point of concurrency is of several bodies
-                for (const ElementIndex element : {held.place, held.vector, held.couple})
-                    if (element != none) EXPECT_LT(at_index(element), plan.program.strokes.size()) << held.name;
+                for (const ElementIndex element : {held.place, held.vector, held.couple}) {
+                    if (element != none) {
+                        EXPECT_LT(at_index(element), plan.program.strokes.size()) << held.name;
+                    }
+                }
             }
         }
     }
