@@ -141,6 +141,7 @@ class FigureView {
         this.vectorLabels = [];
         /** @type {(value: number) => string} */
         this.written = String;
+        this.tellsValues = false;
         /**
          * A body cut free keeps its place: its points, and the middle of them as drawn.
          * @type {{points: number[], middle: Spot} | null}
@@ -154,6 +155,10 @@ class FigureView {
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         this.room = {left: 0, top: 0, right: 0, bottom: 0};
         this.isBound = false;
+        const figure = svg.closest('figure');
+        this.note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
+        this.captionOfScale = /** @type {HTMLElement | null} */ (figure?.querySelector('.scale'));
+        this.saysOtherScale = false;
         /** Leaders, which go with their labels. */
         this.taken = new Set();
     }
@@ -337,9 +342,11 @@ class FigureView {
         this.origin = to.origin;
         const isAsDrawn = to.scale === this.drawnScale && this.held?.scale === this.held?.drawnScale;
         for (const node of this.measures) this.show(node, isAsDrawn);
-        this.svg.setAttribute('viewBox', room.map((each) => each.toFixed(3)).join(' '));
-        this.svg.classList.add('moved');
-        this.shownRoom = room;
+        if (room !== this.shownRoom || !this.svg.matches('.moved')) {
+            this.svg.setAttribute('viewBox', room.map((each) => each.toFixed(3)).join(' '));
+            this.svg.classList.add('moved');
+            this.shownRoom = room;
+        }
         this.stayInPlace();
         for (const update of this.bindings) update();
     }
@@ -361,6 +368,16 @@ class FigureView {
      * @param {string} value
      */
     set(node, name, value) {
+        const known = this.known(node, name);
+        if (known.now === value) return;
+        known.now = value;
+        node.setAttribute(name, value);
+    }
+    /**
+     * @param {Element} node
+     * @param {string} name
+     */
+    known(node, name) {
         let all = this.drawn.get(node);
         if (!all) this.drawn.set(node, all = new Map());
         let known = all.get(name);
@@ -368,9 +385,7 @@ class FigureView {
             const drawn = node.getAttribute(name);
             all.set(name, known = {drawn, now: drawn});
         }
-        if (known.now === value) return;
-        known.now = value;
-        node.setAttribute(name, value);
+        return known;
     }
     /**
      * @param {Element} node
@@ -486,9 +501,10 @@ class FigureView {
      * @param {Spot} to
      */
     setEnds(axis, from, to) {
-        for (const [attribute, value] of Object.entries({x1: from.x, y1: from.y, x2: to.x, y2: to.y})) {
-            this.set(axis, attribute, value.toFixed(6));
-        }
+        this.set(axis, 'x1', from.x.toFixed(6));
+        this.set(axis, 'y1', from.y.toFixed(6));
+        this.set(axis, 'x2', to.x.toFixed(6));
+        this.set(axis, 'y2', to.y.toFixed(6));
     }
 
     /**
@@ -680,6 +696,8 @@ class FigureView {
      * @param {(value: number) => string} written
      */
     showValues(isOn, written) {
+        if (!isOn && !this.tellsValues) return;
+        this.tellsValues = isOn;
         for (const {label, box, value, unit} of this.vectorLabels) {
             let text = label.querySelector('text');
             if (!isOn) {

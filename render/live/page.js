@@ -22,6 +22,8 @@ class Page {
         this.panel = new Panel(this);
         this.teller = new Teller(this);
         this.sheets = [...document.querySelectorAll('main')];
+        /** @type {Record<string, {cell: Element, column: number, text: string}[]>} */
+        this.allCells = {};
         this.completeDrawings();
     }
     /** What is drawn alike in both languages was sent with the first. */
@@ -54,6 +56,11 @@ class Page {
      */
     at(id) {
         return document.getElementById(id);
+    }
+    /** Of the values that follow the mechanism, in the language that is shown. */
+    get cells() {
+        return this.allCells[this.language] ??= [...this.sheet.querySelectorAll('td[data-column]')].map(
+            (cell) => ({cell, column: Number(cell.getAttribute('data-column')), text: ''}));
     }
     /** Figures of the language that is shown. */
     get figures() {
@@ -421,9 +428,10 @@ class Page {
         for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
         this.ruler.show();
         this.traces.show();
-        for (const cell of this.sheet.querySelectorAll('td[data-column]')) {
-            const index = Number(/** @type {HTMLElement} */ (cell).dataset.column), value = motion.value(index);
-            cell.textContent = value === null ? '–' : this.numberText(value / motion.data.columns[index].size);
+        for (const each of this.cells) {
+            const value = motion.value(each.column);
+            const text = value === null ? '–' : this.numberText(value / motion.data.columns[each.column].size);
+            if (each.text !== text) each.cell.textContent = each.text = text;
         }
         for (const note of this.sheet.querySelectorAll('.text .note')) /** @type {HTMLElement} */ (note).hidden = motion.isDrawn;
     }
@@ -442,8 +450,7 @@ class Page {
      * @param {Motion} motion
      */
     showFigure(view, motion) {
-        const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (!view.isConstructed || motion.plan >= 0);
-        const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
+        const {note} = view, canFollow = view.svg.matches('.following') && (!view.isConstructed || motion.plan >= 0);
         note.hidden = motion.isDrawn || canFollow;
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
         if (motion.isDrawn || !canFollow) {
@@ -463,12 +470,14 @@ class Page {
     }
     /** @param {FigureView} view */
     sayScale(view) {
-        const scale = /** @type {HTMLElement | null} */ (view.svg.closest('figure')?.querySelector('.scale'));
+        const scale = view.captionOfScale;
         if (!scale) return;
         scale.dataset.drawn ??= scale.innerHTML;
         if (view.scales.every(({now, drawn: as}) => now === as)) {
-            if (scale.innerHTML !== scale.dataset.drawn) scale.innerHTML = scale.dataset.drawn;
+            if (view.saysOtherScale) scale.innerHTML = scale.dataset.drawn;
+            view.saysOtherScale = false;
         } else {
+            view.saysOtherScale = true;
             scale.textContent = view.scales.map(({now, unit}) =>
                 `1 mm ≙ ${this.numberText(Number(now.toPrecision(3)))} ${unit}`).join(';  ');
         }
