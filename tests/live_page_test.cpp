@@ -153,7 +153,13 @@ TEST_F(LivePage, StandsBesideOtherOutputsAndIsTheSameEveryTime) {
 }
 
 TEST_F(LivePage, MarksOfForcesNameWhatThePlansKnow) {
-    ASSERT_EQ(run("solve exam_2001.json --with joukowsky -o a.html -o a.json").status, 0);
+    write("exam_2001.json", contents(fs::path(KINEGRAPH_EXAMPLES_DIR) / "exam_2001.json"));
+    ASSERT_EQ(run("solve exam_2001.json --with joukowsky -o a.html -o a.svg").status, 0);
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+        if (entry.path().extension() == ".svg") {
+            EXPECT_EQ(contents(entry.path()).find("data-on"), std::string::npos) << entry.path();
+        }
+    }
     const std::string page = contents(folder_ / "a.html");
     const std::regex mark("data-on=\"\\[([^\"]*)\\]\""), quoted("&quot;([^&]*)&quot;");
     std::size_t known = 0;
