@@ -98,17 +98,16 @@ private:
     bool shows(std::optional<Spot> spot) const { return spot && contains(view_, *spot); }
     std::string held(const std::string& what) const { return held_curvature(found_.body, what); }
     static std::string held_of(const PathCentre& path) { return "of " + path.label; }
-    void stroke(Path path, StatementIndex statement, Holds holds = {}) {
+    void stroke(Path path, StatementIndex statement, const Holds& holds = {}) {
         sketch_.construction.emplace_back(std::move(path));
         hang(sketch_.construction, sketch_.construction.size() - 1, holds);
         belong(sketch_.construction, sketch_.construction.size() - 1, statement);
     }
     /// As much of the line through two spots as the figure shows.
-    void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement, Holds holds = {}) {
+    void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement, const Holds& holds = {}) {
         if (length(b - a) < same_place) return;
         const Interval seen = within(view_, a, unit(b - a));
-        if (seen.from < seen.to)
-            stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement, std::move(holds));
+        if (seen.from < seen.to) stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement, holds);
     }
     /// From a to b and a little further, within the figure.
     void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement, std::string from_place, std::string to_place) {
