@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "constructions/cycle.hpp"
+#include "constructions/moving_held.hpp"
 #include "constructions/moving_rules.hpp"
 #include "constructions/named_results.hpp"
 #include "constructions/solve.hpp"
@@ -38,6 +39,7 @@ public:
         read_vectors();
         read_spots();
         read_lines();
+        plan_.held = held_by(solution_);
         const Protocol& protocol = solution_.protocol;
         Cut record = cut(protocol.program, wanted(), static_cast<int>(protocol.program.strokes.size()));
         renumber(record.element);
@@ -91,6 +93,7 @@ private:
             see(line.line);
             for (ElementIndex& point : line.points) see(point);
         }
+        for (auto& held : plan_.held) see(held.place), see(held.vector), see(held.couple);
     }
     std::vector<ElementIndex> wanted() {
         std::vector<ElementIndex> all;

@@ -314,7 +314,33 @@ double to_twelve_digits(double value) {
 
 // --- polynomials --------------------------------------------------------------------------------------------------------------
 
-/// number = base + Σ slopes · Δ + Σ products · Δ Δ.
+/// One or two by one or two.
+struct Small {
+    std::size_t rows = 1, columns = 1;
+    std::array<double, 4> of{};
+    double& at(std::size_t i, std::size_t j) { return of[2 * i + j]; }
+    double at(std::size_t i, std::size_t j) const { return of[2 * i + j]; }
+};
+Small product(const Small& a, const Small& b) {
+    Small c{a.rows, b.columns};
+    for (std::size_t i = 0; i < a.rows; ++i)
+        for (std::size_t j = 0; j < b.columns; ++j)
+            for (std::size_t k = 0; k < a.columns; ++k) c.at(i, j) += a.at(i, k) * b.at(k, j);
+    return c;
+}
+Small transposed(const Small& a) {
+    Small b{a.columns, a.rows};
+    for (std::size_t i = 0; i < a.rows; ++i)
+        for (std::size_t j = 0; j < a.columns; ++j) b.at(j, i) = a.at(i, j);
+    return b;
+}
+Small inverse(const Small& a) {
+    if (a.rows == 1) return {1, 1, {1 / a.at(0, 0)}};
+    const double det = a.at(0, 0) * a.at(1, 1) - a.at(0, 1) * a.at(1, 0);
+    return {2, 2, {a.at(1, 1) / det, -a.at(0, 1) / det, -a.at(1, 0) / det, a.at(0, 0) / det}};
+}
+
+/// number = base + Σ slopes · Δ + Σ products · Δ Δ, the Δ as MovingEffect has them.
 class Fit {
 public:
     Fit(Moving& moving, const Mechanism& mechanism, const Pose& pose, const Rereading& rereading)
@@ -323,9 +349,19 @@ public:
     }
 
     void add_all() {
-        if (base_.values.empty()) return;
-        for (const WrittenParameter& parameter : rereading_.parameters)
-            if (taken_.size() < most_parameters && parameter.number != 0) try_parameter(parameter);
+        using Why = Moving::Fixed::Why;
+        for (const WrittenParameter& parameter : rereading_.parameters) {
+            std::optional<Why> why;
+            if (base_.values.empty())
+                why = Why::otherwise;
+            else if (parameter.number == 0)
+                why = Why::zero;
+            else if (taken_.size() >= most_parameters)
+                why = Why::many;
+            else
+                why = try_parameter(parameter);
+            if (why) moving_.fixed.push_back({*why, parameter.name});
+        }
         if (taken_.empty()) return;
         drop_lengths();
         write();
@@ -335,8 +371,30 @@ private:
     struct Taken {
         WrittenParameter parameter;
         double step = 0;
+        double radians = 0;
+
+        std::size_t count() const { return radians == 0 ? 1 : 2; }  // of Δ
+        /// Δ with so much more in the file.
+        std::array<double, 2> deltas(double more) const {
+            if (radians == 0) return {more, 0};
+            const double now = (parameter.number + more) * radians, then = parameter.number * radians;
+            return {std::cos(now) - std::cos(then), std::sin(now) - std::sin(then)};
+        }
+        double largest() const {  // Δ of a step
+            const auto all = deltas(step);
+            return std::max(std::abs(all[0]), std::abs(all[1]));
+        }
+        /// Values at which it is read, as many as it has Δ; and these, a row each.
+        std::array<double, 2> steps() const { return {step, -step}; }
+        Small at_steps() const {
+            Small all{count(), count()};
+            for (std::size_t k = 0; k < count(); ++k)
+                for (std::size_t a = 0; a < count(); ++a) all.at(k, a) = deltas(steps()[k])[a];
+            return all;
+        }
     };
-    using Differences = std::vector<std::pair<std::size_t, double>>;  // taken parameter, Δ
+    using Differences = std::vector<std::pair<std::size_t, double>>;  // taken parameter, how much more
+    using Delta = std::size_t;                                        // 2 · taken parameter, + 1 of a sine
 
     /// Nothing where it makes another mechanism.
     std::optional<Numbers> numbers(const std::vector<Taken>& all, const Differences& differences) {
@@ -357,70 +415,116 @@ private:
         return found;
     }
 
-    /// Takes it where everything that follows from it does so as a polynomial, also beside those that were taken before.
-    void try_parameter(const WrittenParameter& parameter) {
+    static double radians_of(const WrittenParameter& parameter) {
+        const KnownUnit* unit = parameter.unit.empty() ? nullptr : unit_spelt(parameter.unit);
+        return unit != nullptr && unit->kind == QuantityKind::angle ? unit->si.to_double() : 0;
+    }
+    /// Takes it where everything that follows from it does so by its Δ, also beside those that were taken before; else why not.
+    std::optional<Moving::Fixed::Why> try_parameter(const WrittenParameter& parameter) {
+        const double radians = radians_of(parameter), whole = radians == 0 ? std::abs(parameter.number) : 2.5 / radians;
         for (const double share : {0.125, 0.015625}) {
             std::vector<Taken> all = taken_;
-            all.push_back({parameter, share * std::abs(parameter.number)});
-            const std::size_t own = taken_.size();
+            all.push_back({parameter, share * whole, radians});
             const auto slopes_before = slopes_;
             const auto products_before = products_;
+            const std::size_t own = taken_.size();
             if (fit(all, own) && holds(all, own)) {
-                const auto moves = [](double slope) { return slope != 0; };
-                if (std::any_of(slopes_[own].begin(), slopes_[own].end(), moves)) {
+                if (moves(own)) {
                     taken_ = std::move(all);
-                    return;
+                    return std::nullopt;
                 }
+                slopes_ = slopes_before;
+                products_ = products_before;
+                return Moving::Fixed::Why::nothing;
             }
             slopes_ = slopes_before;
             products_ = products_before;
         }
+        return Moving::Fixed::Why::otherwise;
+    }
+    bool moves(std::size_t own) const {
+        const auto is_there = [](double slope) { return slope != 0; };
+        return std::any_of(slopes_.begin(), slopes_.end(), [&](const auto& each) {
+            return each.first / 2 == own && std::any_of(each.second.begin(), each.second.end(), is_there);
+        });
     }
     bool fit(const std::vector<Taken>& all, std::size_t own) {
         const double step = all[own].step;
         const auto more = numbers(all, {{own, step}}), less = numbers(all, {{own, -step}});
         if (!more || !less) return false;
-        std::vector<double> slope, square;
-        for (std::size_t i = 0; i < base_.values.size(); ++i) {
-            const double up = more->values[i] - base_.values[i], down = base_.values[i] - less->values[i];
-            slope.push_back(without_noise((up + down) / (2 * step), step, i));
-            square.push_back(without_noise((up - down) / (2 * step * step), step * step, i));
-        }
         std::vector<bool> differ;
         for (std::size_t i = 0; i < base_.lengths.size(); ++i)
             differ.push_back(std::abs(more->lengths[i] - base_.lengths[i]) > exactly_enough);
         lengths_by_[own] = std::move(differ);
-        slopes_.push_back(std::move(slope));
-        products_[{own, own}] = std::move(square);
-        for (std::size_t other = 0; other < own; ++other) {
-            const auto both = numbers(all, {{other, all[other].step}, {own, step}});
-            if (!both) return false;
-            const std::vector<double> alone = values({{other, all[other].step}, {own, step}});
-            std::vector<double> product;
-            const double area = all[other].step * step;
-            for (std::size_t i = 0; i < alone.size(); ++i)
-                product.push_back(without_noise((both->values[i] - alone[i]) / area, area, i));
-            products_[{other, own}] = std::move(product);
+        if (all[own].radians == 0)
+            fit_polynomial(own, step, *more, *less);
+        else
+            fit_angle(all[own], own, *more, *less);
+        for (std::size_t other = 0; other < own; ++other)
+            if (!fit_together(all, other, own)) return false;
+        return true;
+    }
+    void fit_polynomial(std::size_t own, double step, const Numbers& more, const Numbers& less) {
+        std::vector<double>&slope = slopes_[2 * own], &square = products_[{2 * own, 2 * own}];
+        slope.clear();
+        square.clear();
+        for (std::size_t i = 0; i < base_.values.size(); ++i) {
+            const double up = more.values[i] - base_.values[i], down = base_.values[i] - less.values[i];
+            slope.push_back(without_noise((up + down) / (2 * step), step, i));
+            square.push_back(without_noise((up - down) / (2 * step * step), step * step, i));
         }
+    }
+    void fit_angle(const Taken& taken, std::size_t own, const Numbers& more, const Numbers& less) {
+        const Small solved = inverse(taken.at_steps());
+        for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].clear();
+        for (std::size_t i = 0; i < base_.values.size(); ++i) {
+            const Small by = product(solved, {2, 1, {more.values[i] - base_.values[i], 0, less.values[i] - base_.values[i], 0}});
+            for (std::size_t a = 0; a < 2; ++a) slopes_[2 * own + a].push_back(without_noise(by.at(a, 0), taken.largest(), i));
+        }
+    }
+    /// What both do beyond what each does alone.
+    bool fit_together(const std::vector<Taken>& all, std::size_t other, std::size_t own) {
+        const Taken &first = all[other], &second = all[own];
+        std::vector<Small> beyond(base_.values.size(), Small{first.count(), second.count()});
+        for (std::size_t k = 0; k < first.count(); ++k)
+            for (std::size_t l = 0; l < second.count(); ++l) {
+                const Differences at{{other, first.steps()[k]}, {own, second.steps()[l]}};
+                const auto both = numbers(all, at);
+                if (!both) return false;
+                const std::vector<double> alone = values(all, at);
+                for (std::size_t i = 0; i < alone.size(); ++i) beyond[i].at(k, l) = both->values[i] - alone[i];
+            }
+        const Small before = inverse(first.at_steps()), after = transposed(inverse(second.at_steps()));
+        const double size = first.largest() * second.largest();
+        for (std::size_t a = 0; a < first.count(); ++a)
+            for (std::size_t b = 0; b < second.count(); ++b) {
+                std::vector<double>& found = products_[{2 * other + a, 2 * own + b}];
+                found.clear();
+                for (std::size_t i = 0; i < beyond.size(); ++i)
+                    found.push_back(without_noise(product(product(before, beyond[i]), after).at(a, b), size, i));
+            }
         return true;
     }
     double without_noise(double slope, double by, std::size_t i) const {
         return std::abs(slope * by) < 1e-13 * std::max(std::abs(base_.values[i]), 1.0) ? 0 : to_twelve_digits(slope);
     }
-    /// By the polynomials.
-    std::vector<double> values(const Differences& differences) const {
+    /// By what was found.
+    std::vector<double> values(const std::vector<Taken>& all, const Differences& differences) const {
+        std::map<Delta, double> deltas;
+        for (const auto& [index, more] : differences)
+            for (std::size_t a = 0; a < all[index].count(); ++a) deltas[2 * index + a] = all[index].deltas(more)[a];
         std::vector<double> found = base_.values;
-        for (const auto& [a, by_a] : differences) {
-            for (std::size_t i = 0; i < found.size(); ++i) found[i] += slopes_[a][i] * by_a;
-            for (const auto& [b, by_b] : differences) {
-                const auto product = b < a ? products_.end() : products_.find({a, b});
-                if (product == products_.end()) continue;
-                for (std::size_t i = 0; i < found.size(); ++i) found[i] += product->second[i] * by_a * by_b;
-            }
+        const auto add = [&](const std::vector<double>& slopes, double by) {
+            for (std::size_t i = 0; i < found.size(); ++i) found[i] += slopes[i] * by;
+        };
+        for (const auto& [a, by_a] : deltas) {
+            add(slopes_.at(a), by_a);
+            for (const auto& [b, by_b] : deltas)
+                if (const auto known = products_.find({a, b}); known != products_.end()) add(known->second, by_a * by_b);
         }
         return found;
     }
-    /// At values that the polynomials were not made of: each way, and all that were taken together.
+    /// At values that it was not made of: each way, and all that were taken together.
     bool holds(const std::vector<Taken>& all, std::size_t own) {
         Differences together;
         for (std::size_t i = 0; i <= own; ++i) together.emplace_back(i, (i % 2 == 0 ? 0.7 : -0.6) * all[i].step);
@@ -428,7 +532,7 @@ private:
              {Differences{{own, 1.5 * all[own].step}}, Differences{{own, -1.2 * all[own].step}}, together}) {
             const auto found = numbers(all, at);
             if (!found) return false;
-            const std::vector<double> expected = values(at);
+            const std::vector<double> expected = values(all, at);
             for (std::size_t i = 0; i < expected.size(); ++i)
                 if (!(std::abs(found->values[i] - expected[i]) <= exactly_enough * std::max(std::abs(expected[i]), 1.0)))
                     return false;
@@ -448,23 +552,23 @@ private:
         moving_.settings = std::move(kept);
     }
     void write() {
-        const int first = static_cast<int>(moving_.settings.size());
+        const std::size_t first = moving_.settings.size();
+        const auto index_of = [&](Delta delta) { return static_cast<int>(2 * first + delta); };
         for (const Taken& each : taken_) {
             MovingSetting setting;
             setting.kind = MovingSetting::Kind::parameter;
             setting.name = each.parameter.name;
             setting.value = each.parameter.number;
             setting.written_unit = each.parameter.unit;
+            setting.radians = each.radians;
             moving_.settings.push_back(std::move(setting));
         }
         for (std::size_t i = 0; i < base_.names.size(); ++i) {
             MovingEffect effect = base_.names[i];
-            for (std::size_t own = 0; own < taken_.size(); ++own)
-                if (slopes_[own][i] != 0) effect.terms.push_back({first + static_cast<int>(own), -1, slopes_[own][i]});
+            for (const auto& [delta, slopes] : slopes_)
+                if (slopes[i] != 0) effect.terms.push_back({index_of(delta), -1, slopes[i]});
             for (const auto& [pair, product] : products_)
-                if (product[i] != 0)
-                    effect.terms.push_back(
-                        {first + static_cast<int>(pair.first), first + static_cast<int>(pair.second), product[i]});
+                if (product[i] != 0) effect.terms.push_back({index_of(pair.first), index_of(pair.second), product[i]});
             if (!effect.terms.empty()) moving_.effects.push_back(std::move(effect));
         }
     }
@@ -474,9 +578,9 @@ private:
     Reader reader_;
     Numbers base_;
     std::vector<Taken> taken_;
-    std::vector<std::vector<double>> slopes_;                                      ///< by parameter, by number
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<double>> products_;  ///< of two parameters, or of one squared
-    std::map<std::size_t, std::vector<bool>> lengths_by_;                          ///< by parameter, by setting
+    std::map<Delta, std::vector<double>> slopes_;                      ///< by number
+    std::map<std::pair<Delta, Delta>, std::vector<double>> products_;  ///< of two parameters, or of one squared
+    std::map<std::size_t, std::vector<bool>> lengths_by_;              ///< by parameter, by setting
 };
 
 }  // namespace

@@ -33,11 +33,11 @@ Rereading rereading_of(std::string text, std::string source, std::vector<Setting
 /// are, where it has two and nothing else.
 std::vector<MovingSetting> lengths_of(const Mechanism& mechanism, const Pose& pose);
 
-/// Adds to `moving` the parameters by which its numbers go as polynomials of the second degree, with their effects, and takes
-/// away the lengths that hang on them. The polynomials are found by reading the file with other values and hold exactly, or to
-/// 1e-11 at values they were not made of; a parameter of which that is not so (an angle of a plate), or which changes a law or
-/// nothing at all (where the crank is drawn), is left out. `mechanism` and `pose` are those that `moving` was made of; the
-/// closure and the plans are there.
+/// Adds to `moving` the parameters by which its numbers go as polynomials of the second degree (of angles as sums and products
+/// of their cosines and sines), with their effects, and takes away the lengths that hang on them. They are found by reading the
+/// file with other values and hold exactly, or to 1e-11 at values they were not made of; a parameter of which that is not so, or
+/// which changes a law, is zero or changes nothing at all (where the crank is drawn), is told among the fixed ones. `mechanism`
+/// and `pose` are those that `moving` was made of; the closure and the plans are there.
 void add_parameters(Moving& moving, const Mechanism& mechanism, const Pose& pose, const Rereading& rereading);
 
 }  // namespace kinegraph

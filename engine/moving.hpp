@@ -69,6 +69,12 @@ struct MovingPlan {
         std::vector<ElementIndex> points;
     };
     std::vector<Line> lines;
+    /// What marks of figures of forces, curvature and the lever go with (engine/held.hpp).
+    struct Held {
+        std::string name;
+        ElementIndex place, vector, couple;
+    };
+    std::vector<Held> held;
 };
 
 /// One driver on its way, the others at rest as drawn.
@@ -108,10 +114,12 @@ struct MovingSetting {
     double value = 0;               ///< SI, as given; of a parameter in `written_unit`
     std::string written_unit = {};  ///< of a parameter, as the file writes it: "mm"; of a bare number empty
     std::array<PointIndex, 2> ends{};
+    double radians = 0;  ///< of a parameter that is an angle: its written unit; else 0
 };
 
 /// A number of the closure, of a plan or of the settings that follows from parameters of the file:
-///   number = (what the file gives) + Σ by · Δ_first · Δ_second,  Δ of a setting: its value less what the file gives.
+///   number = (what the file gives) + Σ by · Δ_first · Δ_second,
+/// where Δ_2i of setting i is its value less what the file gives; of an angle Δ_2i is that of its cosine, Δ_2i+1 of its sine.
 struct MovingEffect {
     enum class List {
         row,    ///< `item` of Moving::rows; `part` 0 … 9 as they stand in ClosureRowOf, from p.x to share_j
@@ -128,7 +136,7 @@ struct MovingEffect {
     } list = List::row;
     int plan = -1, item = 0, part = 0;
     struct Term {
-        int first = 0, second = -1;  ///< settings; −1: Δ alone
+        int first = 0, second = -1;  ///< indices of Δ; −1: Δ_first alone
         double by = 0;
     };
     std::vector<Term> terms;
@@ -145,8 +153,19 @@ struct Moving {
     std::vector<double> directions;  ///< by body: from its first point to the next, as drawn, rad
     std::vector<MovingSetting> settings;
     std::vector<MovingEffect> effects;  ///< of the settings that are parameters
-    std::vector<Column> columns;        ///< angles, places, slides and results
-    std::vector<MovingPlan> plans;      ///< the first is that of the drawn position
+    /// A parameter that can be changed in the file alone, and why.
+    struct Fixed {
+        enum class Why {
+            otherwise,  ///< what follows from it does so in another way, or makes another mechanism
+            nothing,    ///< nothing follows, but at most where the mechanism is drawn
+            zero,       ///< verdicts hang on that
+            many        ///< enough were taken before
+        } why = Why::otherwise;
+        std::string name;
+    };
+    std::vector<Fixed> fixed;
+    std::vector<Column> columns;    ///< angles, places, slides and results
+    std::vector<MovingPlan> plans;  ///< the first is that of the drawn position
     std::vector<MovingCourse> courses;
     std::vector<std::pair<std::string, Error>> still;  ///< drivers that cannot be moved, and why
 };

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <set>
 
 #include "constructions/moving.hpp"
 #include "constructions/solve.hpp"
@@ -86,13 +88,13 @@ TEST(Moving, ParametersWhoseNumbersAreMadeComparableAreInPlaceOfTheLengths) {
     for (const MovingEffect& effect : moving.effects) {
         for (const MovingEffect::Term& term : effect.terms) {
             EXPECT_EQ(term.second, -1);
-            of_e += term.first == 3 ? 1 : 0;
-            of_w += term.first == 4 ? 1 : 0;
-            if (term.first == 3) {
+            of_e += term.first == 2 * 3 ? 1 : 0;
+            of_w += term.first == 2 * 4 ? 1 : 0;
+            if (term.first == 2 * 3) {
                 EXPECT_EQ(effect.list, MovingEffect::List::row);
                 EXPECT_NEAR(std::abs(term.by) * moving.unit, 1e-3, 1e-15);  // m a mm
             }
-            if (term.first == 4) {
+            if (term.first == 2 * 4) {
                 EXPECT_EQ(effect.list, MovingEffect::List::setting);
                 EXPECT_EQ(term.by, 1);
             }
@@ -100,6 +102,32 @@ TEST(Moving, ParametersWhoseNumbersAreMadeComparableAreInPlaceOfTheLengths) {
     }
     EXPECT_EQ(of_e, 1U);
     EXPECT_EQ(of_w, 1U);
+}
+
+TEST(Moving, WhatCannotBeChangedIsToldWithTheReason) {
+    const Moving moving = moving_example("variants/slider_crank.json");
+    ASSERT_EQ(moving.fixed.size(), 1U);
+    EXPECT_EQ(moving.fixed[0].name, "phi");
+    EXPECT_EQ(moving.fixed[0].why, Moving::Fixed::Why::nothing);
+}
+
+TEST(Moving, ForcesAndPlacesOfAPlanHaveNamesThatComeOnce) {
+    for (const char* const name : {"exam_2001.json", "engine_inertia_gas.json", "coupler_curve.json"}) {
+        const Moving moving = moving_example(name);
+        for (const MovingPlan& plan : moving.plans) {
+            EXPECT_FALSE(plan.held.empty()) << name;
+            std::set<std::string> names;
+            for (const MovingPlan::Held& held : plan.held) {
+                EXPECT_TRUE(names.insert(held.name).second || held.name[0] == 'M')
+                    << held.name;  // a point of concurrency is of several bodies
+                for (const ElementIndex element : {held.place, held.vector, held.couple}) {
+                    if (element != none) {
+                        EXPECT_LT(at_index(element), plan.program.strokes.size()) << held.name;
+                    }
+                }
+            }
+        }
+    }
 }
 
 TEST(Moving, NothingMovesWithoutDriver) {
@@ -122,6 +150,30 @@ TEST_F(LivePage, StandsBesideOtherOutputsAndIsTheSameEveryTime) {
     EXPECT_EQ(page.find("http:"), std::string::npos);
     EXPECT_EQ(page.find("https:"), std::string::npos);
     EXPECT_EQ(page.find("eval("), std::string::npos);
+}
+
+TEST_F(LivePage, MarksOfForcesNameWhatThePlansKnow) {
+    write("exam_2001.json", contents(fs::path(KINEGRAPH_EXAMPLES_DIR) / "exam_2001.json"));
+    ASSERT_EQ(run("solve exam_2001.json --with joukowsky -o a.html -o a.svg").status, 0);
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+        if (entry.path().extension() == ".svg") {
+            EXPECT_EQ(contents(entry.path()).find("data-on"), std::string::npos) << entry.path();
+        }
+    }
+    const std::string page = contents(folder_ / "a.html");
+    const std::regex mark("data-on=\"\\[([^\"]*)\\]\""), quoted("&quot;([^&]*)&quot;");
+    std::size_t known = 0;
+    for (std::sregex_iterator each(page.begin(), page.end(), mark), end; each != end; ++each) {
+        const std::string names = (*each)[1];
+        std::sregex_iterator name(names.begin(), names.end(), quoted);
+        for (++name; name != end; ++name) {  // past the form
+            const std::string said = (*name)[1];
+            if (said.empty() || said == "o" || said[0] == 'p') continue;
+            EXPECT_NE(page.find("[\"" + (said[0] == '/' ? said.substr(1) : said) + "\","), std::string::npos) << said;
+            ++known;
+        }
+    }
+    EXPECT_GT(known, 100U);
 }
 
 TEST_F(LivePage, WhatHasNoMeaningForItIsRefused) {

@@ -3,20 +3,19 @@
 import {execFileSync} from 'node:child_process';
 import {statSync, writeFileSync} from 'node:fs';
 import {resolve} from 'node:path';
-import {Browser} from '../../tests/live/browser.mjs';
+import {close, open, protocol, run} from '../../tests/live/browser.mjs';
 
 const [program] = process.argv.slice(2);
 for (const name of ['four_bar', 'watt_six_bar', 'cam_roller_follower']) {
     execFileSync(program, ['solve', `examples/${name}.json`, '-o', `docs/live/${name}.html`], {stdio: ['ignore', 'ignore', 'ignore']});
 }
 
-const browser = await Browser.start();
 async function picture(name, page, options, act) {
-    await browser.open(`file://${resolve('docs/live', `${page}.html`)}`, options);
-    await browser.run(`${act}, null`);
+    await open(`file://${resolve('docs/live', `${page}.html`)}`, options);
+    await run(`${act}, null`);
     const file = `docs/images/${name}.png`;
-    const {width, height, scale = 1} = options, clip = {x: 0, y: await browser.run('scrollY'), width, height, scale};
-    const {data} = await browser.send('Page.captureScreenshot', {format: 'png', clip});
+    const {width, height, scale = 1} = options, clip = {x: 0, y: await run('scrollY'), width, height, scale};
+    const {data} = await protocol.send('Page.captureScreenshot', {format: 'png', clip});
     writeFileSync(file, Buffer.from(data, 'base64'));
     if (statSync(file).size > 60 * 1024) {
         console.log(`${file} is larger than 60 KB`);
@@ -39,4 +38,4 @@ await picture('live_try', 'four_bar', {width: 390, height: 780}, `(() => {
     kinegraph.exercise.aim();
     document.getElementById('try-check').click();
 })()`);
-await browser.close();
+await close();

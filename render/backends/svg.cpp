@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "engine/assert.hpp"
+#include "engine/json_text.hpp"
 #include "render/backends/backends.hpp"
 #include "render/backends/live_text.hpp"
 #include "render/text/utf8.hpp"
+#include "render/text/words.hpp"
 
 namespace kinegraph::render {
 namespace {
@@ -173,6 +175,16 @@ private:
         set(node, "data-statement", std::to_string(index.number()).c_str());
     }
 
+    /// `["with","F3.0...1","F3.0...1"]`; what the page goes by that moves it.
+    void holds(pugi::xml_node node, const Holds& holds) {
+        if (!page_.tells_holds || holds.form == Holds::Form::nothing) return;
+        std::string on = "[" + json_text(name_of(holds.form));
+        for (const std::string& name : holds.on) on += "," + json_text(name);
+        set(node, "data-on", well_formed(on + "]").c_str());
+        if (holds.beyond != 0) set(node, "data-beyond", shortest(holds.beyond).c_str());
+        if (holds.unit != 0) set(node, "data-number", shortest(holds.unit).c_str());
+    }
+
     void write(const Path& path) {
         text_.clear();
         Spot pen, first;
@@ -207,6 +219,7 @@ private:
             set(node, "fill", "none");
         }
         statement(node, path.statement, false);
+        holds(node, path.holds);
         if (!path.stroked) return;
         colour(node, "stroke", path.pen.colour);
         length(node, "stroke-width", path.pen.width);
@@ -263,6 +276,7 @@ private:
             set(node, "transform", text_.c_str());
         }
         statement(node, mark.statement, true);
+        holds(node, mark.holds);
         return node;
     }
 
@@ -338,6 +352,7 @@ private:
         if (!group.id.empty()) set(at_, "id", well_formed(group.id).c_str());
         for (const auto& [name, value] : group.attributes) set(at_, name.c_str(), well_formed(value).c_str());
         statement(at_, group.statement, true);
+        holds(at_, group.holds);
         statements_.push_back(group.statement != none || statements_.empty() ? group.statement : statements_.back());
         title(at_, group.title);
     }

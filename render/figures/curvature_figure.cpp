@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/centre_symbol.hpp"
+#include "engine/held.hpp"
 #include "render/figures/fit.hpp"
 #include "render/mechanism/sketch.hpp"
 #include "render/page/shapes.hpp"
@@ -15,6 +16,7 @@ namespace kinegraph::render {
 namespace {
 
 using namespace drawing;
+using Form = Holds::Form;
 
 constexpr double beyond = 6;         // of a line past what it joins, mm
 constexpr double shortest_arc = 16;  // of an osculating circle to either side of its point, mm
@@ -94,42 +96,51 @@ private:
         return (1 / sketch_.scale()) * *place;
     }
     bool shows(std::optional<Spot> spot) const { return spot && contains(view_, *spot); }
-    void stroke(Path path, StatementIndex statement) {
+    std::string held(const std::string& what) const { return held_curvature(found_.body, what); }
+    static std::string held_of(const PathCentre& path) { return "of " + path.label; }
+    void stroke(Path path, StatementIndex statement, const Holds& holds = {}) {
         sketch_.construction.emplace_back(std::move(path));
+        hang(sketch_.construction, sketch_.construction.size() - 1, holds);
         belong(sketch_.construction, sketch_.construction.size() - 1, statement);
     }
     /// As much of the line through two spots as the figure shows.
-    void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement) {
+    void draw_line(Spot a, Spot b, const Pen& pen, StatementIndex statement, const Holds& holds = {}) {
         if (length(b - a) < same_place) return;
         const Interval seen = within(view_, a, unit(b - a));
-        if (seen.from < seen.to) stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement);
+        if (seen.from < seen.to) stroke(line(a + seen.from * unit(b - a), a + seen.to * unit(b - a), pen), statement, holds);
     }
     /// From a to b and a little further, within the figure.
-    void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement) {
+    void draw_segment(Spot a, Spot b, const Pen& pen, StatementIndex statement, std::string from_place, std::string to_place) {
         if (length(b - a) < same_place) return;
         const Spot along = unit(b - a);
         const Interval seen = within(view_, a, along);
         const double from = std::max(-beyond, seen.from), to = std::min(length(b - a) + beyond, seen.to);
-        if (from < to) stroke(line(a + from * along, a + to * along, pen), statement);
+        // As far as the figure shows it: elsewhere it may be seen whole.
+        if (from < to)
+            stroke(line(a + from * along, a + to * along, pen), statement,
+                   {Form::segment, {std::move(from_place), std::move(to_place)}, beyond});
     }
-    void name(RichText text, Spot at, StatementIndex statement, double clearance = 1.6) {
-        sketch_.add_label(std::move(text), theme_.text, at, clearance, statement);
+    void name(RichText text, Spot at, StatementIndex statement, const std::string& place) {
+        sketch_.add_label(std::move(text), theme_.text, at, 1.6, statement).holds = {Form::at, {place}};
     }
     RichText point(const std::string& name) const {
         return typeset(Symbol{Symbol::Letter::point, name, ""}, sketch_.context.language);
     }
-    void draw_dot(Spot at, StatementIndex statement) {
+    void draw_dot(Spot at, StatementIndex statement, const std::string& place) {
         const std::size_t first = sketch_.centres.size();
         sketch_.centres.emplace_back(tinted(disc(at, 1.0, theme_.paper)));
         sketch_.centres.emplace_back(disc(at, 0.65, theme_.text));
         belong(sketch_.centres, first, statement);
+        hang(sketch_.centres, first, {Form::at, {place}});
     }
 
     /// The body whose motion it is stands out of the grey.
     void draw_body() {
         const Shape& shape = sketch_.shape(found_.body);
+        const std::size_t first = sketch_.bodies.size();
         for (const Bar& bar : shape.strokes)
             sketch_.bodies.emplace_back(line(bar.from, bar.to, sketch_.pen_of(found_.body, 2.5 * theme_.outline)));
+        hang(sketch_.bodies, first, {Form::body, {std::to_string(found_.body.number())}});
     }
 
     /// Bobillier: the two rays, the join of their points and that of their centres, the axis.
@@ -138,29 +149,34 @@ private:
         if (!pole || found_.rays.size() != 2) return;
         std::array<Spot, 2> points;
         std::array<std::optional<Spot>, 2> centres;
+        std::array<std::string, 2> at, to;  // held
         for (std::size_t i = 0; i < 2; ++i) {
             const Curvature::Ray& ray = found_.rays[i];
             points[i] = *on_paper(spot_of(ray.at));
             centres[i] = on_paper(spot_of(ray.centre));
-            draw_segment(*pole, points[i], sketch_.thin(), found_.pole_statement);
-            if (centres[i]) draw_segment(*pole, *centres[i], sketch_.thin(), found_.pole_statement);
+            at[i] = held("ray " + std::to_string(i));
+            to[i] = held("ray centre " + std::to_string(i));
+            draw_segment(*pole, points[i], sketch_.thin(), found_.pole_statement, held("pole"), at[i]);
+            if (centres[i]) draw_segment(*pole, *centres[i], sketch_.thin(), found_.pole_statement, held("pole"), to[i]);
         }
         const Pen pen{theme_.thin, theme_.secondary, dashes(), false};
         const auto meet = on_paper(spot_of(found_.axis_point));
-        draw_line(points[0], points[1], pen, found_.tangent_statement);
-        if (centres[0] && centres[1]) draw_line(*centres[0], *centres[1], pen, found_.tangent_statement);
-        if (meet) draw_line(*pole, *meet, pen, found_.tangent_statement);
+        draw_line(points[0], points[1], pen, found_.tangent_statement, {Form::through, {at[0], at[1]}});
+        if (centres[0] && centres[1])
+            draw_line(*centres[0], *centres[1], pen, found_.tangent_statement, {Form::through, {to[0], to[1]}});
+        if (meet) draw_line(*pole, *meet, pen, found_.tangent_statement, {Form::through, {held("pole"), held("axis")}});
         if (!meet) draw_line(*pole, *pole + unit(points[1] - points[0]), pen, found_.tangent_statement);
-        if (shows(meet)) draw_dot(*meet, found_.tangent_statement);
-        if (shows(meet)) name(point(free_name(sketch_.mechanism, "Q")), *meet, found_.tangent_statement);
+        if (shows(meet)) draw_dot(*meet, found_.tangent_statement, held("axis"));
+        if (shows(meet)) name(point(free_name(sketch_.mechanism, "Q")), *meet, found_.tangent_statement, held("axis"));
     }
 
     void draw_tangent() {
         const auto pole = on_paper(spot_of(found_.pole)), end = on_paper(spot_of(found_.inflection_pole));
         if (!pole || !end) return;
         const Spot normal = unit(*end - *pole), along{-normal.y, normal.x};
-        draw_line(*pole, *pole + along, {theme_.outline, theme_.text, dash_dot(), false}, found_.tangent_statement);
-        draw_segment(*pole, *end, sketch_.axis(), found_.inflection_statement);
+        draw_line(*pole, *pole + along, {theme_.outline, theme_.text, dash_dot(), false}, found_.tangent_statement,
+                  {Form::normal, {held("pole"), held("inflection")}});
+        draw_segment(*pole, *end, sketch_.axis(), found_.inflection_statement, held("pole"), held("inflection"));
         const Interval seen = within(view_, *pole, along);
         if (!(seen.from < seen.to)) return;
         const bool ahead = seen.to > -seen.from;
@@ -168,6 +184,7 @@ private:
             sketch_.add_label(one_piece("t", Face::italic), theme_.text,
                               *pole + (ahead ? 0.85 * seen.to : 0.85 * seen.from) * along, 1.2, found_.tangent_statement);
         label.toward = label.anchor + along;
+        label.holds = {Form::normal, {held("pole"), held("inflection")}};
     }
 
     void draw_circles() {
@@ -176,24 +193,25 @@ private:
         if (!pole || !end) return;
         const Round inflection = between(*pole, *end);
         draw_circle(inflection, {theme_.outline, theme_.accent, {}, false}, "inflection", found_.inflection_statement);
-        if (shows(end)) draw_dot(*end, found_.inflection_statement);
+        if (shows(end)) draw_dot(*end, found_.inflection_statement, held("inflection"));
         if (shows(end) && shows(pole)) axes.push_back({kinegraph::name_of(symbol_of_diameter()), *pole, *end, ""});
-        if (shows(end)) name(point(found_.inflection_name), *end, found_.inflection_statement);
+        if (shows(end)) name(point(found_.inflection_name), *end, found_.inflection_statement, held("inflection"));
         if (second) {
             const Pen pen{theme_.outline, theme_.secondary, dashes(), false};
             draw_circle(between(*pole, *second), pen, "tangential", found_.bresse_statement);
-            draw_segment(*end, *second, sketch_.thin(), found_.bresse_statement);
-            if (shows(second)) name(point(found_.tangential_name), *second, found_.bresse_statement);
+            draw_segment(*end, *second, sketch_.thin(), found_.bresse_statement, held("inflection"), held("tangential"));
+            if (shows(second)) name(point(found_.tangential_name), *second, found_.bresse_statement, held("tangential"));
         }
         if (!shows(still) || found_.acceleration_name == found_.inflection_name) return;
         sketch_.centres.emplace_back(ring(*still, 1.0, theme_.paper, {theme_.outline, theme_.text, {}, false}));
         belong(sketch_.centres, sketch_.centres.size() - 1, found_.bresse_statement);
-        name(point(found_.acceleration_name), *still, found_.bresse_statement);
+        hang(sketch_.centres, sketch_.centres.size() - 1, {Form::at, {held("acceleration")}});
+        name(point(found_.acceleration_name), *still, found_.bresse_statement, held("acceleration"));
     }
     /// Whole where the figure holds it, else an arc within it.
     void draw_circle(const Round& round, const Pen& pen, const char* what, StatementIndex statement) {
         const std::size_t first = sketch_.construction.size();
-        sketch_.construction.emplace_back(GroupBegin{what, "", "", {}, statement});
+        sketch_.construction.emplace_back(GroupBegin{what, "", "", {}, statement, {Form::circle, {held("pole"), held(what)}}});
         draw_arcs(round, pen);
         sketch_.construction.emplace_back(GroupEnd{});
         belong(sketch_.construction, first, statement);
@@ -230,18 +248,19 @@ private:
         const Spot at = sketch_.spot(path.point);
         if (path.centre->at_infinity()) {
             const Spot ray = paper_direction(path.centre->place()), along{-ray.y, ray.x};
-            if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement);
+            if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), held_point(path.point));
             stroke(line(at - tick * along, at + tick * along, {theme_.outline, colour_.line, {}, false}), path.statement);
             return;
         }
         const auto centre = on_paper(spot_of(path.centre));
         if (!centre) return;
-        if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement);
-        draw_segment(at, *centre, sketch_.thin(), path.statement);
+        const std::string here = held_point(path.point), about = held(held_of(path));
+        if (pole) draw_segment(*pole, at, sketch_.thin(), path.statement, held("pole"), here);
+        draw_segment(at, *centre, sketch_.thin(), path.statement, here, about);
         draw_osculating(path, at, *centre);
         if (shows(centre)) {
-            draw_dot(*centre, path.statement);
-            name(point(path.name), *centre, path.statement);
+            draw_dot(*centre, path.statement, about);
+            name(point(path.name), *centre, path.statement, about);
             axes.push_back({kinegraph::name_of(symbol_of(path)), at, *centre, ""});
         }
     }
@@ -254,12 +273,14 @@ private:
         const Unit& unit_of = sketch_.mechanism.units.length;
         const Pen pen{1.4 * theme_.outline, colour_.line, {}, false};
         const std::size_t first = sketch_.construction.size();
+        const Holds holds{Form::arc, {held(held_of(path)), held_point(path.point)}};
         sketch_.construction.emplace_back(GroupBegin{
             "osculating",
             sketch_.id("osculating", path.label),
             "",
             {{"data-name", path.label}, {"data-value", shortest(value / unit_of.si.to_double())}, {"data-unit", unit_of.symbol}},
-            path.statement});
+            path.statement,
+            holds});
         const bool whole = contains(view_, centre - Spot{radius, radius}) && contains(view_, centre + Spot{radius, radius});
         const double half = std::min(std::numbers::pi, std::max(shortest_arc / radius, 0.4)),
                      towards = std::atan2(at.y - centre.y, at.x - centre.x);
@@ -275,24 +296,27 @@ private:
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, at, 1.4, path.statement);
         const double aside = towards + (whole ? 0.6 : 0.7 * half);
         label.anchor = centre + radius * Spot{std::cos(aside), std::sin(aside)};
+        label.holds = holds;
+        label.holds.unit = unit_of.si.to_double();
     }
 
     /// The foot on the line and the centre beyond the pole.
     void draw_envelope(const EnvelopeCentre& envelope) {
         const auto touches = on_paper(spot_of(envelope.touches)), centre = on_paper(spot_of(envelope.centre));
         if (!touches || !centre) return;
-        draw_segment(*touches, *centre, sketch_.thin(), envelope.statement);
+        const std::string joint = std::to_string(envelope.joint.number()), about = held("envelope " + joint);
+        draw_segment(*touches, *centre, sketch_.thin(), envelope.statement, held("touches " + joint), about);
         if (!shows(centre)) return;
-        draw_dot(*centre, envelope.statement);
-        name(point(envelope.name), *centre, envelope.statement);
+        draw_dot(*centre, envelope.statement, about);
+        name(point(envelope.name), *centre, envelope.statement, about);
     }
 
     void draw_pole() {
         const auto pole = on_paper(spot_of(found_.pole));
         if (!shows(pole)) return;
-        draw_dot(*pole, found_.pole_statement);
+        draw_dot(*pole, found_.pole_statement, held("pole"));
         name(typeset(centre_symbol(sketch_.mechanism, frame, found_.body, false), sketch_.context.language), *pole,
-             found_.pole_statement);
+             found_.pole_statement, held("pole"));
     }
 
     Sketch& sketch_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "engine/held.hpp"
 #include "render/figures/fit.hpp"
 #include "render/figures/strings.hpp"
 #include "render/mechanism/clutter.hpp"
@@ -20,6 +21,11 @@ namespace {
 using namespace drawing;
 
 constexpr double line_overshoot = 10;  // of a line of action past what it joins, mm
+
+using Form = Holds::Form;
+Holds at_place(std::string place) { return {Form::at, {std::move(place)}}; }
+/// Place and direction of a force.
+Holds on_force(Form form, const std::string& force) { return {form, {force, force}}; }
 
 double near_a_line(const Solution& solution) { return 1e-7 * solution.pose.size.to_double(); }
 
@@ -112,23 +118,31 @@ struct ActionLine {
     std::vector<Spot> marks;
     StatementIndex statement = none;     // that knows it first
     std::vector<std::string> far_meets;  // points of concurrency outside of the drawing that it leads to
+    std::vector<std::string> forces{};   // whose line it is, as held
+    std::vector<std::string> places{};   // that it joins, as held
 
     /// Whether it leads from its own place to another.
     bool joins() const { return marks.size() > 1 || !far_meets.empty(); }
+    void reach(Spot mark, std::string place) {
+        marks.push_back(mark);
+        places.push_back(std::move(place));
+    }
 };
 
-LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance, StatementIndex statement) {
+LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot at, double clearance, StatementIndex statement,
+                           const std::string& place) {
     return {.text = typeset(Symbol{Symbol::Letter::point, name, ""}, sketch.context.language),
             .size = sketch.theme.label,
             .colour = sketch.theme.text,
             .anchor = at,
             .clearance = clearance,
             .statement = statement,
-            .names = {name}};
+            .names = {name},
+            .holds = at_place(place)};
 }
 
-void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex statement) {
-    LabelRequest own = label_of_meet(sketch, name, at, 2.0, statement);
+void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex statement, const std::string& place) {
+    LabelRequest own = label_of_meet(sketch, name, at, 2.0, statement, place);
     for (LabelRequest& label : sketch.labels) {
         if (label.balloon > 0 || label.toward || length(label.anchor - at) > 0.3) continue;
         // The lines meet in a point that has a name already.
@@ -139,18 +153,21 @@ void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex 
     sketch.centres.emplace_back(ring(at, 1.0, sketch.theme.paper, sketch.outline()));
     sketch.centres.emplace_back(disc(at, 0.45, sketch.theme.text));
     belong(sketch.centres, sketch.centres.size() - 2, statement);
+    hang(sketch.centres, sketch.centres.size() - 2, own.holds);
     sketch.labels.push_back(std::move(own));
 }
 
 /// The lines of action of a drawing, each once, within a view.
 class ActionLines {
 public:
-    ActionLines(Sketch& sketch, const Box& view) : sketch_(sketch), view_(view) {}
+    /// `load`: of what acts alone; empty: all loads.
+    ActionLines(Sketch& sketch, const Box& view, std::string load) : sketch_(sketch), view_(view), load_(std::move(load)) {}
 
     /// The line of a force with the points of concurrency on it, as far as there are any.
-    ActionLine line_of(const AppliedForce& applied, const Meets& meets) const {
+    ActionLine line_of(const AppliedForce& applied, const Meets& meets, std::string held) const {
         const Spot at = sketch_.spot(applied.at);
         ActionLine action{at, paper_direction(applied.force), {at}, applied.line_statement, {}};
+        action.forces.push_back(std::move(held));
         for (const FreeBody::Meet& meet : meets) {
             const Spot place = sketch_.spot(meet.place);
             if (std::abs(cross(action.along, place - at)) > 0.05 + 1e-9 * length(place - at)) continue;
@@ -158,6 +175,7 @@ public:
                 action.marks.push_back(place);
             else
                 action.far_meets.push_back(meet.name);
+            action.places.push_back(held_meet(load_, meet.name));
         }
         return action;
     }
@@ -168,17 +186,20 @@ public:
                 known.marks.insert(known.marks.end(), added.marks.begin(), added.marks.end());
                 known.far_meets.insert(known.far_meets.end(), added.far_meets.begin(), added.far_meets.end());
                 known.statement = std::min(known.statement, added.statement);
+                known.forces.insert(known.forces.end(), added.forces.begin(), added.forces.end());
+                known.places.insert(known.places.end(), added.places.begin(), added.places.end());
                 return;
             }
         lines_.push_back(std::move(added));
     }
 
     /// The line of a force as far as to the strings that end on it.
-    void add_to_strings(const AppliedForce& applied, const Meets& meets, const FreeBody::Funicular& funicular) {
-        ActionLine action = line_of(applied, meets);
-        for (const Recorded<Vector>& vertex : funicular.vertices)
-            if (const Spot at = sketch_.spot(*vertex); std::abs(cross(action.along, at - action.at)) < 0.05)
-                action.marks.push_back(at);
+    void add_to_strings(const FreeBody& body, const AppliedForce& applied, const Meets& meets,
+                        const FreeBody::Funicular& funicular) {
+        ActionLine action = line_of(applied, meets, held_force(load_, body, applied));
+        for (std::size_t i = 0; i < funicular.vertices.size(); ++i)
+            if (const Spot at = sketch_.spot(*funicular.vertices[i]); std::abs(cross(action.along, at - action.at)) < 0.05)
+                action.reach(at, held_string(load_, funicular, i));
         action.statement = std::min(action.statement == none ? funicular.statement : action.statement, funicular.statement);
         if (action.marks.size() > 1) add(std::move(action));
     }
@@ -186,7 +207,7 @@ public:
     void draw_meets(const Meets& meets) {
         for (const FreeBody::Meet& meet : meets)
             if (const Spot at = sketch_.spot(meet.place); contains(view_, at))
-                draw_meet(sketch_, meet.name, at, meet.statement);
+                draw_meet(sketch_, meet.name, at, meet.statement, held_meet(load_, meet.name));
             else
                 draw_far_meet(meet.name, at, meet.statement);
     }
@@ -213,7 +234,8 @@ private:
             belong(sketch_.construction, sketch_.construction.size() - 2, std::max(statement, action.statement));
             if (named) continue;
             named = true;
-            LabelRequest label = label_of_meet(sketch_, name, tip, 1.2, statement);
+            LabelRequest label = label_of_meet(sketch_, name, tip, 1.2, statement, held_meet(load_, name));
+            label.holds = {};  // at the edge it says how far it is
             if (const auto from = name_of_point_at(sketch_, action.at))
                 append(label.text, how_far(sketch_, *from, label.text, length(meet - action.at)));
             sketch_.labels.push_back(std::move(label));
@@ -232,18 +254,27 @@ private:
         if (to - from < 1) return;
         layer.emplace_back(line(action.at + from * action.along, action.at + to * action.along, sketch_.axis()));
         belong(layer, layer.size() - 1, action.statement);
+        hang(layer, layer.size() - 1, held(action));
+    }
+    static Holds held(const ActionLine& action) {
+        Holds holds{Form::line, action.forces, line_overshoot};
+        holds.on.emplace_back();
+        holds.on.insert(holds.on.end(), action.places.begin(), action.places.end());
+        return holds;
     }
 
     Sketch& sketch_;
     Box view_;
+    std::string load_;
     std::vector<ActionLine> lines_;
 };
 
 // --- arrows ------------------------------------------------------------------------------------------------------------------
 
 /// About the place where the couple acts, where the least is in the way.
+/// `held`: place and couple; `unit`: of the moment that the text says, in SI, or 0.
 void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at, bool positive, const BodyColour& colour,
-                 StatementIndex statement) {
+                 StatementIndex statement, std::vector<std::string> held, double unit) {
     constexpr double sweep = 2.4;
     // On paper y runs down: counter-clockwise is the negative turn.
     const double by = positive ? -sweep : sweep;
@@ -257,9 +288,12 @@ void draw_couple(Sketch& sketch, Clutter& clutter, const RichText& text, Spot at
     const std::size_t first = sketch.arrows.size();
     draw_arc_arrow(sketch.arrows, at, arc.radius, arc.from, arc.to, 0.5, colour.line);
     belong(sketch.arrows, first, statement);
+    hang(sketch.arrows, first, {Form::couple, held});
     clutter.add_arc(at, arc.radius, arc.from, by);
     const Spot out = polar_spot(arc.from + by / 2), middle = at + arc.radius * out;
-    sketch.add_label(text, colour.letter, middle, 1.5, statement).toward = middle + 4.0 * turned(out);
+    LabelRequest& label = sketch.add_label(text, colour.letter, middle, 1.5, statement);
+    label.toward = middle + 4.0 * turned(out);
+    label.holds = {Form::couple, std::move(held), 0, unit};
 }
 
 RichText couple_words(const DrawingContext& context, const AppliedForce& applied) {
@@ -271,7 +305,8 @@ RichText couple_words(const DrawingContext& context, const AppliedForce& applied
 }
 
 /// From the place about which a moment is taken to the line of a force: thin, with its length.
-void draw_arm(Sketch& sketch, const FreeBody::Arm& arm, std::vector<Bar>& drawn) {
+void draw_arm(Sketch& sketch, const FreeBody& body, std::size_t index, const std::string& load, std::vector<Bar>& drawn) {
+    const FreeBody::Arm& arm = body.arms[index];
     const Spot about = sketch.spot(arm.about), foot = sketch.spot(arm.foot);
     const Box view = grown(sketch.mechanism_box(), line_overshoot + 3);
     if (!contains(view, about) || !contains(view, foot) || length(foot - about) < 1) return;
@@ -280,13 +315,18 @@ void draw_arm(Sketch& sketch, const FreeBody::Arm& arm, std::vector<Bar>& drawn)
     drawn.push_back({about, foot});
     sketch.over_bodies.emplace_back(line(about, foot, sketch.thin()));
     belong(sketch.over_bodies, sketch.over_bodies.size() - 1, arm.statement);
-    if (!name_of_point_at(sketch, about) && !arm.name.empty()) draw_meet(sketch, arm.name, about, arm.statement);
+    const Holds held{Form::segment, {held_arm(load, body, index, false), held_arm(load, body, index, true)}};
+    hang(sketch.over_bodies, sketch.over_bodies.size() - 1, held);
+    if (!name_of_point_at(sketch, about) && !arm.name.empty()) draw_meet(sketch, arm.name, about, arm.statement, held.on.front());
     const Unit& unit = sketch.mechanism.units.length;
     RichText text = one_piece(arm.is_shift ? "d" : "b", Face::italic);
     append(text,
            with_powers(" = " + number(kinegraph::length(arm.foot - arm.about) / unit.si.to_double(), 4, sketch.context.language) +
                        " " + unit.symbol));
-    sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement).size = sketch.theme.small;
+    LabelRequest& label = sketch.add_label(std::move(text), sketch.theme.secondary, 0.5 * (about + foot), 1.0, arm.statement);
+    label.size = sketch.theme.small;
+    label.holds = held;
+    label.holds.unit = unit.si.to_double();
 }
 
 /// A resultant acts on nothing: its shaft is broken.
@@ -310,20 +350,22 @@ struct ForceScale {
 
 class FreeBodyDrawing {
 public:
-    FreeBodyDrawing(Sketch& sketch, const FreeBody& body, const ForceScale& scale)
+    FreeBodyDrawing(Sketch& sketch, const FreeBody& body, const ForceScale& scale, std::string load)
         : sketch_(sketch),
           body_(body),
           scale_(scale),
           unit_(sketch.mechanism.units.force),
           colour_(sketch.theme.colour_of(body.body)),
+          load_(std::move(load)),
           meets_(shown_meets(sketch.subject.solution, body)),
-          lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3)) {}
+          lines_(sketch, grown(sketch.mechanism_box(), line_overshoot + 3), load_) {}
 
     void draw() {
         if (body_.body != none)
             draw_alone(sketch_, body_.body);
         else
             sketch_.pins.emplace_back(ring(sketch_.spot(body_.pin), 1.8, sketch_.theme.paper, sketch_.outline()));
+        if (body_.body == none) hang(sketch_.pins, sketch_.pins.size() - 1, at_place(held_point(body_.pin)));
         name_points(sketch_);
         for (const Load& load : sketch_.mechanism.loads)
             if (const auto* distributed = std::get_if<DistributedLoad>(&load);
@@ -331,18 +373,20 @@ public:
                 draw_distributed(sketch_, *distributed, sketch_.over_bodies);
         clutter_.add(sketch_.bodies);
         for (const AppliedForce& applied : body_.forces) {
+            const std::string held = held_force(load_, body_, applied);
             if (!applied.couple.is_zero())
                 draw_couple(sketch_, clutter_, couple_words(sketch_.context, applied), sketch_.spot(applied.at),
-                            applied.couple.sign() > 0, colour_, applied.force_statement);
-            if (!applied.force.is_zero()) draw_force(applied);
+                            applied.couple.sign() > 0, colour_, applied.force_statement, {couple_of(held), couple_of(held)},
+                            unit_of_moment());
+            if (!applied.force.is_zero()) draw_force(applied, held);
         }
         // In a narrow room the line must do: the polygon has the force.
         for (const AppliedForce& sum : body_.sums)
             if (scale_.says_values)
-                draw_force(beside_body(sum));
+                draw_force(beside_body(sum), held_sum(load_, body_, sum));
             else
-                add_line_of(sum);
-        for (const FreeBody::Arm& arm : body_.arms) draw_arm(sketch_, arm, arms_);
+                add_line_of(sum, held_sum(load_, body_, sum));
+        for (std::size_t i = 0; i < body_.arms.size(); ++i) draw_arm(sketch_, body_, i, load_, arms_);
         if (body_.funicular) draw_strings_of_body(*body_.funicular);
         lines_.draw_meets(meets_);
         lines_.draw(sketch_.over_bodies);
@@ -358,7 +402,8 @@ private:
         sum.at = {sum.at.x + share * sum.force.x, sum.at.y + share * sum.force.y};
         return sum;
     }
-    void draw_force(const AppliedForce& applied) {
+    double unit_of_moment() const { return sketch_.mechanism.units.moment.si.to_double(); }
+    void draw_force(const AppliedForce& applied, const std::string& held) {
         const double value = kinegraph::length(Vector{applied.force.x / unit_.si, applied.force.y / unit_.si});
         // Too small for its own arrowhead, a force shows its sense by a thin arrow and says its size.
         constexpr double least_to_scale = 4, only_sense = 9;
@@ -366,8 +411,8 @@ private:
         const Bar arrow = free_stand(applied, to_scale ? value / scale_.per_millimetre : only_sense);
         standing_.push_back(arrow);
         clutter_.add(arrow.from, arrow.to);
-        draw_arrow_of(applied, arrow, value, to_scale);
-        add_line_of(applied);
+        draw_arrow_of(applied, held, arrow, value, to_scale);
+        add_line_of(applied, held);
         if (applied.is_component) return;
         if (const JointForce* pair = at_the_pair(sketch_.subject.solution, body_, applied); pair != nullptr && scale_.at_pairs)
             draw_at_pair(applied, *pair, arrow);
@@ -425,7 +470,7 @@ private:
         for (int n = 2; !names_.insert(unique).second; ++n) unique = base + "-" + std::to_string(n);
         return unique;
     }
-    void draw_arrow_of(const AppliedForce& applied, const Bar& arrow, double value, bool to_scale) {
+    void draw_arrow_of(const AppliedForce& applied, const std::string& held, const Bar& arrow, double value, bool to_scale) {
         const Theme& theme = sketch_.theme;
         const StatementIndex statement = applied.force_statement;
         const std::string unique = unique_name(name_of(applied.symbol));
@@ -433,7 +478,8 @@ private:
                                                sketch_.id("", unique),
                                                unique + " = " + shortest(value) + " " + unit_.symbol,
                                                {{"data-name", unique}, {"data-value", shortest(value)}},
-                                               statement});
+                                               statement,
+                                               on_force(to_scale ? Form::arrow : Form::with, held)});
         if (to_scale) sketch_.arrows.emplace_back(Axis{arrow.from, arrow.to});
         draw_arrow(sketch_.arrows, arrow.from, arrow.to, to_scale ? theme.vector : theme.outline, colour_.line,
                    shaft_of(applied, colour_));
@@ -444,6 +490,8 @@ private:
         LabelRequest& label = sketch_.add_label(std::move(text), colour_.letter, middle(arrow), 1.5, statement);
         label.size = theme.equation;
         label.toward = arrow.to;
+        label.holds = on_force(to_scale ? Form::arrow : Form::with, held);
+        if (!to_scale && scale_.says_values) label.holds.unit = unit_.si.to_double();
     }
 
     /// Two forces: one line, or with a couple two, and their distance is its arm.
@@ -451,19 +499,20 @@ private:
         return std::count_if(body_.forces.begin(), body_.forces.end(),
                              [](const AppliedForce& f) { return !f.force.is_zero(); }) == 2;
     }
-    void add_line_of(const AppliedForce& applied) {
-        ActionLine action = lines_.line_of(applied, meets_);
-        for (const FreeBody::Arm& arm : body_.arms) {
+    void add_line_of(const AppliedForce& applied, const std::string& held) {
+        ActionLine action = lines_.line_of(applied, meets_, held);
+        for (std::size_t i = 0; i < body_.arms.size(); ++i) {
+            const FreeBody::Arm& arm = body_.arms[i];
             const Spot foot = sketch_.spot(arm.foot);
             if (std::abs(cross(action.along, foot - action.at)) > 0.05) continue;
-            action.marks.push_back(foot);
+            action.reach(foot, held_arm(load_, body_, i, true));
             action.statement = std::min(action.statement == none ? arm.statement : action.statement, arm.statement);
         }
         // To where it is added to another.
         for (const AppliedForce& sum : body_.sums)
             if (const Spot at = sketch_.spot(sum.at); &sum != &applied && std::abs(cross(action.along, at - action.at)) < 0.05 &&
                                                       contains(sketch_.mechanism_box(), at) && length(at - action.at) > 1) {
-                action.marks.push_back(at);
+                action.reach(at, held_sum(load_, body_, sum));
                 action.statement =
                     action.statement == none ? sum.force_statement : std::min(action.statement, sum.force_statement);
             }
@@ -473,9 +522,9 @@ private:
 
     /// Each string ends on the lines of its two forces.
     void draw_strings_of_body(const FreeBody::Funicular& funicular) {
-        draw_strings(sketch_, funicular);
+        draw_strings(sketch_, funicular, load_);
         for (const AppliedForce& applied : body_.forces)
-            if (!applied.force.is_zero()) lines_.add_to_strings(applied, meets_, funicular);
+            if (!applied.force.is_zero()) lines_.add_to_strings(body_, applied, meets_, funicular);
     }
 
     /// Force and couple at the pair's own point, thin, and how far aside they are the one force: d = M/F.
@@ -484,13 +533,15 @@ private:
         const double aside = length(foot - at);
         AppliedForce couple = applied;
         couple.couple = *pair.couple;
+        const std::string point = held_point(sketch_.mechanism.joint(pair.joint).point), held = held_pair(pair);
         draw_couple(sketch_, clutter_, couple_words(sketch_.context, couple), at, pair.couple->sign() > 0, colour_,
-                    applied.force_statement);
+                    applied.force_statement, {point, couple_of(held)}, unit_of_moment());
         constexpr double least = 2;
         if (aside < least || !contains(grown(sketch_.mechanism_box(), line_overshoot), foot)) return;
         const std::size_t first = sketch_.arrows.size();
         draw_arrow(sketch_.arrows, at, at + (arrow.to - arrow.from), sketch_.theme.thin, colour_.line, dashes());
         belong(sketch_.arrows, first, applied.force_statement);
+        hang(sketch_.arrows, first, {Form::arrow, {point, held}});
         const Unit& unit = sketch_.mechanism.units.length;
         const double metres =
             kinegraph::length(applied.at - sketch_.subject.solution.pose.at(sketch_.mechanism.joint(pair.joint).point));
@@ -515,6 +566,7 @@ private:
     ForceScale scale_;
     const Unit& unit_;
     BodyColour colour_;
+    std::string load_;
     Meets meets_;
     Clutter clutter_;
     ActionLines lines_;
@@ -587,23 +639,25 @@ Bar free_arrow(const Clutter& clutter, const AppliedForce& applied, Spot at) {
 }
 
 /// Its sense only.
-void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour,
-                StatementIndex statement) {
+void draw_sense(Sketch& sketch, Clutter& clutter, const AppliedForce& applied, const BodyColour& colour, StatementIndex statement,
+                const std::string& held) {
     const Spot at = sketch.spot(applied.at);
     if (!applied.couple.is_zero())
         draw_couple(sketch, clutter, typeset(couple_symbol(applied), sketch.context.language), at, applied.couple.sign() > 0,
-                    colour, statement);
+                    colour, statement, {couple_of(held), couple_of(held)}, 0);
     if (applied.force.is_zero()) return;
     const Bar arrow = free_arrow(clutter, applied, at);
     const std::size_t first = sketch.arrows.size();
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, shaft_of(applied, colour));
     belong(sketch.arrows, first, statement);
+    hang(sketch.arrows, first, on_force(Form::with, held));
     clutter.add(arrow.from, arrow.to);
     LabelRequest& label =
         sketch.add_label(typeset(applied.symbol, sketch.context.language), colour.letter, middle(arrow), 1.5, statement);
     label.size = sketch.theme.equation;
     label.toward = arrow.to;
     label.names = {name_of(applied.symbol)};
+    label.holds = on_force(Form::with, held);
 }
 
 /// On bodies taken together: what the polygon of their strings has.
@@ -613,28 +667,29 @@ bool acts_from_outside(const AppliedForce& applied, const TakenTogether& togethe
            std::find(strings.known.begin(), strings.known.end(), applied.symbol) != strings.known.end();
 }
 
-void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view) {
+void draw_action_lines(Sketch& sketch, const Meets& meets, const Box& view, const std::string& load) {
     const Solution& solution = sketch.subject.solution;
-    ActionLines lines(sketch, view);
+    ActionLines lines(sketch, view, load);
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& applied : body.forces) {
             if (applied.force.is_zero()) continue;
-            ActionLine action = lines.line_of(applied, shown_meets(solution, body));
+            ActionLine action = lines.line_of(applied, shown_meets(solution, body), held_force(load, body, applied));
             if (action.joins() || applied.line_by_construction) lines.add(std::move(action));
         }
-    const auto add_sums = [&](const std::vector<AppliedForce>& sums) {
-        for (const AppliedForce& sum : sums)
-            if (ActionLine action = lines.line_of(sum, meets); action.joins()) lines.add(std::move(action));
+    const auto add_sum = [&](const AppliedForce& sum, std::string held) {
+        if (ActionLine action = lines.line_of(sum, meets, std::move(held)); action.joins()) lines.add(std::move(action));
     };
-    for (const FreeBody& body : solution.free_bodies) add_sums(body.sums);
-    for (const TakenTogether& together : solution.taken_together) {
-        add_sums(together.sums);
+    for (const FreeBody& body : solution.free_bodies)
+        for (const AppliedForce& sum : body.sums) add_sum(sum, held_sum(load, body, sum));
+    for (std::size_t i = 0; i < solution.taken_together.size(); ++i) {
+        const TakenTogether& together = solution.taken_together[i];
+        for (const AppliedForce& sum : together.sums) add_sum(sum, held_sum(load, i, sum));
         if (!together.funicular) continue;
-        draw_strings(sketch, *together.funicular);
+        draw_strings(sketch, *together.funicular, load);
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (!applied.force.is_zero() && acts_from_outside(applied, together))
-                    lines.add_to_strings(applied, shown_meets(solution, body), *together.funicular);
+                    lines.add_to_strings(body, applied, shown_meets(solution, body), *together.funicular);
     }
     lines.draw_meets(meets);
     lines.draw(sketch.construction);
@@ -684,7 +739,7 @@ Figure free_body_figure(const DrawingContext& context, std::size_t index, double
                              : choose_scale(subject.size() > 0 ? subject.size() : 1, 0, 120, 120, std::nullopt);
     return fit({.room = Spot{room_x, room_y}, .first = start}, [&](const Trial& trial) {
         Sketch sketch(subject, context, trial.scale, id + "-");
-        FreeBodyDrawing(sketch, body, forces).draw();
+        FreeBodyDrawing(sketch, body, forces, load).draw();
         Figure figure = sketch.finish("body", id, unit.symbol);
         figure.scale = forces.per_millimetre;
         figure.caption = caption_of(context, body, name, load);
@@ -716,18 +771,19 @@ Figure mechanism_with_forces(const DrawingContext& context, double room_x, doubl
         clutter.add(sketch.bodies);
         clutter.add(sketch.ground);
         const Box drawn{(1 / trial.scale) * extent.min, (1 / trial.scale) * extent.max};
-        draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4));
+        draw_action_lines(sketch, meets, grown(drawn, line_overshoot + 4), load);
         for (const FreeBody& body : solution.free_bodies)
             for (const AppliedForce& applied : body.forces)
                 if (is_shown_on_mechanism(body, applied, !load.empty()))
-                    draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement);
-        for (const TakenTogether& together : solution.taken_together)
-            for (const AppliedForce& sum : together.sums)
-                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement);
+                    draw_sense(sketch, clutter, applied, context.theme.colour_of(body.body), applied.force_statement,
+                               held_force(load, body, applied));
+        for (std::size_t i = 0; i < solution.taken_together.size(); ++i)
+            for (const AppliedForce& sum : solution.taken_together[i].sums)
+                draw_sense(sketch, clutter, sum, context.theme.colour_of(none), sum.force_statement, held_sum(load, i, sum));
         std::vector<Bar> arms;
         for (const FreeBody& body : solution.free_bodies)
-            for (const FreeBody::Arm& arm : body.arms)
-                if (!arm.is_shift) draw_arm(sketch, arm, arms);
+            for (std::size_t i = 0; i < body.arms.size(); ++i)
+                if (!body.arms[i].is_shift) draw_arm(sketch, body, i, load, arms);
         Figure figure = sketch.finish("mechanism", load.empty() ? "mechanism" : legal_id("lines-load-" + load), "m");
         figure.caption = caption_of_lines(context, load);
         sketch.close(figure, {room_x, room_y}, trial.last || trial.asked, trial.scale, solution.mechanism.units.length);

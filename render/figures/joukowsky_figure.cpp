@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/assert.hpp"
+#include "engine/held.hpp"
 #include "render/figures/fit.hpp"
 #include "render/page/shapes.hpp"
 #include "render/scene/drawn_by.hpp"
@@ -37,6 +38,8 @@ struct Placed {
     StatementIndex statement;  // after which the force is known; none: it is given
     StatementIndex motion;     // that draws the velocity of the point it acts at
 };
+
+using Form = Holds::Form;
 
 class Lever {
 public:
@@ -84,6 +87,7 @@ public:
         draw_forces(figure, arrows);
         figure.marks.emplace_back(
             ring({0, 0}, pole_radius, context_.theme.paper, {context_.theme.outline, context_.theme.text, {}, false}));
+        hang(figure.marks, figure.marks.size() - 1, {Form::at, {held_pole()}});
         label_tips(figure);
         figure.box = box_of(figure.marks);
         draw_bars(figure);
@@ -159,34 +163,44 @@ private:
             const double from = dot(tail, along), to = dot(tip, along), place = dot(at, along);
             const double low = std::min({0.0, place, from}), high = std::max({0.0, place, to});
             const auto on_line = [&](double t) { return foot + t * along; };
+            const std::string force = held_work(*placed_[i].entry), held = held_foot(*placed_[i].entry);
+            const std::size_t first = figure.marks.size();
             if (low < from) figure.marks.emplace_back(line(on_line(low - (low == 0 ? overshoot : 0)), on_line(from), action));
             if (high > to) figure.marks.emplace_back(line(on_line(to), on_line(high + (high == 0 ? overshoot : 0)), action));
+            hang(figure.marks, first, {Form::line, {force, "", held}, overshoot});
             if (length(foot) < least_arm) continue;
             if (std::any_of(done.begin(), done.end(), [&](const auto& other) { return length(other.first - foot) < coincident; }))
                 continue;
             done.emplace_back(foot, along);
             figure.marks.emplace_back(line({0, 0}, foot, arm));
+            hang(figure.marks, figure.marks.size() - 1, {Form::segment, {held_pole(), held}});
             if (length(foot) < 1.6 * corner_size) continue;
             // Into the corner away from the arrow, where there is one.
             const Spot back = -corner_size * unit(foot), aside = (0.5 * (from + to) > 0 ? -corner_size : corner_size) * along;
             figure.marks.emplace_back(polyline({foot + back, foot + back + aside, foot + aside}, corner));
+            hang(figure.marks, figure.marks.size() - 1, {Form::with, {held, held_pole(), held}});
         }
     }
 
     void draw_rays(Figure& figure) const {
         const Pen pen{context_.theme.thin, context_.theme.secondary, {}, false};
         std::vector<Spot> done;
+        std::vector<std::string> tips;
         for (const Placed& each : placed_) {
             const Spot tip = tip_of(each, figure.scale);
             if (length(tip) < coincident) continue;
             if (std::any_of(done.begin(), done.end(), [&](Spot other) { return length(other - tip) < coincident; })) continue;
             done.push_back(tip);
-            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}, each.motion});
+            tips.push_back(held_work(*each.entry));
+            figure.marks.emplace_back(GroupBegin{"ray", "", "", {}, each.motion, {Form::segment, {held_pole(), tips.back()}}});
             figure.marks.emplace_back(Axis{{0, 0}, tip});
             figure.marks.emplace_back(line({0, 0}, tip, pen));
             figure.marks.emplace_back(GroupEnd{});
         }
-        for (const Spot tip : done) figure.marks.emplace_back(disc(tip, 0.6, context_.theme.text));
+        for (std::size_t i = 0; i < done.size(); ++i) {
+            figure.marks.emplace_back(disc(done[i], 0.6, context_.theme.text));
+            hang(figure.marks, figure.marks.size() - 1, {Form::at, {tips[i]}});
+        }
     }
 
     void draw_forces(Figure& figure, const std::vector<Arrow>& arrows) const {
@@ -197,6 +211,7 @@ private:
             std::string name = base;
             for (int n = 2; !names.insert(name).second; ++n) name = base + "-" + std::to_string(n);
             const BodyColour colour = context_.theme.colour_of(entry.body);
+            const Holds holds{Form::arrow, {held_work(entry), held_work(entry)}};
             figure.marks.emplace_back(GroupBegin{"force",
                                                  figure.id + "-" + legal_id(name),
                                                  name + " = " + shortest(placed_[i].value) + " " + force_.symbol,
@@ -204,7 +219,8 @@ private:
                                                   {"data-value", shortest(placed_[i].value)},
                                                   {"data-scale", shortest(force_scale_)},
                                                   {"data-unit", force_.symbol}},
-                                                 placed_[i].statement});
+                                                 placed_[i].statement,
+                                                 holds});
             figure.marks.emplace_back(Axis{arrows[i].tail, arrows[i].tip});
             draw_arrow(figure.marks, arrows[i].tail, arrows[i].tip, context_.theme.vector, colour.line, colour.dashes);
             figure.marks.emplace_back(GroupEnd{});
@@ -216,6 +232,7 @@ private:
             label.toward = arrows[i].tip;
             label.clearance = 1.5;
             label.statement = placed_[i].statement;
+            label.holds = holds;
             figure.labels.push_back(std::move(label));
         }
     }
@@ -226,9 +243,10 @@ private:
             Spot at;
             RichText text;
             std::set<std::string> names;
+            std::string place;  // held
         };
         const Symbol pole{Symbol::Letter::pole, "v", ""};
-        std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}}};
+        std::vector<Cluster> clusters{{{0, 0}, typeset(pole, context_.language), {name_of(pole)}, held_pole()}};
         for (const Placed& each : placed_) {
             const PointIndex point = point_of(*each.entry);
             if (point == none) continue;
@@ -238,7 +256,7 @@ private:
                 std::find_if(clusters.begin(), clusters.end(), [&](const Cluster& c) { return length(c.at - at) < coincident; });
             const RichText text = typeset(image, context_.language);
             if (same == clusters.end()) {
-                clusters.push_back({at, text, {name_of(image)}});
+                clusters.push_back({at, text, {name_of(image)}, held_work(*each.entry)});
             } else if (same->names.insert(name_of(image)).second) {
                 append(same->text, one_piece(" ≡ "));
                 append(same->text, text);
@@ -251,6 +269,7 @@ private:
             label.colour = context_.theme.text;
             label.anchor = cluster.at;
             label.clearance = 2.0;
+            label.holds = {Form::at, {cluster.place}};
             figure.labels.push_back(std::move(label));
         }
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/index.hpp"
+#include "render/ink/holds.hpp"
 #include "render/ink/spot.hpp"
 
 namespace kinegraph::render {
@@ -55,6 +56,7 @@ struct Path {
     Pen pen;
     StatementIndex statement = none;  ///< of the solution, that it is drawn by; none: it is there from the beginning
     bool tinted = false;              ///< the fill is a body's tint or the paper: no ink, letters may stand on it
+    Holds holds{};                    ///< what it goes with
 };
 
 /// Round ends go with round corners; and a dash that runs round a sharp corner must leave no spike there.

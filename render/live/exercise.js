@@ -140,7 +140,7 @@ class Exercise {
     }
     /** Polygons in which there is something to draw. */
     get polygons() {
-        const all = this.page.figures.filter((view) => !view.isMechanism && view.follows && view.id !== 'closure');
+        const all = this.page.figures.filter((view) => !view.isMechanism && !view.held && view.follows && view.id !== 'closure');
         return all.filter((view) => all.find(({id}) => id === view.id) === view && this.tasksOf(view).length > 0);
     }
     get view() {

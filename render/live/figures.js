@@ -3,7 +3,7 @@
 // mechanism is elsewhere: nothing is shown that was not constructed. At the drawn position it is the sheet's figure, untouched.
 
 /**
- * @typedef {{name: string, origin: [number, number], labels: string[][]}} FigureInfo
+ * @typedef {{name: string, origin: [number, number], places?: number, labels: string[][]}} FigureInfo
  * @typedef {{letter: string, numbers: number[]}} Segment
  * @typedef {{vectors: Map<string, number[]>, spots: Map<string, number>, lines: Map<string, {line: number, points: number[]}>}} Drawn
  * @typedef {{bodies: {id: string, label: string}[], joints: {id: string, point: number, turnsWith: number, bodies: [number, number]}[],
@@ -116,12 +116,20 @@ class FigureView {
          * @type {Map<string, string>}
          */
         this.keys = new Map();
-        this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name);
+        /** A body, or a pin, cut free. */
+        this.isFree = /^(body|pin)-/.test(info.name);
+        const isHeld = this.isFree || /^(lines-|curvature-|joukowsky$)/.test(info.name);
+        this.isMechanism = ['mechanism', 'centres', 'velocities'].includes(info.name) || isHeld && info.name !== 'joukowsky';
         /** Of the vectors, units of the quantity for a mm; a drawing of the mechanism may bear vectors. */
         this.vectorScale = this.drawnScale;
-        if (info.name === 'velocities') this.drawnScale = this.scale = this.scaleOfPlaces();
-        this.origin = this.isMechanism ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
+        if (this.isMechanism) this.drawnScale = this.scale = info.places ?? 1;
+        this.origin = this.isMechanism || isHeld ? {x: info.origin[0], y: info.origin[1]} : this.poleOf();
+        /** Marks that say what they go with. */
+        this.held = isHeld ? new HeldMarks(this) : null;
+        if (this.held?.isLever) this.drawnScale = this.scale;
         this.drawnOrigin = this.origin;
+        /** What is seen of the paper: left, top, width, height. */
+        this.shownRoom = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         /**
          * The scale bar: true at the drawing's scale alone.
          * @type {Element[]}
@@ -129,20 +137,48 @@ class FigureView {
         this.measures = [];
         /** @type {(() => void)[]} */
         this.bindings = [];
-        /** @type {{label: Element, name: string, box: DOMRect}[]} */
+        /** @type {{label: Element, box: DOMRect, value: () => number | null, unit: string}[]} */
         this.vectorLabels = [];
-        /** @type {Map<Element, Map<string, string | null>>} */
+        /** @type {(value: number) => string} */
+        this.written = String;
+        this.tellsValues = false;
+        /**
+         * A body cut free keeps its place: its points, and the middle of them as drawn.
+         * @type {{points: number[], middle: Spot} | null}
+         */
+        this.own = null;
+        /**
+         * What was changed, as it was and as it is.
+         * @type {Map<Element, Map<string, {drawn: string | null, now: string | null}>>}
+         */
         this.drawn = new Map();
         this.viewBox = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
         this.room = {left: 0, top: 0, right: 0, bottom: 0};
         this.isBound = false;
+        const figure = svg.closest('figure');
+        this.note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
+        this.captionOfScale = /** @type {HTMLElement | null} */ (figure?.querySelector('.scale'));
+        this.saysOtherScale = false;
         /** Leaders, which go with their labels. */
         this.taken = new Set();
     }
 
     /** Whether the figure can follow the mechanism at all. */
     get follows() {
-        return this.isMechanism ? this.scale > 0 : this.keys.size > 0 && ![...this.keys.values()].includes('');
+        if (this.isMechanism || this.held) return this.scale > 0;
+        return this.keys.size > 0 && ![...this.keys.values()].includes('');
+    }
+    /** Whether it hangs on a construction, and not on the position alone. */
+    get isConstructed() {
+        return !this.isMechanism || this.held !== null;
+    }
+    /** Of what it shows: a unit for each mm, now and as drawn; of the lever velocities and forces. */
+    get scales() {
+        const {held, unit, scale, drawnScale} = this, forces = held && held.forces.length > 0 ?
+            [{now: held.scale / held.inUnit, drawn: held.drawnScale / held.inUnit, unit: held.unit}] : [];
+        if (this.isFree) return forces;
+        const own = held?.isLever ? Number(this.group.getAttribute('data-scale')) : this.isMechanism ? this.vectorScale : drawnScale;
+        return [{now: own * scale / drawnScale, drawn: own, unit}, ...forces];
     }
     get caption() {
         return this.group.querySelector('title')?.textContent ?? '';
@@ -179,18 +215,6 @@ class FigureView {
     pointOf(name) {
         return this.names.points.findIndex(({label}) => label === name.slice(2).replace('*', ''));
     }
-    /** Of a drawing whose own scale is that of its vectors: as far from the origin as they begin; 0: it cannot be told. */
-    scaleOfPlaces() {
-        const origin = {x: this.info.origin[0], y: this.info.origin[1]};
-        let scale = 0, farthest = 0;
-        for (const node of this.group.querySelectorAll('g.vector')) {
-            const at = this.motion.read.points[this.pointOf(node.getAttribute('data-name') ?? '')], axis = node.querySelector('line.axis');
-            if (!at || !axis) continue;
-            const off = apart({x: Number(axis.getAttribute('x1')), y: Number(axis.getAttribute('y1'))}, origin);
-            if (off > farthest) [farthest, scale] = [off, Math.hypot(at.x, at.y) / off];
-        }
-        return scale;
-    }
 
     // --- where things are -----------------------------------------------------------------------------------------------------
 
@@ -201,6 +225,14 @@ class FigureView {
      */
     paper(at) {
         return {x: this.origin.x + at.x / this.scale, y: this.origin.y - at.y / this.scale};
+    }
+    /**
+     * The same in the drawn position's figure.
+     * @param {Spot} at
+     * @returns {Spot}
+     */
+    drawnPaper(at) {
+        return {x: this.drawnOrigin.x + at.x / this.drawnScale, y: this.drawnOrigin.y - at.y / this.drawnScale};
     }
     /**
      * What a plan draws in this figure, by name.
@@ -220,6 +252,8 @@ class FigureView {
         for (const [figure, name, tail, tip] of vectors) {
             if (figure !== from) continue;
             let key = name;
+            const known = found.vectors.get(name);
+            if (known && known[0] === tail && known[1] === tip) continue;  // of two bodies that share the point
             for (let k = 1; found.vectors.has(key); ++k) key = `${name}#${k}`;
             found.vectors.set(key, [tail, tip]);
         }
@@ -285,14 +319,17 @@ class FigureView {
     /** Shows the sheet's figure. */
     restore() {
         for (const [node, attributes] of this.drawn) {
-            for (const [name, value] of attributes) {
-                if (value === null) node.removeAttribute(name);
-                else node.setAttribute(name, value);
+            for (const [name, known] of attributes) {
+                if (known.now === known.drawn) continue;
+                known.now = known.drawn;
+                if (known.drawn === null) node.removeAttribute(name);
+                else node.setAttribute(name, known.drawn);
             }
         }
         this.scale = this.drawnScale;
         this.origin = this.drawnOrigin;
         this.svg.setAttribute('viewBox', this.viewBox.join(' '));
+        this.shownRoom = this.viewBox;
         this.svg.classList.remove('moved');
     }
     /**
@@ -303,10 +340,27 @@ class FigureView {
     follow(room, to = {scale: this.drawnScale, origin: this.drawnOrigin}) {
         this.scale = to.scale;
         this.origin = to.origin;
-        for (const node of this.measures) this.show(node, to.scale === this.drawnScale);
-        this.svg.setAttribute('viewBox', room.map((each) => each.toFixed(3)).join(' '));
-        this.svg.classList.add('moved');
+        const isAsDrawn = to.scale === this.drawnScale && this.held?.scale === this.held?.drawnScale;
+        for (const node of this.measures) this.show(node, isAsDrawn);
+        if (room !== this.shownRoom || !this.svg.matches('.moved')) {
+            this.svg.setAttribute('viewBox', room.map((each) => each.toFixed(3)).join(' '));
+            this.svg.classList.add('moved');
+            this.shownRoom = room;
+        }
+        this.stayInPlace();
         for (const update of this.bindings) update();
+    }
+    /** A body cut free turns, but does not leave. */
+    stayInPlace() {
+        if (this.own) this.origin = along(this.origin, 1, minus(this.own.middle, this.middleOf(this.own.points)));
+    }
+    /**
+     * On paper.
+     * @param {number[]} points
+     */
+    middleOf(points) {
+        const sum = points.map((point) => this.point(point)).reduce((all, each) => along(all, 1, each), {x: 0, y: 0});
+        return scaledBy(1 / points.length, sum);
     }
     /**
      * @param {Element} node
@@ -314,10 +368,24 @@ class FigureView {
      * @param {string} value
      */
     set(node, name, value) {
-        const before = this.drawn.get(node) ?? new Map();
-        if (!before.has(name)) before.set(name, node.getAttribute(name));
-        this.drawn.set(node, before);
+        const known = this.known(node, name);
+        if (known.now === value) return;
+        known.now = value;
         node.setAttribute(name, value);
+    }
+    /**
+     * @param {Element} node
+     * @param {string} name
+     */
+    known(node, name) {
+        let all = this.drawn.get(node);
+        if (!all) this.drawn.set(node, all = new Map());
+        let known = all.get(name);
+        if (!known) {
+            const drawn = node.getAttribute(name);
+            all.set(name, known = {drawn, now: drawn});
+        }
+        return known;
     }
     /**
      * @param {Element} node
@@ -332,8 +400,7 @@ class FigureView {
      * @param {string} transform
      */
     transform(node, transform) {
-        const before = this.drawn.get(node);
-        const own = before?.has('transform') ? before.get('transform') : node.getAttribute('transform');
+        const known = this.drawn.get(node)?.get('transform'), own = known ? known.drawn : node.getAttribute('transform');
         this.set(node, 'transform', own ? `${transform} ${own}` : transform);
     }
     /**
@@ -350,8 +417,9 @@ class FigureView {
     bind() {
         if (this.isBound) return;
         this.isBound = true;
+        this.bindHeld();
         this.bindLabels();
-        for (const node of this.svg.children) this.bindScaleBar(node);
+        for (const node of [...this.svg.children, ...this.group.children]) this.bindScaleBar(node);
         for (const node of this.group.children) {
             if (this.taken.has(node)) continue;
             if (node.tagName === 'g' && this.isMechanism) this.bindRole(node);
@@ -359,6 +427,25 @@ class FigureView {
             else if (node.matches('g.figure')) node.classList.add('still');
             else if (node.tagName === 'path') this.bindPath(node);
             else if (node.matches('g.text:not(.label ~ .text)')) this.measures.push(node);
+        }
+    }
+
+    /** Marks that say what they go with, and of a body cut free what it is. */
+    bindHeld() {
+        const {held, names, motion} = this;
+        if (!held) return;
+        if (this.isFree) {
+            const labels = [...this.group.querySelectorAll('g.label')].map((each) => each.getAttribute('data-label') ?? '');
+            const said = new Set(labels.flatMap((each) => each.split(' ≡ ')));
+            const body = names.bodies.findIndex(({id}) => this.info.name === `body-${id}`);
+            const points = names.points.flatMap(({label}, i) =>
+                motion.data.points[i][0] === body || said.has(label) ? [i] : []);
+            this.own = points.length > 0 ? {points, middle: this.middleOf(points)} : null;
+        }
+        for (const node of this.group.querySelectorAll('[data-on]:not(.label, .text)')) {
+            if (node.parentElement?.closest('[data-on]')) continue;
+            this.taken.add(node);
+            held.bind(node);
         }
     }
 
@@ -377,14 +464,24 @@ class FigureView {
         const name = node.getAttribute('data-name') ?? '';
         const drawn = this.vector(name);
         if (!drawn || apart(drawn[0], drawn[1]) < leastVector) return node.classList.add('still');
+        this.bindArrow(node, drawn, () => this.vector(name));
+    }
+    /**
+     * Shaft and head keep their shape, however long the arrow becomes.
+     * @param {Element} node an arrow, or a stroke of one
+     * @param {[Spot, Spot]} drawn
+     * @param {() => [Spot, Spot] | null} place
+     */
+    bindArrow(node, drawn, place) {
         const [tail, tip] = drawn, length = apart(tail, tip), e = unitOf(minus(tip, tail)), n = quarterTurn(e);
         const local = (/** @type {Spot} */ at) => ({t: dot(minus(at, tail), e), n: dot(minus(at, tail), n)});
-        const paths = [...node.querySelectorAll('path')].map((path) => ({path, segments: parsePath(path.getAttribute('d') ?? '')}));
+        const all = node.tagName === 'path' ? [node] : [...node.querySelectorAll('path')];
+        const paths = all.map((path) => ({path, segments: parsePath(path.getAttribute('d') ?? '')}));
         const heads = paths.filter(({path}) => path.getAttribute('fill') !== 'none');
         const head = Math.max(0, ...heads.flatMap(({segments}) => spotsOf(segments).map((at) => length - local(at).t)));
         const axis = node.querySelector('line.axis');
         this.bindings.push(() => {
-            const now = this.vector(name), size = now ? apart(now[0], now[1]) : 0;
+            const now = place(), size = now ? apart(now[0], now[1]) : 0;
             this.show(node, size >= leastVector);
             if (!now || size < leastVector) return;
             const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
@@ -395,12 +492,19 @@ class FigureView {
                 return along(along(from, k * (atTail ? t : t - length), toward), k * side, across);
             };
             for (const {path, segments} of paths) this.set(path, 'd', mappedPath(segments, map));
-            if (!axis) return;
-            const [from, to] = now;
-            for (const [attribute, value] of Object.entries({x1: from.x, y1: from.y, x2: to.x, y2: to.y})) {
-                this.set(axis, attribute, value.toFixed(6));
-            }
+            if (axis) this.setEnds(axis, ...now);
         });
+    }
+    /**
+     * @param {Element} axis
+     * @param {Spot} from
+     * @param {Spot} to
+     */
+    setEnds(axis, from, to) {
+        this.set(axis, 'x1', from.x.toFixed(6));
+        this.set(axis, 'y1', from.y.toFixed(6));
+        this.set(axis, 'x2', to.x.toFixed(6));
+        this.set(axis, 'y2', to.y.toFixed(6));
     }
 
     /**
@@ -490,10 +594,11 @@ class FigureView {
             const centre = {x: box.x + box.width / 2, y: box.y + box.height / 2};
             const parts = this.partsOf(label, centre);
             if (isDetailed && /^[IVX]+$/.test(names[0])) return parts.forEach((part) => part.classList.add('still'));
+            if (this.held && label.hasAttribute('data-on')) return this.held.bindLabel(label, parts, centre, box);
             this.cutNumber(label);
             const vector = names.find((name) => this.vector(name));
             const spot = names.find((name) => this.spot(name));
-            if (vector !== undefined) this.vectorLabels.push({label, name: vector, box});
+            if (vector !== undefined) this.vectorLabels.push({label, box, value: () => this.sizeOf(vector), unit: this.unit});
             if (vector !== undefined) this.bindVectorLabel(parts, vector, centre, box);
             else if (spot !== undefined) this.bindToPlace(parts, () => this.spot(spot));
             else if (this.isMechanism) this.bindMechanismLabel(label, parts, centre);
@@ -555,15 +660,29 @@ class FigureView {
      * @param {{width: number, height: number}} box
      */
     bindVectorLabel(parts, name, centre, box) {
+        const drawn = /** @type {[Spot, Spot]} */ (this.vector(name));
+        if (apart(...drawn) < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
+        this.bindBeside(parts, drawn, () => this.vector(name), centre, box);
+    }
+    /**
+     * It keeps its side of what it stands beside, and its distance from it.
+     * @param {Element[]} parts
+     * @param {[Spot, Spot]} drawn
+     * @param {() => [Spot, Spot] | null} place
+     * @param {Spot} centre
+     * @param {{width: number, height: number}} box
+     */
+    bindBeside(parts, drawn, place, centre, box) {
+        // A leader led from where the label was.
+        for (const part of parts) if (this.taken.has(part)) part.classList.add('still');
         const middle = (/** @type {[Spot, Spot]} */ [tail, tip]) => ({x: (tail.x + tip.x) / 2, y: (tail.y + tip.y) / 2});
         const reach = (/** @type {Spot} */ n) => Math.abs(n.x) * box.width / 2 + Math.abs(n.y) * box.height / 2;
-        const drawn = /** @type {[Spot, Spot]} */ (this.vector(name)), length = apart(drawn[0], drawn[1]);
-        if (length < leastVector) return this.bindToPlace(parts, () => this.vector(name)?.[0] ?? null);
+        const length = apart(drawn[0], drawn[1]);
         const e = unitOf(minus(drawn[1], drawn[0])), n = quarterTurn(e), off = minus(centre, middle(drawn));
         const side = Math.sign(dot(off, n)) || 1, share = dot(off, e) / length;
         const clearance = Math.abs(dot(off, n)) - reach(n);
         this.bindings.push(() => {
-            const now = this.vector(name), size = now ? apart(now[0], now[1]) : 0;
+            const now = place(), size = now ? apart(now[0], now[1]) : 0;
             parts.forEach((part) => this.show(part, size >= leastVector));
             if (!now || size < leastVector) return;
             const toward = unitOf(minus(now[1], now[0])), across = quarterTurn(toward);
@@ -577,17 +696,26 @@ class FigureView {
      * @param {(value: number) => string} written
      */
     showValues(isOn, written) {
-        for (const {label, name, box} of this.vectorLabels) {
+        if (!isOn && !this.tellsValues) return;
+        this.tellsValues = isOn;
+        for (const {label, box, value, unit} of this.vectorLabels) {
             let text = label.querySelector('text');
             if (!isOn) {
                 text?.remove();
                 continue;
             }
             text ??= /** @type {SVGTextElement} */ (drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height}));
-            const ends = this.vector(name), scale = this.isMechanism ? this.vectorScale : this.scale;
-            const value = ends && Number((apart(...ends) * scale).toPrecision(4));
-            text.textContent = value === null ? '' : `= ${written(value)} ${this.unit}`;
+            const size = value();
+            text.textContent = size === null ? '' : `= ${written(Number(size.toPrecision(4)))} ${unit}`;
         }
+    }
+    /**
+     * What a vector is worth here, in the figure's unit.
+     * @param {string} name
+     */
+    sizeOf(name) {
+        const ends = this.vector(name);
+        return ends && apart(...ends) * (this.isMechanism ? this.vectorScale : this.scale);
     }
     /**
      * A word along a construction line.
@@ -637,6 +765,7 @@ class FigureView {
         if (role === 'vector') return this.bindVector(group);
         if (role === 'label' || role === 'text') return;
         for (const node of group.children) {
+            if (this.taken.has(node)) continue;
             if (node.matches('g.vector')) this.bindVector(node);
             else if (role === 'links') this.bindLink(node);
             else if (role === 'tint') this.bindTint(node);
@@ -667,7 +796,7 @@ class FigureView {
             }
             wasShaped = shape !== null;
             if (shape) return this.set(node, 'transform', '');
-            const from = this.paper({x: data.unit * rx, y: data.unit * ry});
+            const from = this.drawnPaper({x: data.unit * rx, y: data.unit * ry});
             const to = this.paper({x: data.unit * places.at[body].x, y: data.unit * places.at[body].y});
             const e = to.x - c * from.x - s * from.y, f = to.y + s * from.x - c * from.y;
             this.transform(node, `matrix(${[c, -s, s, c, e, f].map((each) => each.toFixed(6)).join(' ')})`);
@@ -679,13 +808,25 @@ class FigureView {
      * @param {Spot} drawn
      */
     shaped(body, drawn) {
-        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body], at = this.unpaper(drawn);
+        const {places, data, givens} = this.motion, [rx, ry] = givens.drawn.bodies[body], {drawnScale, drawnOrigin} = this;
+        const at = {x: (drawn.x - drawnOrigin.x) * drawnScale, y: (drawnOrigin.y - drawn.y) * drawnScale};
         const local = {x: at.x / data.unit - rx, y: at.y / data.unit - ry}, {x, y} = givens.shapes[body]?.(local) ?? local;
         return this.paper(scaledBy(data.unit, places.world(body, x, y)));
     }
+    /**
+     * Whose mark it is, as ids have it: "link-3", "velocities-link-3", "body-2-link-2"; −1: nobody's.
+     * @param {Element} node
+     * @param {string} kind
+     * @param {{id: string}[]} list
+     */
+    named(node, kind, list) {
+        const said = node.getAttribute('data-id') ?? '', {info} = this, free = this.isFree ? `${info.name}-` : '';
+        const load = info.name.match(/^lines-(load-.*)/)?.[1], prefixes = ['', 'velocities-', `${info.name}-`, free, `${load}-`];
+        return list.findIndex(({id}) => prefixes.some((prefix) => said === `${prefix}${kind}-${id}`));
+    }
     /** @param {Element} node */
     bindLink(node) {
-        const body = this.names.bodies.findIndex(({id}) => linkOf(node) === id);
+        const body = this.named(node, 'link', this.names.bodies);
         if (body < 0 || node.matches('.crossing')) node.classList.add('still');
         else this.bindToBody(node, body);
     }
@@ -697,13 +838,13 @@ class FigureView {
         const outline = node.getAttribute('d') ?? '';
         const links = [...this.group.querySelectorAll('g.link')];
         const link = links.find((each) => [...each.querySelectorAll('path')].some((path) => path.getAttribute('d') === outline));
-        const body = this.names.bodies.findIndex(({id}) => link && linkOf(link) === id);
+        const body = link ? this.named(link, 'link', this.names.bodies) : -1;
         if (body < 0) node.classList.add('still');
         else this.bindToBody(node, body);
     }
     /** @param {Element} node */
     bindJoint(node) {
-        const joint = this.names.joints.find(({id}) => `joint-${id}` === node.getAttribute('data-id'));
+        const joint = this.names.joints[this.named(node, 'joint', this.names.joints)];
         if (joint) {
             const drawn = this.point(joint.point), {places} = this.motion;
             this.bindings.push(() => {
@@ -762,6 +903,7 @@ class FigureView {
      */
     bindGuide(node) {
         const segments = parsePath(node.getAttribute('d') ?? ''), spots = spotsOf(segments);
+        if (this.held && node.hasAttribute('data-statement')) return node.classList.add('still');
         if (node.hasAttribute('data-statement') && spots.length === 2) return this.bindThroughCentres(node, segments, spots);
         const joint = spots.length !== 2 ? undefined : this.names.joints.find(({point, turnsWith}) => {
             const e = unitOf(minus(spots[1], spots[0]));
@@ -844,7 +986,7 @@ class FigureView {
         } else if (point >= 0) {
             this.bindToPlace(parts, () => this.point(point));
         } else {
-            const ground = this.groundAt(centre, 25);
+            const ground = this.isFree ? -1 : this.groundAt(centre, 25);
             if (ground < 0) parts.forEach((part) => part.classList.add('still'));
             else this.bindToPlace(parts, () => this.point(ground));
         }
@@ -886,6 +1028,7 @@ class FigureView {
      * @returns {Spot[]}
      */
     extent() {
+        if (this.held) return this.extentHeld(this.held);
         if (this.isMechanism) {
             // A vector that grows beyond all bounds near a dead point leaves the room.
             const [x, y, width, height] = this.viewBox, rim = width / 4;
@@ -894,6 +1037,20 @@ class FigureView {
             return [...this.motion.read.points.map((at) => this.paper(at)), ...tips];
         }
         return [...this.keys.keys()].flatMap((name) => this.vector(name) ?? []);
+    }
+    /**
+     * Points of concurrency and poles of curvature may be anywhere: those far away leave the room, as on the sheet.
+     * @param {HeldMarks} held
+     */
+    extentHeld(held) {
+        this.stayInPlace();
+        const [x, y, width, height] = this.viewBox, rim = width / 4;
+        const isNear = (/** @type {Spot} */ at) => at.x > x - rim && at.x < x + width + rim && at.y > y - rim && at.y < y + height + rim;
+        const places = [...held.places].flatMap((name) => held.place(name) ?? []);
+        if (held.isLever) return places;
+        const points = this.own ? this.own.points : this.motion.read.points.map((_, i) => i);
+        const arrows = [...held.arrows.values()].flatMap(({now}) => now() ?? []);
+        return [...points.map((point) => this.point(point)), ...[...places, ...arrows].filter(isNear)];
     }
     /** Of what it shows at the drawing's scale, mm. */
     box() {
@@ -948,12 +1105,4 @@ class FigureView {
         const middle = {x: (left + right) / 2, y: (top + bottom) / 2};
         return {scale: this.drawnScale * k, origin: along(middle, -1 / k, minus(box.centre, this.drawnOrigin))};
     }
-}
-
-/**
- * The body whose link it is, as ids have it: "link-3", "velocities-link-3".
- * @param {Element} link
- */
-function linkOf(link) {
-    return (link.getAttribute('data-id') ?? '').replace(/^(velocities-)?link-/, '');
 }

@@ -53,10 +53,12 @@ class Givens {
             if (by[i] !== 0 && bar !== undefined) this.stretch(bar, values[i] / value);
             if (by[i] !== 0 && ground) this.carry(ground[1], scaledBy(by[i] / value, minus(ground[1], ground[0])));
         });
-        const changed = new Set();
+        const changed = new Set(), deltas = this.deltas(values);
         for (const {way, terms, value} of this.effects) {
             let now = value;
-            for (let k = 0; k < terms.length; k += 3) now += terms[k + 2] * by[terms[k]] * (terms[k + 1] < 0 ? 1 : by[terms[k + 1]]);
+            for (let k = 0; k < terms.length; k += 3) {
+                now += terms[k + 2] * deltas[terms[k]] * (terms[k + 1] < 0 ? 1 : deltas[terms[k + 1]]);
+            }
             if (way[0] === 'settings') values[Number(way[1])] = now;
             else partOf(data, way).set(now);
             if (way[2] === 'givens') changed.add(`${way[1]} ${way[3]}`);
@@ -65,6 +67,17 @@ class Givens {
             const [plan, given] = each.split(' ').map(Number);
             this.replays[plan].give(given, data.plans[plan].givens[given]);
         }
+    }
+    /**
+     * Two of each setting: by how much it is more; of an angle by how much its cosine and its sine are.
+     * @param {number[]} values
+     */
+    deltas(values) {
+        return this.data.settings.flatMap(({value, radians}, i) => {
+            if (!radians) return [values[i] - value, 0];
+            const [now, then] = [values[i] * radians, value * radians];
+            return [Math.cos(now) - Math.cos(then), Math.sin(now) - Math.sin(then)];
+        });
     }
     /**
      * All places of a body, from its reference, in proportion.

@@ -101,6 +101,10 @@ std::string_view name_of(MovingGiven::Rule rule) {
                                                             "torsion",      "rate",    "acceleration", "setting"};
     return names[static_cast<std::size_t>(rule)];
 }
+std::string_view name_of(Moving::Fixed::Why why) {
+    static constexpr std::array<std::string_view, 4> names{"otherwise", "nothing", "zero", "many"};
+    return names[static_cast<std::size_t>(why)];
+}
 std::string_view name_of(Column::Kind kind) {
     static constexpr std::array<std::string_view, 9> names{"turn", "time",   "angle", "place_x", "place_y",
                                                            "slid", "result", "along", "named"};
@@ -127,9 +131,12 @@ public:
             if (each.kind == MovingSetting::Kind::bar) json_.key("bar").number(each.of);
             if (each.unit == QuantityKind::length) json_.key("ends").open('[').all(each.ends[0], each.ends[1]).close(']');
             if (each.kind == MovingSetting::Kind::parameter) json_.key("parameter").truth(true);
+            if (each.radians != 0) json_.key("radians").number(each.radians);
             json_.close('}');
         });
         json_.list("effects", moving_.effects, [&](const MovingEffect& each) { write(each); });
+        json_.list("fixed", moving_.fixed,
+                   [&](const Moving::Fixed& each) { json_.open('[').all(std::string(name_of(each.why)), each.name).close(']'); });
         json_.list("columns", moving_.columns, [&](const Column& each) { write(each); });
         json_.list("plans", moving_.plans, [&](const MovingPlan& each) { write(each); });
         json_.list("courses", moving_.courses, [&](const MovingCourse& each) { write(each); });
@@ -257,6 +264,9 @@ private:
             for (const ElementIndex point : line.points) json_.all(point);
             json_.close(']');
         });
+        json_.list("held", plan.held, [&](const MovingPlan::Held& held) {
+            json_.open('[').all(held.name, held.place, held.vector, held.couple).close(']');
+        });
         json_.close('}');
     }
     void write(const PointOf<double>& point) { json_.all(point.x, point.y, point.w); }
@@ -277,8 +287,12 @@ private:
         json_.key("byLaw").truth(course.by_law);
         json_.list("shares", course.shares, [&](double each) { json_.number(each); });
         json_.list("samples", course.samples, [&](const MovingCourse::Sample& sample) {
-            json_.open('{').key("at").number(sample.at).key("coordinate").number(sample.coordinate);
-            json_.key("plan").number(sample.plan).key("rate").number(sample.rate).key("acceleration").number(sample.acceleration);
+            json_.open('{').key("at").number(sample.at).key("plan").number(sample.plan);
+            // Of most drivers the coordinate is the place, and there is no rate of its own.
+            if (course.by_law) {
+                json_.key("coordinate").number(sample.coordinate);
+                json_.key("rate").number(sample.rate).key("acceleration").number(sample.acceleration);
+            }
             if (!sample.values.empty())
                 json_.list("values", sample.values, [&](const std::optional<double>& each) {
                     json_.number(each.value_or(std::numeric_limits<double>::quiet_NaN()));  // written as null
@@ -335,6 +349,7 @@ std::string figure_json(const AloneFigure& figure) {
     Json json;
     json.open('{').key("name").text(figure.name);
     json.key("origin").open('[').number(figure.origin.x).number(figure.origin.y).close(']');
+    if (figure.places > 0) json.key("places").number(figure.places);
     json.key("labels").open('[');
     for (const Mark& mark : figure.page.marks) {
         const auto* text = std::get_if<TextMark>(&mark);
@@ -407,6 +422,10 @@ std::string words_json() {
                                                                   "live values beside",
                                                                   "live givens",
                                                                   "live does not close",
+                                                                  "live fixed otherwise",
+                                                                  "live fixed nothing",
+                                                                  "live fixed zero",
+                                                                  "live fixed many",
                                                                   "live trace",
                                                                   "live plot",
                                                                   "live none"});

@@ -59,24 +59,35 @@ std::string without_comments_of_line(std::string_view line, bool& in_comment) {
     return out;
 }
 
-/// A line of the script without the blanks that it is read with, beside signs that part words anyhow. Strings in single quotes
-/// stay as they are; so does a line with other strings, a pattern or a comment in it.
+/// Whether a slash of a line does more than divide: a pattern, a comment.
+bool has_slash_of_its_own(const std::string& line) {
+    for (std::size_t at = line.find('/'); at != std::string::npos; at = line.find('/', at + 1))
+        if (at == 0 || at + 1 == line.size() || line[at - 1] != ' ' || line[at + 1] != ' ') return true;
+    return false;
+}
+/// A line of the script without the blanks that it is read with, beside signs that part words anyhow; two signs like + + stay
+/// two. Strings in single quotes stay as they are; so does a line with other strings, a pattern or a comment in it.
 std::string without_blanks(const std::string& line) {
-    if (line.find_first_of("\\\"`/") != std::string::npos || std::count(line.begin(), line.end(), '\'') % 2 != 0) return line;
-    const auto parts = [](char c) { return std::string_view(",=;?:<>*&|{}()[]").find(c) != std::string_view::npos; };
+    if (line.find_first_of("\\\"`") != std::string::npos || std::count(line.begin(), line.end(), '\'') % 2 != 0 ||
+        has_slash_of_its_own(line))
+        return line;
+    const auto is_of = [](std::string_view signs, char c) { return signs.find(c) != std::string_view::npos; };
+    const auto parts = [&](char c, char other) {
+        return is_of(",=;?:<>*&|{}()[]/", c) || (is_of("+-", c) && !is_of("+-", other));
+    };
     std::string out;
     bool in_string = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         in_string = in_string != (line[i] == '\'');
-        const bool is_idle =
-            !in_string && line[i] == ' ' && i > 0 && i + 1 < line.size() && (parts(line[i - 1]) || parts(line[i + 1]));
+        const bool is_idle = !in_string && line[i] == ' ' && i > 0 && i + 1 < line.size() &&
+                             (parts(line[i - 1], line[i + 1]) || parts(line[i + 1], line[i - 1]));
         if (!is_idle) out += line[i];
     }
     return out;
 }
 
 /// The script and the style sheet as they are sent: without the comments and the indentation that they are read with. Their
-/// comments are whole lines, or in slashes and stars, which no string of theirs holds.
+/// comments are whole lines, after two blanks, or in slashes and stars, which no string of theirs holds.
 std::string without_comments(std::string_view source, bool is_script) {
     std::string out;
     bool in_comment = false;
@@ -86,7 +97,8 @@ std::string without_comments(std::string_view source, bool is_script) {
         at = end + 1;
         line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
         if (!in_comment && line.starts_with("//")) continue;
-        const std::string kept = without_comments_of_line(line, in_comment);
+        std::string kept = without_comments_of_line(line, in_comment);
+        if (const std::size_t aside = kept.find("  // "); is_script && aside != std::string::npos) kept.resize(aside);
         if (!kept.empty()) out.append(is_script ? without_blanks(kept) : kept).append("\n");
     }
     return out;
@@ -374,10 +386,11 @@ private:
     std::string figures(Language language) {
         SheetOptions options = options_;
         options.language = language;
-        const std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
+        std::vector<AloneFigure> drawn = lay_out_each_alone(solution_, options, fonts_);
         std::string out;
         figures_json_.clear();
-        for (const AloneFigure& figure : drawn) {
+        for (AloneFigure& figure : drawn) {
+            figure.page.tells_holds = true;
             figures_json_ += (figures_json_.empty() ? "" : ",") + figure_json(figure);
             const std::string svg =
                 drawings_.add(to_svg(figure.page, fonts_), plain(figure.caption), language != options_.language);

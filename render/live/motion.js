@@ -7,8 +7,16 @@ class Motion {
     /** @param {MovingData} data */
     constructor(data) {
         this.data = data;
+        for (const {samples} of data.courses) {
+            for (const sample of samples) {
+                sample.coordinate ??= sample.at;
+                sample.rate ??= 0;
+                sample.acceleration ??= 0;
+            }
+        }
         this.places = new Places(data);
         this.replays = data.plans.map((plan) => new Replay(plan, data.size));
+        this.helds = data.plans.map(({held}) => new Map(held.map(([name, ...elements]) => [name, elements])));
         /** The ways with what is given now. */
         this.courses = data.courses;
         this.course = data.courses[0];
@@ -233,6 +241,14 @@ class Motion {
         const guide = this.read.guides[joint], tangent = this.read.tangents[joint];
         if (guide.x !== 0 || guide.y !== 0) return unitOf(guide);
         return unitOf(tangent.x !== 0 || tangent.y !== 0 ? tangent : quarterTurn(this.read.normals[joint]));
+    }
+    /**
+     * Place, vector and couple of what marks go with, by the plan that holds here; −1 what vanishes.
+     * @param {string} name
+     * @returns {number[] | undefined}
+     */
+    held(name) {
+        return this.plan < 0 ? undefined : this.helds[this.plan].get(name);
     }
     /**
      * Where an element stands that is a point; none: at infinity, or not evaluated here.

@@ -20,7 +20,10 @@ class Page {
         this.exercise = new Exercise(this);
         this.traces = new Traces(this);
         this.panel = new Panel(this);
+        this.teller = new Teller(this);
         this.sheets = [...document.querySelectorAll('main')];
+        /** @type {Record<string, {cell: Element, column: number, text: string}[]>} */
+        this.allCells = {};
         this.completeDrawings();
     }
     /** What is drawn alike in both languages was sent with the first. */
@@ -53,6 +56,11 @@ class Page {
      */
     at(id) {
         return document.getElementById(id);
+    }
+    /** Of the values that follow the mechanism, in the language that is shown. */
+    get cells() {
+        return this.allCells[this.language] ??= [...this.sheet.querySelectorAll('td[data-column]')].map(
+            (cell) => ({cell, column: Number(cell.getAttribute('data-column')), text: ''}));
     }
     /** Figures of the language that is shown. */
     get figures() {
@@ -160,13 +168,19 @@ class Page {
         document.addEventListener('keydown', (event) => this.onKey(event));
         window.addEventListener('resize', () => this.reachTables());
         for (const sheet of this.sheets) {
-            sheet.addEventListener('pointerover', (event) => this.light(this.saidAt(event.target)));
+            sheet.addEventListener('pointerover', (event) => {
+                this.light(this.saidAt(event.target));
+                this.teller.tell(event.target);
+            });
             sheet.addEventListener('pointerdown', (event) => {
                 const svg = /** @type {SVGSVGElement | null} */ (/** @type {Element} */ (event.target).closest('.figures svg'));
                 if (svg && this.ruler.isOn) this.ruler.begin(svg, event);
                 else if (svg) this.exercise.touch(svg, event);
             });
-            sheet.addEventListener('pointerleave', () => this.light(null));
+            sheet.addEventListener('pointerleave', () => {
+                this.light(null);
+                this.teller.tell(null);
+            });
             sheet.addEventListener('click', (event) => {
                 const sentence = /** @type {Element} */ (event.target).closest('li[data-says]');
                 if (sentence) this.showStep(this.says.indexOf(/** @type {HTMLElement} */ (sentence)));
@@ -280,7 +294,9 @@ class Page {
      */
     scaleOf(svg) {
         const view = this.figures.find((each) => each.svg === svg), group = svg.querySelector('g.figure');
-        return {scale: view ? view.scale : Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
+        const shown = view?.scales[0];
+        return shown ? {scale: shown.now, unit: shown.unit} :
+            {scale: Number(group?.getAttribute('data-scale') ?? 0), unit: group?.getAttribute('data-unit') ?? ''};
     }
     /** @param {string} words */
     announce(words) {
@@ -408,12 +424,14 @@ class Page {
         else this.say(motion.plan < 0 ? this.word('no construction') : '');
         this.panel.show(motion);
         for (const view of this.figures) this.showFigure(view, motion);
+        for (const view of this.figures) view.written = (value) => this.numberText(value);
         for (const view of this.figures) view.showValues(this.at('values').checked, (value) => this.numberText(value));
         this.ruler.show();
         this.traces.show();
-        for (const cell of this.sheet.querySelectorAll('td[data-column]')) {
-            const index = Number(/** @type {HTMLElement} */ (cell).dataset.column), value = motion.value(index);
-            cell.textContent = value === null ? '–' : this.numberText(value / motion.data.columns[index].size);
+        for (const each of this.cells) {
+            const value = motion.value(each.column);
+            const text = value === null ? '–' : this.numberText(value / motion.data.columns[each.column].size);
+            if (each.text !== text) each.cell.textContent = each.text = text;
         }
         for (const note of this.sheet.querySelectorAll('.text .note')) /** @type {HTMLElement} */ (note).hidden = motion.isDrawn;
     }
@@ -432,35 +450,36 @@ class Page {
      * @param {Motion} motion
      */
     showFigure(view, motion) {
-        const figure = view.svg.closest('figure'), canFollow = view.svg.matches('.following') && (view.isMechanism || motion.plan >= 0);
-        const note = /** @type {HTMLElement} */ (figure?.querySelector('.note'));
+        const {note} = view, canFollow = view.svg.matches('.following') && (!view.isConstructed || motion.plan >= 0);
         note.hidden = motion.isDrawn || canFollow;
         view.svg.classList.toggle('as-drawn', !motion.isDrawn && !canFollow);
         if (motion.isDrawn || !canFollow) {
             view.restore();
             // So that a path is seen whole, and the figure stays where it is when it begins to move.
             if (view.info.name === 'mechanism' && this.traces.isTraced) view.svg.setAttribute('viewBox', this.roomOf(view).join(' '));
-            return this.sayScale(view, 1);
+            view.held?.take(false);
+            return this.sayScale(view);
         }
         const fits = this.at('fit').checked && !view.isMechanism;
+        view.held?.take(this.at('fit').checked);
         // Polygons of one drawing have one scale.
         const together = fits ? this.figures.filter(({svg}) => svg === view.svg) : [];
         const to = fits ? view.fitted(Math.max(...together.map((each) => each.shrinkage()))) : undefined;
         view.follow(fits ? view.viewBox : this.roomOf(view), to);
-        this.sayScale(view, to ? to.scale / view.drawnScale : 1);
+        this.sayScale(view);
     }
-    /**
-     * @param {FigureView} view
-     * @param {number} share
-     */
-    sayScale(view, share) {
-        const scale = /** @type {HTMLElement | null} */ (view.svg.closest('figure')?.querySelector('.scale'));
+    /** @param {FigureView} view */
+    sayScale(view) {
+        const scale = view.captionOfScale;
         if (!scale) return;
         scale.dataset.drawn ??= scale.innerHTML;
-        if (share === 1) {
-            if (scale.innerHTML !== scale.dataset.drawn) scale.innerHTML = scale.dataset.drawn;
+        if (view.scales.every(({now, drawn: as}) => now === as)) {
+            if (view.saysOtherScale) scale.innerHTML = scale.dataset.drawn;
+            view.saysOtherScale = false;
         } else {
-            scale.textContent = `1 mm ≙ ${this.numberText(Number((view.drawnScale * share).toPrecision(3)))} ${view.unit}`;
+            view.saysOtherScale = true;
+            scale.textContent = view.scales.map(({now, unit}) =>
+                `1 mm ≙ ${this.numberText(Number(now.toPrecision(3)))} ${unit}`).join(';  ');
         }
     }
     /**
@@ -468,13 +487,13 @@ class Page {
      * @param {FigureView} view
      */
     roomOf(view) {
-        const key = `${this.language} ${this.course.driver}`;
+        const key = `${this.language} ${this.course.driver} ${this.at('fit').checked}`;
         if (!this.rooms.has(key)) this.rooms.set(key, this.measureRooms());
         return this.rooms.get(key)?.get(view.svg) ?? view.viewBox;
     }
     measureRooms() {
         const motion = /** @type {Motion} */ (this.motion), {course} = this, here = motion.at;
-        const margin = 8, most = 1;
+        const most = 1, fits = this.at('fit').checked;
         const rooms = new Map(this.figures.map((view) => {
             const [x, y, width, height] = view.viewBox;
             return [view.svg, {left: x, top: y, right: x + width, bottom: y + height}];
@@ -482,10 +501,11 @@ class Page {
         for (const sample of course.samples) {
             if (!motion.moveTo(course, sample.at)) continue;
             for (const view of this.figures) {
-                if (!view.svg.matches('.following') || (!view.isMechanism && motion.plan < 0)) continue;
-                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg));
+                if (!view.svg.matches('.following') || (view.isConstructed && motion.plan < 0)) continue;
+                const [x, y, width, height] = view.viewBox, room = /** @type {any} */ (rooms.get(view.svg)), margin = view.isFree ? 14 : 8;
                 view.scale = view.drawnScale;
                 view.origin = view.drawnOrigin;
+                view.held?.take(fits);
                 for (const at of view.extent()) {
                     room.left = Math.max(Math.min(room.left, at.x - margin), x - most * width);
                     room.right = Math.min(Math.max(room.right, at.x + margin), x + (1 + most) * width);
@@ -509,7 +529,7 @@ class Page {
     wireDragging(svg, motion) {
         /** @type {{point: number, path: Spot[], sample: number} | null} */
         let held = null;
-        const view = () => this.figures.find((each) => each.svg === svg && each.isMechanism);
+        const view = () => this.figures.find((each) => each.svg === svg && each.isMechanism && !each.isFree && each.follows);
         const spotOf = (/** @type {PointerEvent} */ event) => {
             const matrix = svg.getScreenCTM();
             return matrix ? new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse()) : null;
@@ -528,6 +548,10 @@ class Page {
             svg.classList.add('holding');
             event.preventDefault();
         });
+        // Where a joint is held the finger drags it, elsewhere it scrolls the page.
+        svg.addEventListener('touchstart', (event) => {
+            if (held) event.preventDefault();
+        }, {passive: false});
         svg.addEventListener('pointermove', (event) => {
             const figure = view(), at = spotOf(event);
             if (!held || !figure || !at) return;

@@ -11,7 +11,7 @@ class Panel {
     /** @param {Motion} motion */
     wire(motion) {
         const panel = this.page.at('givens'), {settings} = motion.data;
-        panel.hidden = settings.length === 0;
+        panel.hidden = settings.length + motion.data.fixed.length === 0;
         settings.forEach(({name, unit, size, value, ends}, i) => {
             if (motion.givens.follows(i)) return;
             const label = document.createElement('label'), input = document.createElement('input');
@@ -26,6 +26,15 @@ class Panel {
             panel.append(label);
             this.inputs.set(i, input);
         });
+        /** @type {Map<string, string[]>} */
+        const fixed = new Map();
+        for (const [why, name] of motion.data.fixed) fixed.set(why, [...fixed.get(why) ?? [], name]);
+        for (const [why, names] of fixed) {
+            const told = panel.appendChild(document.createElement('p'));
+            const say = () => (told.textContent = this.page.word(`fixed ${why}`).replace('{0}', names.join(', ')));
+            document.addEventListener('languagechosen', say);
+            say();
+        }
     }
     /**
      * @param {Motion} motion

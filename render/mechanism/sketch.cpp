@@ -32,7 +32,7 @@ Figure Sketch::finish(std::string kind, std::string figure_id, std::string unit_
     Figure figure;
     figure.kind = std::move(kind);
     figure.id = std::move(figure_id);
-    figure.scale = scale();
+    figure.scale = figure.places = scale();
     figure.unit = std::move(unit_name);
     // Links, joints, centres and vectors have groups of their own within.
     struct Layer {

@@ -26,6 +26,7 @@ struct LabelRequest {
     StatementIndex statement = none;   ///< of the solution, that what it names is drawn by; none: it is there from the beginning
     std::vector<std::string> names{};  ///< as TextMark's
     std::vector<double> dashes{};      ///< line kind of the balloon, mm
+    Holds holds{};                     ///< as a Path's
 };
 
 /// A vector drawn to scale, where it lies on paper.
@@ -55,6 +56,7 @@ struct Figure {
     std::string further_scale;         ///< of what is drawn to another one, said beside the first: "1 mm ≙ 5 N"
     Box box;                           ///< of everything, labels included
     Spot origin;                       ///< where the origin of its coordinates lies
+    double places = 0;                 ///< of a drawing of places: m for each mm, whatever its vectors' scale is
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
     std::vector<RichText> unnamed;     ///< names left out, since with all of them none could be read

@@ -866,6 +866,7 @@ void set_label(Figure& figure, const LabelRequest& request, const Candidate& pla
         text.pivot = centre;
         text.angle = std::atan2(place.box.axis.y, place.box.axis.x);
         text.names = request.names;
+        text.holds = request.holds;
         if (k > first) text.cls = "text";  // one label, one aria-label
     }
     if (!request.id.empty()) figure.marks.emplace_back(GroupEnd{});

@@ -38,6 +38,7 @@ struct TextMark {
     std::vector<Path> extras;          ///< dots over letters, fraction bars
     StatementIndex statement = none;   ///< as a Path's
     std::vector<std::string> names{};  ///< of the quantities that a label names, as `data-name` has them
+    Holds holds{};                     ///< as a Path's
 };
 
 /// Opens a group (`<g>`): class, id (already legal), title and data attributes in order.
@@ -47,6 +48,7 @@ struct GroupBegin {
     std::string title;
     std::vector<std::pair<std::string, std::string>> attributes;
     StatementIndex statement = none;  ///< as a Path's; of all that is in the group and has none of its own
+    Holds holds{};                    ///< as a Path's, of all that is in the group
 
     /// The value of the attribute of that name, if there is one.
     const std::string* attribute(std::string_view name) const {
@@ -67,6 +69,7 @@ struct Page {
     std::string title;
     std::string language = "en";
     std::vector<Mark> marks;
+    bool tells_holds = false;  ///< an SVG of it says what its marks go with (`data-on`)
 };
 
 }  // namespace kinegraph::render

@@ -327,6 +327,12 @@ void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statemen
                    marks[i]);
 }
 
+void hang(std::vector<Mark>& marks, std::size_t first, const Holds& holds) {
+    for (std::size_t i = first; i < marks.size(); ++i)
+        if (auto* path = std::get_if<Path>(&marks[i]); path != nullptr && path->holds.form == Holds::Form::nothing)
+            path->holds = holds;
+}
+
 void move(Spot& spot, double dx, double dy) { Shift{dx, dy}(spot); }
 
 void move(std::vector<Mark>& marks, double dx, double dy) {

@@ -59,6 +59,8 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
 
 /// Marks from index `first` on are drawn by a statement of the solution, where they have none yet.
 void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statement);
+/// Paths from index `first` on, beside and in groups, go with that.
+void hang(std::vector<Mark>& marks, std::size_t first, const Holds& holds);
 /// Everything drawn, strokes with their width, text with its ink; an empty list gives an empty box at the origin.
 Box box_of(const std::vector<Mark>& marks);
 /// Moves marks, or one spot; coordinates are snapped to 1e-8 mm.

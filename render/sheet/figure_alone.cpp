@@ -49,7 +49,7 @@ AloneFigure cut_to(const DrawingContext& context, Figure figure) {
     page.title = title_of(context.solution, context.language) + ": " + plain(figure.caption);
     page.language = context.language == Language::it ? "it" : "en";
     page.marks = std::move(figure.marks);
-    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin};
+    return {std::move(page), {}, std::move(figure.caption), {}, figure.origin, figure.places};
 }
 
 std::optional<Figure> mechanism_figure_named(const DrawingContext& context, const SheetOptions& options,

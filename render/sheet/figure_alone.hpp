@@ -26,6 +26,7 @@ struct AloneFigure {
     RichText caption;         ///< without number and scale
     RichText scale_in_words;  ///< empty where it has none
     Spot origin;              ///< where the origin of its coordinates lies on the page, mm
+    double places = 0;        ///< as Figure's
 };
 /// Those of the sheet, in its order, each as lay_out_alone() has it. Of a problem in place of joints: without origin.
 std::vector<AloneFigure> lay_out_each_alone(const Solution& solution, const SheetOptions& options, const Fonts& fonts);

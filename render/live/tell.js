@@ -1,0 +1,79 @@
+// What belongs to a vector: its body on the mechanism, its rows in the table of values, and what it is worth where the mechanism
+// is, which is written beside its name as long as the pointer rests on it.
+
+class Teller {
+    /** @param {Page} page */
+    constructor(page) {
+        this.page = page;
+        /** @type {Element | null} */
+        this.written = null;
+    }
+    /** @returns {Names} */
+    get names() {
+        return this.page.data.names;
+    }
+    /** @param {EventTarget | null} target what the pointer is on */
+    tell(target) {
+        const {page} = this, {motion} = page;
+        this.written?.remove();
+        this.written = null;
+        const node = target instanceof Element ? target.closest('g.vector, g.force') : null;
+        const view = node && page.figures.find(({group}) => group.contains(node));
+        if (!node || !view || !motion) return;
+        const name = node.getAttribute('data-name') ?? '';
+        const points = this.pointsOf(name), bodies = this.bodiesOf(name);
+        motion.data.columns.forEach((column, i) => {
+            const isPoint = points.includes(column.point) && column.name[0] === name[0];
+            const isForce = bodies.length === 2 && (column.name.endsWith(` ${bodies[0]} on ${bodies[1]}`) ||
+                column.name.endsWith(` ${bodies[1]} on ${bodies[0]}`));
+            if (isPoint || isForce) page.sheet.querySelector(`td[data-column="${i}"]`)?.closest('tr')?.classList.add('lit');
+        });
+        const own = bodies.length === 2 ? this.names.bodies.findIndex(({label}) => label === bodies[1]) :
+            points.length > 0 ? motion.data.points[points[0]][0] : -1;
+        const {id} = this.names.bodies[own] ?? {};
+        if (own > 0) for (const link of page.sheet.querySelectorAll(`[data-id="link-${CSS.escape(id)}"]`)) link.classList.add('lit');
+        this.write(node, view, name);
+    }
+    /**
+     * "v_B", "a_B^n": B; of C relative to B none.
+     * @param {string} name
+     * @returns {number[]}
+     */
+    pointsOf(name) {
+        const rest = /^[va]_/.test(name) ? name.slice(2).replace(/\^.*|\*/g, '') : '';
+        const {points} = this.names, labels = points.map(({label}) => label.replace('_', ''));
+        const whole = labels.indexOf(rest.replace('_', ''));
+        return rest !== '' && whole >= 0 ? [whole] : [];
+    }
+    /**
+     * "F_32": of 3 on 2.
+     * @param {string} name
+     * @returns {string[]}
+     */
+    bodiesOf(name) {
+        const {bodies} = this.names, rest = name.startsWith('F_') ? name.slice(2) : '';
+        for (const {label} of bodies) {
+            const on = rest.startsWith(label) ? rest.slice(label.length) : '';
+            if (bodies.some((each) => each.label === on)) return [label, on];
+        }
+        return [];
+    }
+    /**
+     * @param {Element} node
+     * @param {FigureView} view
+     * @param {string} name
+     */
+    write(node, view, name) {
+        const {page} = this, {held} = view, on = held && node.hasAttribute('data-on') ? holdOf(node).on : null;
+        const size = held && on ? held.sizeOf(on) / held.inUnit : view.sizeOf(name);
+        if (size === null || !(size >= 0)) return;
+        const said = `= ${page.numberText(Number(size.toPrecision(4)))} ${held ? held.unit : view.unit}`;
+        const title = node.querySelector(':scope > title');  // what the browser shows by itself
+        if (title) title.textContent = `${name} ${said}`;
+        const label = [...view.group.querySelectorAll('g.label')].find((each) => each.getAttribute('data-label') === name);
+        if (!label || label.querySelector('text')) return;
+        const box = /** @type {SVGGraphicsElement} */ (label).getBBox();
+        this.written = drawn(label, 'text', {x: box.x + box.width + 0.6, y: box.y + 0.75 * box.height});
+        this.written.textContent = said;
+    }
+}
