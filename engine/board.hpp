@@ -161,8 +161,10 @@ struct Protocol {
     const Vector& vector(ElementIndex element) const { return std::get<Vector>(values[at_index(element)]); }
     const Exact& scalar(ElementIndex element) const { return std::get<Exact>(values[at_index(element)]); }
     /// Tip − tail of a drawn vector, exact, in its plane's SI unit; nothing where it is zero within the data.
-    Vector value_of(const DrawnVector& drawn) const {
-        return drawn.vanishes ? Vector{} : point(drawn.tip).place() - point(drawn.tail).place();
+    Vector value_of(const DrawnVector& drawn) const { return drawn.vanishes ? Vector{} : point(drawn.tip) - point(drawn.tail); }
+    /// Its length, to the nearest double.
+    double modulus_of(const DrawnVector& drawn) const {
+        return drawn.vanishes ? 0 : distance(point(drawn.tail), point(drawn.tip));
     }
 };
 

@@ -264,7 +264,8 @@ private:
 
     // --- pieces of equations; lengths over the drawing's size ----------------------------------------------------------------
     Pair arm(BodyIndex body, const Vector& place) const {
-        const Pair r = rough(place - references_[at_index(body)]);
+        const Vector& reference = references_[at_index(body)];
+        const Pair r{difference_to_double(place.x, reference.x), difference_to_double(place.y, reference.y)};
         return {r[0] / size_, r[1] / size_};
     }
     void add_speed(Row& row, BodyIndex body, const Vector& place, const Pair& n, double sign) const {
@@ -518,18 +519,21 @@ private:
 
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose) { return Check(mechanism, pose).run(); }
 
-std::array<double, 2> NumericMotion::velocity(BodyIndex body, const Vector& place) const {
-    const BodyState& state = bodies[at_index(body)];
-    const Pair r = rough(place - exactly(state.reference));
-    return {state.velocity[0] - state.omega * r[1], state.velocity[1] + state.omega * r[0]};
+std::array<double, 2> NumericMotion::arm(BodyIndex body, const Vector& place) const {
+    const Vector reference = exactly(bodies[at_index(body)].reference);
+    return {difference_to_double(place.x, reference.x), difference_to_double(place.y, reference.y)};
 }
 
-std::array<double, 2> NumericMotion::acceleration(BodyIndex body, const Vector& place) const {
+std::array<double, 2> NumericMotion::velocity(BodyIndex body, const Pair& arm) const {
     const BodyState& state = bodies[at_index(body)];
-    const Pair r = rough(place - exactly(state.reference));
+    return {state.velocity[0] - state.omega * arm[1], state.velocity[1] + state.omega * arm[0]};
+}
+
+std::array<double, 2> NumericMotion::acceleration(BodyIndex body, const Pair& arm) const {
+    const BodyState& state = bodies[at_index(body)];
     const double squared = state.omega * state.omega;
-    return {state.acceleration[0] - state.alpha * r[1] - squared * r[0],
-            state.acceleration[1] + state.alpha * r[0] - squared * r[1]};
+    return {state.acceleration[0] - state.alpha * arm[1] - squared * arm[0],
+            state.acceleration[1] + state.alpha * arm[0] - squared * arm[1]};
 }
 
 }  // namespace kinegraph
