@@ -154,9 +154,11 @@ private:
             *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
                                                       [](ElementIndex kept) { return kept != none; }));
         const auto keep = [&](std::vector<Value>& all) {
-            std::vector<Value> values(record.program.strokes.size());
+            // Kept elements keep their order.
+            std::vector<Value> values;
+            values.reserve(record.program.strokes.size());
             for (std::size_t i = 0; i < record.element.size(); ++i)
-                if (record.element[i] != none) values[at(record.element[i])] = std::move(all[i]);
+                if (record.element[i] != none) values.push_back(std::move(all[i]));
             all = std::move(values);
         };
         keep(protocol.values);

@@ -397,7 +397,8 @@ private:
     ElementIndex of_scalars(Verb verb, ElementIndex a, ElementIndex b);
     ElementIndex join(Plane plane, ElementIndex p, ElementIndex q);
     ElementIndex meet(Plane plane, ElementIndex l, ElementIndex m);
-    ElementIndex enter(const Stroke& stroke, Value value);
+    /// The stroke whose value was put last.
+    ElementIndex enter(const Stroke& stroke);
     int ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how = Guard::How::exactly);
     void decide(Guard& guard);
     struct Echo;
@@ -416,7 +417,10 @@ private:
         const Vector& vector(ElementIndex i) const { return std::get<Vector>(value(i)); }
         const Exact& scalar(ElementIndex i) const { return std::get<Exact>(value(i)); }
         bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(value(i)); }
-        void put(ElementIndex, Value made) { values.push_back(std::move(made)); }
+        template <class Made>
+        void put(ElementIndex, Made&& made) {
+            values.emplace_back(std::forward<Made>(made));
+        }
     };
 
     /// The same strokes on another pose; continued only when a predicate asks.

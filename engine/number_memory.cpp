@@ -8,6 +8,7 @@
 #include <gmp.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 
@@ -53,8 +54,12 @@ struct Before {
 };
 constinit Before before;
 
-/// Whether blocks of this size are kept: whole limbs, not too many. (Texts of numbers have any size.)
-bool is_kept(std::size_t size) { return size <= longest * limb && size % limb == 0 && size > 0; }
+/// Whether blocks of this size are kept: whole limbs, not too many. (Texts of numbers have any size.) Turned right by the bits
+/// below a limb, sizes of whole limbs are their number and all others are huge: one comparison for both.
+bool is_kept(std::size_t size) {
+    static_assert(std::has_single_bit(limb));
+    return std::rotr(size, std::countr_zero(limb)) - 1 < longest;
+}
 
 void* take(std::size_t size) {
     if (!is_kept(size)) return before.allocate(size);
