@@ -64,7 +64,11 @@ void append_member(std::string& json, std::string_view key, std::string_view val
     json.append(": ").append(value);
 }
 std::string object(const Members& members) {
+    constexpr std::size_t marks = 6;  // between a key and its value, and before the next
+    std::size_t size = 2;
+    for (const auto& [key, value] : members) size += key.size() + value.size() + marks;
     std::string json = "{";
+    json.reserve(size);
     for (const auto& [key, value] : members) {
         if (json.size() > 1) json += ", ";
         append_member(json, key, value);
@@ -189,7 +193,9 @@ Members values_of(const ProblemSolution& found) {
 
 /// A row of `checks`.
 std::string check_row(std::string_view name, double graphical, double numeric, double difference) {
+    constexpr std::size_t usual = 160;
     std::string json = R"({"quantity": )";
+    json.reserve(usual);
     append_json_text(json, name);
     for (const auto& [key, value] : {std::pair(R"(, "graphical": )", graphical), std::pair(R"(, "numeric": )", numeric),
                                      std::pair(R"(, "difference": )", difference)}) {
