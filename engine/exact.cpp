@@ -221,6 +221,45 @@ std::optional<double> nearest_length(Nearly x, Nearly y) {
     return nearest_double({root, x.exponent}, 9, 6);
 }
 
+/// a − b to the nearest double, both ≠ 0; nothing as above, nor where they cancel.
+///
+/// At the scale of the one with more places, X the digits of it and Y those of the other without their fraction, |x| lies between
+/// X − 2 and X + 1 and |y| between Y − 2 and Y + 2. So their sum lies between X + Y − 4 and X + Y + 3 (and half of it between
+/// ⌊(X + Y)/2⌋ − 2 and + 2), their difference between X − Y − 4 and X − Y + 3, or the other way round.
+std::optional<double> nearest_difference(const mpq_class& a, const mpq_class& b) {
+    Nearly x = nearly(a), y = nearly(b);
+    bool x_is_negative = sgn(a)<0, y_is_negative = sgn(b)> 0;  // of a + (−b)
+    if (x.exponent < y.exponent) {
+        std::swap(x, y);
+        std::swap(x_is_negative, y_is_negative);
+    }
+    const long places = x.exponent - y.exponent;
+    mp_limb_t smaller = places < GMP_NUMB_BITS ? y.digits >> places : 0;
+    constexpr mp_limb_t off = 4;
+    int cancelled = 0;
+    if (x_is_negative == y_is_negative) {
+        x.digits += smaller;
+        if (x.digits < smaller) {
+            x.digits = x.digits >> 1 | mp_limb_t{1} << (GMP_NUMB_BITS - 1);
+            ++x.exponent;
+        }
+    } else {
+        if (x.digits < smaller) {
+            std::swap(x.digits, smaller);
+            x_is_negative = !x_is_negative;
+        }
+        x.digits -= smaller;
+        cancelled = std::countl_zero(x.digits);
+        constexpr int most = 5;
+        if (cancelled > most) return std::nullopt;
+        x.digits <<= cancelled;
+        x.exponent -= cancelled;
+    }
+    const auto nearest = nearest_double(x, off << cancelled, off << cancelled);
+    if (!nearest) return std::nullopt;
+    return x_is_negative ? -*nearest : *nearest;
+}
+
 /// Of a fraction in lowest terms or not, denominator > 0.
 double to_nearest_double(const mpq_class& value) {
     if (sgn(value) == 0) return 0;
@@ -264,6 +303,9 @@ mpq_class unreduced_difference(const mpq_class& a, const mpq_class& b) {
 double Exact::to_double() const { return to_nearest_double(value_); }
 
 double difference_to_double(const Exact& a, const Exact& b) {
+    if (b.is_zero()) return a.to_double();
+    if (!a.is_zero())
+        if (const auto nearest = nearest_difference(a.rational(), b.rational())) return *nearest;
     return to_nearest_double(unreduced_difference(a.rational(), b.rational()));
 }
 

@@ -79,6 +79,22 @@ TEST(NearestDouble, OfALengthIsWhatMpfrFinds) {
     }
 }
 
+TEST(NearestDouble, OfADifferenceIsThatOfTheExactOne) {
+    Numbers numbers;
+    for (int i = 0; i < unless_sanitized(30'000, 2'000); ++i) {
+        const Exact unit = numbers.fraction(), a = numbers.whole(100) * unit, middle = numbers.near_a_middle();
+        const Exact b = numbers.whole(40 + numbers.upto(120)) * (numbers.upto(1) == 0 ? unit : -unit);
+        ASSERT_EQ(difference_to_double(a, b), (a - b).to_double()) << a.to_fraction() << " - " << b.to_fraction();
+        ASSERT_EQ(difference_to_double(b, a), (b - a).to_double()) << b.to_fraction() << " - " << a.to_fraction();
+        // Their difference is on, or beside, the middle.
+        ASSERT_EQ(difference_to_double(middle + a, a), by_mpfr(middle)) << middle.to_fraction() << " + " << a.to_fraction();
+        ASSERT_EQ(distance({a, b}, {b, a}), length({b - a, a - b}));
+    }
+    EXPECT_EQ(difference_to_double(2, 2), 0);
+    EXPECT_EQ(difference_to_double(0, 2), -2);
+    EXPECT_EQ(difference_to_double(2, 0), 2);
+}
+
 TEST(NearestDouble, GoesToZeroAndInfinityAsDoublesDo) {
     EXPECT_EQ(Exact::power_of_two(-1074).to_double(), std::ldexp(1.0, -1074));
     EXPECT_EQ(Exact::power_of_two(-1100).to_double(), 0);
