@@ -38,8 +38,8 @@ struct Block {
 static_assert(sizeof(Block) <= sizeof(mp_limb_t), "a block of one limb holds its link");
 
 constexpr std::size_t limb = sizeof(mp_limb_t);
-constexpr std::size_t longest = 64;                 ///< limbs of a block that is kept: 4096 bits; longer numbers are few
-constexpr std::size_t most_kept = 4 * 1024 * 1024;  ///< bytes a thread keeps
+constexpr std::size_t longest = 64;                       ///< limbs of a block that is kept: 4096 bits; longer numbers are few
+constexpr std::size_t most_kept = std::size_t{4} << 20U;  ///< bytes a thread keeps
 
 struct Lists {
     std::array<Block*, longest + 1> first;  ///< by limbs

@@ -4,6 +4,7 @@
 #include <mpfr.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "engine/exact.hpp"
@@ -40,7 +41,8 @@ public:
     Exact whole(int bits) {
         mpz_class number;
         for (int i = 0; i < bits; i += 32) number = (number << 32) + static_cast<unsigned>(random_());
-        return Exact(mpq_class(mpz_class(number >> (bits % 32 == 0 ? 0 : 32 - bits % 32)) + 1));
+        const auto beyond = static_cast<mp_bitcnt_t>((32 - bits % 32) % 32);
+        return Exact(mpq_class(mpz_class(number >> beyond) + 1));
     }
     Exact fraction() {
         const Exact size = whole(1 + upto(400)) / whole(1 + upto(400));
