@@ -48,7 +48,8 @@ InOrder::InOrder(std::vector<Worker> workers, Sink sink) : sink_(std::move(sink)
 
 bool InOrder::add(std::string line) {
     std::unique_lock lock(mutex_);
-    room_.wait(lock, [this] { return lines_.size() < window_ || refused_; });
+    // Where there is no room, until there is much: to be woken for each line costs as much as a tenth of an answer.
+    if (lines_.size() >= window_) room_.wait(lock, [this] { return has_much_room() || refused_; });
     if (refused_) return false;
     lines_.push_back({std::move(line)});
     to_do_.notify_one();
@@ -87,7 +88,7 @@ void InOrder::hand_on(std::unique_lock<std::mutex>& lock) {
         const std::string answer = std::move(lines_.front().text);
         lines_.pop_front();
         --taken_;
-        room_.notify_one();
+        if (has_much_room()) room_.notify_one();
         lock.unlock();
         const bool taken = sink_(answer);
         lock.lock();

@@ -37,6 +37,7 @@ private:
         bool done = false;
     };
     void work(const Worker& worker);
+    bool has_much_room() const { return lines_.size() <= window_ / 2; }
     /// Hands on what is done at the head; `lock` holds mutex_.
     void hand_on(std::unique_lock<std::mutex>& lock);
 

@@ -22,6 +22,7 @@
 #include "app/commands.hpp"
 #include "app/files.hpp"
 #include "engine/assert.hpp"
+#include "engine/number_memory.hpp"
 
 namespace kinegraph::app {
 namespace {
@@ -665,6 +666,7 @@ void keep_memory() {
     ::mallopt(M_TRIM_THRESHOLD, never);
     ::mallopt(M_MMAP_THRESHOLD, large);
 #endif
+    keep_number_memory();
 }
 
 }  // namespace

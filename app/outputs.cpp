@@ -170,8 +170,7 @@ tl::expected<void, Status> Press::prepare(std::optional<Press>& press, const std
 
 std::vector<std::string> Press::svg_of(std::span<const render::Page> pages) const {
     if (lettering_ == Lettering::live) return render::to_live_svg(pages, *fonts_, subset_->font_subset);
-    if (pages.size() == 1) return {render::to_svg(pages.front(), *fonts_)};
-    return render::to_svg(pages, *fonts_);
+    return render::to_svg(pages, *fonts_, glyph_paths_);
 }
 
 void Press::print(const std::vector<render::Page>& pages, const Target& target, double dpi, std::vector<Output>& outputs,

@@ -10,6 +10,7 @@
 #include "app/files.hpp"
 #include "app/modules/subset.hpp"
 #include "app/painter.hpp"
+#include "render/backends/backends.hpp"
 #include "render/page/theme.hpp"
 #include "render/text/text.hpp"
 
@@ -65,6 +66,7 @@ private:
 
     Language language_ = Language::en;
     std::optional<render::Fonts> fonts_;
+    mutable render::GlyphPaths glyph_paths_;  ///< of these fonts: a memory, as they have theirs
     std::optional<Painter> painter_;
     Lettering lettering_ = Lettering::outlines;
     const SubsetFunctions* subset_ = nullptr;

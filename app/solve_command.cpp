@@ -118,7 +118,8 @@ void name_position(Mechanism& mechanism, const std::string& driver, const Words&
 }
 
 /// The mechanism solved in the positions asked for; else it has been said what is wrong.
-tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism, const SolveRequest& request) {
+tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism, const SolveRequest& request,
+                                                      Arithmetic arithmetic) {
     const Words file = spoken(request.file);
     const auto wrong = [&](const Words& why, Status status = Status::bad_input) {
         say(file, why, request.language);
@@ -143,7 +144,7 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
         if (coordinate.is_zero()) {
             Mechanism as_drawn = mechanism;
             put_rates(as_drawn);
-            auto drawn = solve(std::move(as_drawn));
+            auto drawn = solve(std::move(as_drawn), arithmetic);
             if (!drawn) return wrong_file(drawn.error());
             solutions.push_back(*std::move(drawn));
         } else {
@@ -159,8 +160,8 @@ tl::expected<std::vector<Solution>, Status> solved_at(const Mechanism& mechanism
                     Status::unsolved);
             Moved moved = mover.moved(here, coordinate);
             put_rates(moved.mechanism);
-            solutions.push_back(
-                solve(std::move(moved.mechanism), std::move(moved.pose), [finer = std::move(moved.finer)] { return finer; }));
+            const FinerPose finer = [pose = std::move(moved.finer)] { return pose; };
+            solutions.push_back(solve(std::move(moved.mechanism), std::move(moved.pose), finer, arithmetic));
         }
         name_position(solutions.back().mechanism, name, text);
     }
@@ -184,7 +185,7 @@ bool wants(const SolveRequest& request, const char* what) {
     return std::find(request.with.begin(), request.with.end(), what) != request.with.end();
 }
 /// The file read and solved; else it has been said what is wrong.
-tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request) {
+tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& request, Arithmetic arithmetic) {
     auto mechanism = mechanism_of(request);
     if (!mechanism) return tl::unexpected(mechanism.error());
     if (const char* const what = asked_of_mechanisms(request); stands_for_joints(*mechanism) && what != nullptr) {
@@ -193,8 +194,8 @@ tl::expected<std::vector<Solution>, Status> solutions_of(const SolveRequest& req
     }
     if (wants(request, "equations")) mechanism->find.equations = true;
     if (wants(request, "virtual work")) mechanism->find.virtual_work = true;
-    if (!request.at.empty()) return solved_at(*mechanism, request);
-    auto solution = solve(*std::move(mechanism));
+    if (!request.at.empty()) return solved_at(*mechanism, request, arithmetic);
+    auto solution = solve(*std::move(mechanism), arithmetic);
     if (!solution) return tl::unexpected(say(spoken(request.file), solution.error(), request.language));
     std::vector<Solution> solutions;
     solutions.push_back(*std::move(solution));
@@ -386,7 +387,8 @@ tl::expected<Solved, Status> solved(const SolveRequest& request, const std::vect
         read.text = *std::move(text);
         return solved(read, targets, theme, press);
     }
-    const auto solutions = solutions_of(request);
+    const bool tells = std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.is_drawn(); });
+    const auto solutions = solutions_of(request, tells ? Arithmetic::told : Arithmetic::left_out);
     if (!solutions) return tl::unexpected(solutions.error());
 
     Solved found;

@@ -308,25 +308,25 @@ private:
 
     /// Of velocities and accelerations; relative ones from the motions of their two places:
     ///   a = a_to + a_cor + a_n + a_t (or a_rel),  a_cor = 2ω_to ∧ v,  a_n = v²/r,  a_t ⟂ r  (Rivals, Coriolis).
-    std::optional<double> modulus(const DrawnVector& vector) const {
+    std::optional<double> modulus(const DrawnVector& vector) {
         using Role = DrawnVector::Role;
         const auto& [of, to, about] = vector.seen;
         const bool is_velocity = solution_.protocol.polygons[at(vector.polygon)].plane == Plane::velocity;
         if (!is_known(of, is_velocity)) return std::nullopt;
-        const Pair own_velocity = numeric_.velocity(of.body, place_of(of.place)),
-                   own_acceleration = numeric_.acceleration(of.body, place_of(of.place));
+        const Pair arm = arm_of(of), own_velocity = numeric_.velocity_at_arm(of.body, arm),
+                   own_acceleration = numeric_.acceleration_at_arm(of.body, arm);
         if (vector.role == Role::absolute || vector.role == Role::transport)
             return length(is_velocity ? own_velocity : own_acceleration);
         if (!is_known(to, is_velocity)) return std::nullopt;
-        const Pair v = minus(own_velocity, numeric_.velocity(to.body, place_of(to.place)));
+        const Pair other = arm_of(to), v = minus(own_velocity, numeric_.velocity_at_arm(to.body, other));
         if (is_velocity) return length(v);
-        const Pair a = minus(own_acceleration, numeric_.acceleration(to.body, place_of(to.place)));
+        const Pair a = minus(own_acceleration, numeric_.acceleration_at_arm(to.body, other));
         const double turning = 2 * numeric_.bodies[at(to.body)].omega;
         const Pair coriolis{-turning * v[1], turning * v[0]};
         Pair radius{};
         if (about != none) {
-            const Vector join = place_of(of.place) - place_of(about);
-            radius = {join.x.to_double(), join.y.to_double()};
+            const ProjectivePoint &end = solution_.protocol.point(of.place), &centre = solution_.protocol.point(about);
+            radius = {difference_to_double(end.x, centre.x), difference_to_double(end.y, centre.y)};
         }
         const double r = length(radius);
         const auto along_circle = [&](const Pair& part) { return std::abs(radius[0] * part[1] - radius[1] * part[0]) / r; };
@@ -348,11 +348,17 @@ private:
         const auto& state = numeric_.bodies[at(carried.body)];
         return velocity ? state.velocity_known : state.acceleration_known;
     }
-    Vector place_of(ElementIndex element) const { return solution_.protocol.point(element).place(); }
+    /// Many vectors are of few places.
+    const Pair& arm_of(const CarriedPlace& carried) {
+        const auto [entry, is_new] = arms_.try_emplace({carried.body, carried.place});
+        if (is_new) entry->second = numeric_.arm(carried.body, solution_.protocol.point(carried.place).place());
+        return entry->second;
+    }
 
     const Solution& solution_;
     const Mechanism& mechanism_;
     NumericMotion numeric_;
+    std::map<std::pair<BodyIndex, ElementIndex>, Pair> arms_;
     Comparison comparison_;
 };
 
@@ -400,9 +406,13 @@ std::string unit_of(const Quantity& quantity, const Mechanism& mechanism) {
 /// Gaps between two numbers that should be one, kind by kind.
 class Gaps {
 public:
-    explicit Gaps(const Solution& solution) : solution_(solution), magnitudes_(solution) {}
+    /// `moduli` as of the magnitudes.
+    Gaps(const Solution& solution, const std::vector<std::optional<double>>& moduli)
+        : solution_(solution), magnitudes_(solution, moduli) {}
 
-    void hold(const Quantity& quantity, const Argument& name, double graphical, double numeric) {
+    /// `name` gives what the quantity is called.
+    template <class Name>
+    void hold(const Quantity& quantity, const Name& name, double graphical, double numeric) {
         // A thousand times the share below which a number is the check's rounding: near a dead point it loses some digits. Where
         // constraints repeat each other within rounded data the two may rely on different ones.
         constexpr double times_rounding = 256;
@@ -414,7 +424,7 @@ public:
         if (!is_first) ++worst.others;
         // What is no number at all is worst.
         if (is_first || std::abs(difference) > std::abs(worst.difference) || std::isnan(difference))
-            worst = {name, graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
+            worst = {name(), graphical, difference, unit_of(quantity, solution_.mechanism), worst.others};
     }
     std::vector<Message> told() const {
         std::vector<Message> messages;
@@ -460,14 +470,17 @@ void enter(Comparison comparison, Solution& solution) {
 }
 
 std::vector<Message> disagreements(const Solution& solution, const std::vector<Comparison::Moved>& bodies) {
-    Gaps gaps(solution);
+    const std::vector<std::optional<double>> moduli = moduli_of_motion(solution.protocol);
+    Gaps gaps(solution, moduli);
     for (const CheckRow& row : solution.checks)
-        gaps.hold(row.quantity, name_of(row.quantity, solution), row.graphical, row.numeric);
-    const Protocol& protocol = solution.protocol;
-    for (std::size_t v = 0; v < solution.numeric_moduli.size(); ++v)
-        if (const auto& numeric = solution.numeric_moduli[v])
-            gaps.hold(protocol.vectors[v].quantity, protocol.vectors[v].symbol,
-                      kinegraph::length(protocol.value_of(protocol.vectors[v])), *numeric);
+        gaps.hold(
+            row.quantity, [&] { return Argument(name_of(row.quantity, solution)); }, row.graphical, row.numeric);
+    for (std::size_t v = 0; v < solution.numeric_moduli.size(); ++v) {
+        const DrawnVector& vector = solution.protocol.vectors[v];
+        if (const auto& numeric = solution.numeric_moduli[v]; numeric && moduli[v])
+            gaps.hold(
+                vector.quantity, [&] { return Argument(vector.symbol); }, *moduli[v], *numeric);
+    }
     std::vector<Message> messages = gaps.told();
     // A driver that asks what cannot be is told as such; the check then has no motion at all.
     if (!solution.mobility.idle_drivers.empty() || solution.mechanism.motion) return messages;

@@ -102,9 +102,10 @@ private:
     }
 
     void look_at_directions(ElementIndex first, ElementIndex second) {
+        const Vector d = direction_in(Memory{protocol_}, first), e = direction_in(Memory{protocol_}, second);
+        if (are_clearly_apart(d, e)) return;
         auto one = direction(first), other = direction(second);
         if (!one || !other) return;
-        const Vector d = direction_in(Memory{protocol_}, first), e = direction_in(Memory{protocol_}, second);
         const double sine = std::abs(cross(d, e).to_double()) / (kinegraph::length(d) * kinegraph::length(e));
         if (!(sine < nearly)) return;
         if (one->is_turned == other->is_turned && share_a_point(*one, *other)) return tell_of_line(*one, *other);
@@ -114,6 +115,11 @@ private:
         if (!is_new(one->reason, other->reason)) return;
         messages_.push_back(
             {Sentence::nearly_parallel, {one->reason, other->reason, Amount{std::asin(sine) * 180 / std::numbers::pi, "°"}}});
+    }
+    /// Most are: doubles tell, with much to spare for their rounding.
+    static bool are_clearly_apart(const Vector& d, const Vector& e) {
+        const VectorOf<double> first{d.x.to_double(), d.y.to_double()}, second{e.x.to_double(), e.y.to_double()};
+        return std::abs(cross(first, second)) > 2 * nearly * std::hypot(first.x, first.y) * std::hypot(second.x, second.y);
     }
     static bool share_a_point(const NamedDirection& one, const NamedDirection& other) {
         if (one.from == none || other.from == none) return false;
@@ -131,9 +137,7 @@ private:
         if (three.size() != 3) return;
         std::array<PointIndex, 3> points{};
         std::copy(three.begin(), three.end(), points.begin());
-        const auto apart = [&](std::size_t i, std::size_t j) {
-            return kinegraph::length(pose_.at(points[i]) - pose_.at(points[j]));
-        };
+        const auto apart = [&](std::size_t i, std::size_t j) { return distance(pose_.at(points[i]), pose_.at(points[j])); };
         std::size_t middle = 0;
         for (std::size_t i = 1; i < 3; ++i)
             if (apart((i + 1) % 3, (i + 2) % 3) > apart((middle + 1) % 3, (middle + 2) % 3)) middle = i;
@@ -147,7 +151,7 @@ private:
     void look_at_points(ElementIndex first, ElementIndex second) {
         const PointIndex p = given_point(first), q = given_point(second);
         if (p == none || q == none) return;
-        const double apart = kinegraph::length(pose_.at(p) - pose_.at(q));
+        const double apart = distance(pose_.at(p), pose_.at(q));
         if (!(apart < nearly * pose_.size.to_double()) || !said_.insert({first, second}).second) return;
         messages_.push_back({Sentence::nearly_coincident, {PointName{name(p)}, PointName{name(q)}, length_said(apart)}});
     }

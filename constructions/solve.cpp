@@ -77,8 +77,9 @@ bool is_moving(const Mechanism& mechanism) {
 /// Draws everything on one board and collects what it found.
 class Solver {
 public:
-    Solver(Solution& solution, FinerPose finer, bool displaces = false)
-        : displaces_(displaces),
+    Solver(Solution& solution, FinerPose finer, Arithmetic arithmetic, bool displaces = false)
+        : arithmetic_(arithmetic),
+          displaces_(displaces),
           solution_(solution),
           draw_finer_(std::move(finer)),
           mechanism_(solution.mechanism),
@@ -153,9 +154,11 @@ private:
             *settled = static_cast<int>(std::count_if(record.element.begin(), record.element.begin() + *settled,
                                                       [](ElementIndex kept) { return kept != none; }));
         const auto keep = [&](std::vector<Value>& all) {
-            std::vector<Value> values(record.program.strokes.size());
+            // Kept elements keep their order.
+            std::vector<Value> values;
+            values.reserve(record.program.strokes.size());
             for (std::size_t i = 0; i < record.element.size(); ++i)
-                if (record.element[i] != none) values[at(record.element[i])] = std::move(all[i]);
+                if (record.element[i] != none) values.push_back(std::move(all[i]));
             all = std::move(values);
         };
         keep(protocol.values);
@@ -169,7 +172,7 @@ private:
             for (Superposition::Part& part : solution_.superposition->parts)
                 statics::note_first_use_of_lines(part.bodies, solution_.pose);
         say_projections();
-        add_workings(solution_);
+        if (arithmetic_ == Arithmetic::told) add_workings(solution_);
     }
 
     /// Observers through which the motion was asked to be found, and was not.
@@ -475,6 +478,7 @@ private:
         }
     }
 
+    Arithmetic arithmetic_;
     bool displaces_;  ///< its velocities are virtual displacements
     Solution& solution_;
     FinerPose draw_finer_;
@@ -496,7 +500,7 @@ void add_equations(Solution& solution) {
 }
 
 /// Draws a mechanism whose pose and mobility are known.
-void draw(Solution& solution, bool displaces = false) {
+void draw(Solution& solution, Arithmetic arithmetic, bool displaces = false) {
     Solver(
         solution,
         [&solution] {
@@ -504,7 +508,7 @@ void draw(Solution& solution, bool displaces = false) {
             KG_ASSERT(finer.has_value(), "what was drawn once can be drawn finer");
             return *std::move(finer);
         },
-        displaces)
+        arithmetic, displaces)
         .run();
 }
 
@@ -523,7 +527,7 @@ Pose driven_as(const Mechanism& mechanism, Pose pose) {
 
 }  // namespace
 
-Result<Solution> solve(Mechanism mechanism) {
+Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic) {
     auto pose = draw_pose(mechanism);
     if (!pose) return tl::unexpected(std::move(pose.error()));
     Solution solution;
@@ -536,7 +540,7 @@ Result<Solution> solve(Mechanism mechanism) {
         return solution;
     }
     solution.mobility = mobility_of(solution.mechanism, solution.pose);
-    draw(solution);
+    draw(solution, arithmetic);
     find_contacts(solution);
     add_equations(solution);
     if (solution.mechanism.find.virtual_work) add_displacements(solution);
@@ -553,21 +557,21 @@ Result<Solution> solve_displaced(Mechanism mechanism, const Pose& like, const Fi
     solution.pose.leftover = like.leftover;
     if (!finer) {
         solution.mobility = mobility_of(solution.mechanism, solution.pose);
-        draw(solution, true);
+        draw(solution, Arithmetic::told, true);
         return solution;
     }
     const FinerPose with_drivers = [&] { return driven_as(solution.mechanism, finer()); };
     solution.mobility = mobility_of(solution.mechanism, solution.pose, with_drivers);
-    Solver(solution, with_drivers, true).run();
+    Solver(solution, with_drivers, Arithmetic::told, true).run();
     return solution;
 }
 
-Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer) {
+Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer, Arithmetic arithmetic) {
     Solution solution;
     solution.mechanism = std::move(mechanism);
     solution.pose = std::move(pose);
     solution.mobility = mobility_of(solution.mechanism, solution.pose, finer);
-    Solver(solution, finer).run();
+    Solver(solution, finer, arithmetic).run();
     find_contacts(solution);
     add_equations(solution);
     if (solution.mechanism.find.virtual_work) add_displacements(solution, finer);

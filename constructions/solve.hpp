@@ -7,11 +7,15 @@
 
 namespace kinegraph {
 
+/// Whether the sentences tell the arithmetic behind what they say (constructions/workings.hpp), which takes a tenth of the time.
+/// No result hangs on it.
+enum class Arithmetic { told, left_out };
+
 /// Errors: only those of the pose (curves that do not meet, misfits). What the mechanism cannot give is in Solution::unsolved,
 /// with its reason.
-Result<Solution> solve(Mechanism mechanism);
+Result<Solution> solve(Mechanism mechanism, Arithmetic arithmetic = Arithmetic::told);
 /// The same in a pose that is not drawn from the file; `finer` gives it with twice the bits.
-Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer);
+Solution solve(Mechanism mechanism, Pose pose, const FinerPose& finer, Arithmetic arithmetic = Arithmetic::told);
 
 /// The velocities alone of a mechanism whose drivers move at the rate one or rest, and the powers of its loads and of one unit of
 /// each effort in them: virtual displacements and works (Solution::virtual_work; none where the motion is not found). In the

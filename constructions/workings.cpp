@@ -42,7 +42,6 @@ private:
         return plane_of(vector) == Plane::velocity ? units_.velocity : units_.acceleration;
     }
     static double in(double si, const Unit& unit) { return si / unit.si.to_double(); }
-    double distance(const Vector& from, const Vector& to) const { return length(to - from); }
 
     /// A working is said once, and only where it comes out.
     void tell(StatementIndex statement, Symbol of, Factors factors, std::optional<double> divisor, double value,
@@ -155,7 +154,7 @@ private:
         const bool uniform = said.sentence == Sentence::crank_acceleration && said.arguments.size() == 5;
         if (alike || (vector.role == Role::absolute && (image || uniform))) return;
         const Unit& unit = unit_of(vector);
-        const double si = length(protocol_.value_of(vector)), value = in(si, unit);
+        const double si = protocol_.modulus_of(vector), value = in(si, unit);
         if (magnitudes_.is_noise(vector.quantity, si)) return tell(vector.statement, vector.symbol, {}, std::nullopt, 0, unit);
         const bool known = is_known(vector);
         Factors factors = known ? factors_of(vector, si) : Factors{};
@@ -267,8 +266,8 @@ private:
             for (const int index : protocol_.polygons[at_index(sum.polygon)].vectors) {
                 const DrawnVector& vector = protocol_.vectors[at_index(index)];
                 if (vector.symbol == sum.symbol)
-                    tell(superposition.statement, sum.symbol, {}, std::nullopt,
-                         in(length(protocol_.value_of(vector)), units_.force), units_.force);
+                    tell(superposition.statement, sum.symbol, {}, std::nullopt, in(protocol_.modulus_of(vector), units_.force),
+                         units_.force);
             }
         for (const Superposition::CoupleSum& couple : superposition.couples) {
             Working working{

@@ -45,6 +45,9 @@ const Value& Board::Memory::value(ElementIndex i) const { return values[position
 Board::Board(const Mechanism& mechanism, const Pose& pose, std::function<const Pose&()> finer)
     : mechanism_(mechanism), pose_(pose), finer_pose_(std::move(finer)) {
     largest_.vector[static_cast<std::size_t>(Plane::drawing)] = magnitude_of(pose.size);
+    constexpr std::size_t enough_for_most = 128;
+    memory_.values.reserve(enough_for_most);
+    protocol_.program.strokes.reserve(enough_for_most);
     if (!pose.is_rounded()) return;
     protocol_.program.doubtful_bits = bits_in_question(pose.rounding());
     for (const ShiftedDrawing& each : *pose.shifted) shifted_.push_back(echo_on(each.mechanism, each.pose, true));
@@ -101,23 +104,22 @@ void Board::rewind(const Mark& mark) {
     forget(asked_, asked_in_order_, mark.asked, [&](std::size_t guard) { return guard >= mark.guards; });
 }
 
-ElementIndex Board::enter(const Stroke& stroke, Value value) {
+ElementIndex Board::enter(const Stroke& stroke) {
     const ElementIndex element(strokes());
-    std::visit([&](const auto& made) { largest_.note(stroke.plane, made); }, value);
-    memory_.values.push_back(std::move(value));
+    std::visit([&](const auto& made) { largest_.note(stroke.plane, made); }, memory_.values.back());
     protocol_.program.strokes.push_back(stroke);
     protocol_.program.strokes.back().statement = current_statement_;
     return element;
 }
 
 ElementIndex Board::enter_given(Given given) {
-    Value value = given_value(given, mechanism_, pose_);
+    memory_.values.push_back(given_value(given, mechanism_, pose_));
     Stroke stroke;
-    stroke.verb = verb_of(value);
+    stroke.verb = verb_of(memory_.values.back());
     stroke.plane = plane_of(given.kind);
     stroke.given = static_cast<int>(protocol_.program.givens.size());
     protocol_.program.givens.push_back(std::move(given));
-    return enter(stroke, std::move(value));
+    return enter(stroke);
 }
 
 ElementIndex Board::given(Given::Kind kind, int index) {
@@ -163,18 +165,8 @@ ElementIndex Board::make(Verb verb, Plane plane, ElementIndex a, ElementIndex b)
     if (verb == Verb::through || verb == Verb::ratio || verb == Verb::arm)
         ask(Guard::Question::zero_vector, before_turning(protocol_.program, b), none);
     if (verb == Verb::quotient) ask(Guard::Question::zero_scalar, b, none);
-    struct Once {
-        using Number [[maybe_unused]] = Exact;
-        const Memory& from;
-        std::optional<Value> made;
-        const ProjectivePoint& point(ElementIndex i) const { return from.point(i); }
-        const ProjectiveLine& line(ElementIndex i) const { return from.line(i); }
-        const Vector& vector(ElementIndex i) const { return from.vector(i); }
-        const Exact& scalar(ElementIndex i) const { return from.scalar(i); }
-        void put(ElementIndex, Value value) { made = std::move(value); }
-    } once{memory_, {}};
-    carry_out(stroke, ElementIndex(strokes()), once);
-    return enter(stroke, std::move(*once.made));
+    carry_out(stroke, ElementIndex(strokes()), memory_);
+    return enter(stroke);
 }
 
 ElementIndex Board::of_scalars(Verb verb, ElementIndex a, ElementIndex b) {

@@ -172,8 +172,10 @@ struct Protocol {
     const Vector& vector(ElementIndex element) const { return std::get<Vector>(values[at_index(element)]); }
     const Exact& scalar(ElementIndex element) const { return std::get<Exact>(values[at_index(element)]); }
     /// Tip − tail of a drawn vector, exact, in its plane's SI unit; nothing where it is zero within the data.
-    Vector value_of(const DrawnVector& drawn) const {
-        return drawn.vanishes ? Vector{} : point(drawn.tip).place() - point(drawn.tail).place();
+    Vector value_of(const DrawnVector& drawn) const { return drawn.vanishes ? Vector{} : point(drawn.tip) - point(drawn.tail); }
+    /// Its length, to the nearest double.
+    double modulus_of(const DrawnVector& drawn) const {
+        return drawn.vanishes ? 0 : distance(point(drawn.tail), point(drawn.tip));
     }
 };
 
@@ -407,7 +409,8 @@ private:
     ElementIndex of_scalars(Verb verb, ElementIndex a, ElementIndex b);
     ElementIndex join(Plane plane, ElementIndex p, ElementIndex q);
     ElementIndex meet(Plane plane, ElementIndex l, ElementIndex m);
-    ElementIndex enter(const Stroke& stroke, Value value);
+    /// The stroke whose value was put last.
+    ElementIndex enter(const Stroke& stroke);
     int ask(Guard::Question question, ElementIndex a, ElementIndex b, Guard::How how = Guard::How::exactly);
     void decide(Guard& guard);
     struct Echo;
@@ -426,7 +429,10 @@ private:
         const Vector& vector(ElementIndex i) const { return std::get<Vector>(value(i)); }
         const Exact& scalar(ElementIndex i) const { return std::get<Exact>(value(i)); }
         bool is_line(ElementIndex i) const { return std::holds_alternative<ProjectiveLine>(value(i)); }
-        void put(ElementIndex, Value made) { values.push_back(std::move(made)); }
+        template <class Made>
+        void put(ElementIndex, Made&& made) {
+            values.emplace_back(std::forward<Made>(made));
+        }
     };
 
     /// The same strokes on another pose; continued only when a predicate asks.

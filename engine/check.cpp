@@ -264,12 +264,15 @@ private:
 
     // --- pieces of equations; lengths over the drawing's size ----------------------------------------------------------------
     Pair arm(BodyIndex body, const Vector& place) const {
-        const Pair r = rough(place - references_[at_index(body)]);
+        const Vector& reference = references_[at_index(body)];
+        const Pair r{difference_to_double(place.x, reference.x), difference_to_double(place.y, reference.y)};
         return {r[0] / size_, r[1] / size_};
     }
     void add_speed(Row& row, BodyIndex body, const Vector& place, const Pair& n, double sign) const {
+        if (body != frame) add_speed(row, body, arm(body, place), n, sign);
+    }
+    static void add_speed(Row& row, BodyIndex body, const Pair& r, const Pair& n, double sign) {
         if (body == frame) return;
-        const Pair r = arm(body, place);
         const Eigen::Index first = Eigen::Index{3} * (body.number() - 1);
         row.terms.push_back({first, sign * n[0]});
         row.terms.push_back({first + 1, sign * n[1]});
@@ -290,20 +293,24 @@ private:
         return {state.velocity[0] / size_ - state.omega * r[1], state.velocity[1] / size_ + state.omega * r[0]};
     }
     /// What −ω²r of both bodies sends to the right side of n·(a_i(P_i) − a_j(P_j)) = …
+    double centripetal(BodyIndex i, const Pair& on_i, BodyIndex j, const Pair& on_j, const Pair& n) const {
+        return square_of(omega(i)) * inner(n, on_i) - square_of(omega(j)) * inner(n, on_j);
+    }
     double centripetal(BodyIndex i, const Vector& at_i, BodyIndex j, const Vector& at_j, const Pair& n) const {
-        return square_of(omega(i)) * inner(n, arm(i, at_i)) - square_of(omega(j)) * inner(n, arm(j, at_j));
+        return centripetal(i, arm(i, at_i), j, arm(j, at_j), n);
     }
     static double square_of(double x) { return x * x; }
 
     /// n·(v_i − v_j) at P is `velocity`; n·(a_i − a_j) there is `second_order()`.
     void equal_speeds(BodyIndex i, BodyIndex j, const Vector& place, const Pair& n, double velocity, SecondOrder second_order) {
         Row row;
-        add_speed(row, i, place, n, 1);
-        add_speed(row, j, place, n, -1);
+        const Pair on_i = arm(i, place), on_j = arm(j, place);
+        add_speed(row, i, on_i, n, 1);
+        add_speed(row, j, on_j, n, -1);
         enter(std::move(row), velocity, [=, this, more = std::move(second_order)]() -> std::optional<double> {
             const auto relative = more();
             if (!relative) return std::nullopt;
-            return *relative + centripetal(i, place, j, place, n);
+            return *relative + centripetal(i, on_i, j, on_j, n);
         });
     }
     void equal_turns(BodyIndex i, BodyIndex j, double velocity = 0, double acceleration = 0) {
@@ -518,18 +525,21 @@ private:
 
 NumericMotion check_motion(const Mechanism& mechanism, const Pose& pose) { return Check(mechanism, pose).run(); }
 
-std::array<double, 2> NumericMotion::velocity(BodyIndex body, const Vector& place) const {
-    const BodyState& state = bodies[at_index(body)];
-    const Pair r = rough(place - exactly(state.reference));
-    return {state.velocity[0] - state.omega * r[1], state.velocity[1] + state.omega * r[0]};
+std::array<double, 2> NumericMotion::arm(BodyIndex body, const Vector& place) const {
+    const Vector reference = exactly(bodies[at_index(body)].reference);
+    return {difference_to_double(place.x, reference.x), difference_to_double(place.y, reference.y)};
 }
 
-std::array<double, 2> NumericMotion::acceleration(BodyIndex body, const Vector& place) const {
+std::array<double, 2> NumericMotion::velocity_at_arm(BodyIndex body, const Pair& arm) const {
     const BodyState& state = bodies[at_index(body)];
-    const Pair r = rough(place - exactly(state.reference));
+    return {state.velocity[0] - state.omega * arm[1], state.velocity[1] + state.omega * arm[0]};
+}
+
+std::array<double, 2> NumericMotion::acceleration_at_arm(BodyIndex body, const Pair& arm) const {
+    const BodyState& state = bodies[at_index(body)];
     const double squared = state.omega * state.omega;
-    return {state.acceleration[0] - state.alpha * r[1] - squared * r[0],
-            state.acceleration[1] + state.alpha * r[0] - squared * r[1]};
+    return {state.acceleration[0] - state.alpha * arm[1] - squared * arm[0],
+            state.acceleration[1] + state.alpha * arm[0] - squared * arm[1]};
 }
 
 }  // namespace kinegraph

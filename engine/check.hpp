@@ -23,8 +23,14 @@ struct NumericMotion {
     };
     std::vector<BodyState> bodies;  ///< by BodyIndex; the frame at rest
 
-    std::array<double, 2> velocity(BodyIndex body, const Vector& place) const;
-    std::array<double, 2> acceleration(BodyIndex body, const Vector& place) const;
+    /// From the body's reference to a place, m: what the motions of the place are reckoned by.
+    std::array<double, 2> arm(BodyIndex body, const Vector& place) const;
+    std::array<double, 2> velocity_at_arm(BodyIndex body, const std::array<double, 2>& arm) const;
+    std::array<double, 2> acceleration_at_arm(BodyIndex body, const std::array<double, 2>& arm) const;
+    std::array<double, 2> velocity(BodyIndex body, const Vector& place) const { return velocity_at_arm(body, arm(body, place)); }
+    std::array<double, 2> acceleration(BodyIndex body, const Vector& place) const {
+        return acceleration_at_arm(body, arm(body, place));
+    }
 };
 
 /// Velocities from J q̇ = b, accelerations from J q̈ = ḃ − J̇ q̇. A body whose motion the drivers do not determine is marked so.

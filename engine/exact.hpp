@@ -17,8 +17,23 @@ namespace kinegraph {
 class Exact {
 public:
     Exact() = default;
+    Exact(const Exact&) = default;
+    // (Of mpq_class alone a move might throw, and a vector that grows would copy.)
+    Exact(Exact&& other) noexcept { value_.swap(other.value_); }
+    Exact& operator=(const Exact&) = default;
+    Exact& operator=(Exact&& other) noexcept {
+        value_.swap(other.value_);
+        return *this;
+    }
+    ~Exact() = default;
     Exact(int value) : value_(value) {}  // NOLINT(google-explicit-constructor): 2 * x reads as the formula does
     explicit Exact(mpq_class value) : value_(std::move(value)) { value_.canonicalize(); }
+    /// What is in lowest terms already, as whatever GMP has worked out of such fractions.
+    static Exact in_lowest_terms(mpq_class&& value) {
+        Exact result;
+        result.value_.swap(value);
+        return result;
+    }
 
     /// numerator / denominator, denominator ≠ 0.
     static Exact ratio(std::int64_t numerator, std::int64_t denominator);
@@ -30,23 +45,17 @@ public:
     /// The double's own value (exact).
     static Exact from_double(double value);
 
-    Exact& operator+=(const Exact& other) {
-        value_ += other.value_;
-        return *this;
-    }
-    Exact& operator-=(const Exact& other) {
-        value_ -= other.value_;
-        return *this;
-    }
-    Exact& operator*=(const Exact& other) {
-        value_ *= other.value_;
-        return *this;
-    }
-    Exact& operator/=(const Exact& other);
-    friend Exact operator+(Exact a, const Exact& b) { return a += b; }
-    friend Exact operator-(Exact a, const Exact& b) { return a -= b; }
-    friend Exact operator*(Exact a, const Exact& b) { return a *= b; }
-    friend Exact operator/(Exact a, const Exact& b) { return a /= b; }
+    Exact& operator+=(const Exact& other) { return *this = *this + other; }
+    Exact& operator-=(const Exact& other) { return *this = *this - other; }
+    Exact& operator*=(const Exact& other) { return *this = *this * other; }
+    Exact& operator/=(const Exact& other) { return *this = *this / other; }
+    friend Exact operator+(const Exact& a, const Exact& b);
+    friend Exact operator-(const Exact& a, const Exact& b);
+    friend Exact operator*(const Exact& a, const Exact& b);
+    friend Exact operator/(const Exact& a, const Exact& b);
+    /// ab + cd and ab − cd.
+    friend Exact sum_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
+    friend Exact difference_of_products(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
     Exact operator-() const;
 
     friend bool operator==(const Exact& a, const Exact& b) { return a.value_ == b.value_; }
@@ -68,6 +77,21 @@ private:
 
 Exact abs(const Exact& value);
 inline Exact square(const Exact& value) { return value * value; }
+/// a − b to the nearest double: without the fraction in lowest terms, which costs most of a difference.
+double difference_to_double(const Exact& a, const Exact& b);
+/// Whether a/b = c/d, b and d ≠ 0.
+bool is_same_ratio(const Exact& a, const Exact& b, const Exact& c, const Exact& d);
+inline bool is_zero(const Exact& value) { return value.is_zero(); }
+/// −1, 0, 1.
+inline int sign_of(const Exact& value) { return value.sign(); }
+
+// The same of doubles, for what is written once for both.
+inline bool is_zero(double value) { return value == 0; }
+inline int sign_of(double value) { return value == 0 ? 0 : value < 0 ? -1 : 1; }
+inline double sum_of_products(double a, double b, double c, double d) { return a * b + c * d; }
+inline double difference_of_products(double a, double b, double c, double d) { return a * b - c * d; }
+/// Of rounded numbers that is never known.
+inline bool is_same_ratio(double, double, double, double) { return false; }
 
 /// value rounded to the nearest multiple of 2^-bits.
 Exact rounded(const Exact& value, int bits);
@@ -93,14 +117,15 @@ struct VectorOf {
     Number x{};
     Number y{};
 
-    bool is_zero() const { return x == Number(0) && y == Number(0); }
+    bool is_zero() const { return kinegraph::is_zero(x) && kinegraph::is_zero(y); }
+    friend bool is_zero(const VectorOf& a) { return a.is_zero(); }
     friend bool operator==(const VectorOf&, const VectorOf&) = default;
     friend VectorOf operator+(const VectorOf& a, const VectorOf& b) { return {a.x + b.x, a.y + b.y}; }
     friend VectorOf operator-(const VectorOf& a, const VectorOf& b) { return {a.x - b.x, a.y - b.y}; }
     friend VectorOf operator-(const VectorOf& a) { return {-a.x, -a.y}; }
     friend VectorOf operator*(const Number& s, const VectorOf& a) { return {s * a.x, s * a.y}; }
-    friend Number dot(const VectorOf& a, const VectorOf& b) { return a.x * b.x + a.y * b.y; }
-    friend Number cross(const VectorOf& a, const VectorOf& b) { return a.x * b.y - a.y * b.x; }
+    friend Number dot(const VectorOf& a, const VectorOf& b) { return sum_of_products(a.x, b.x, a.y, b.y); }
+    friend Number cross(const VectorOf& a, const VectorOf& b) { return difference_of_products(a.x, b.y, a.y, b.x); }
     friend Number squared_length(const VectorOf& a) { return dot(a, a); }
     /// A quarter turn counter-clockwise: z × a.
     friend VectorOf quarter_turn(const VectorOf& a) { return {-a.y, a.x}; }
@@ -109,5 +134,8 @@ using Vector = VectorOf<Exact>;
 
 /// Length as a double, for printing and drawing only.
 double length(const Vector& a);
+/// √((x − x0)² + (y − y0)²) likewise, without the two differences in lowest terms.
+double distance(const Exact& x0, const Exact& y0, const Exact& x, const Exact& y);
+inline double distance(const Vector& from, const Vector& to) { return distance(from.x, from.y, to.x, to.y); }
 
 }  // namespace kinegraph

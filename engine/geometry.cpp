@@ -1,8 +1,10 @@
 #include "engine/geometry.hpp"
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/intersections.h>
+#include <CGAL/constructions/kernel_ftC2.h>
 #include <CGAL/mpq_class.h>
+
+#include <utility>
 
 #include "engine/assert.hpp"
 
@@ -13,26 +15,37 @@ using Kernel = CGAL::Simple_cartesian<mpq_class>;
 
 Kernel::Point_2 finite(const ProjectivePoint& p) { return {p.x.rational(), p.y.rational()}; }
 Kernel::Line_2 finite(const ProjectiveLine& l) { return {l.a.rational(), l.b.rational(), l.c.rational()}; }
-ProjectiveLine projective(const Kernel::Line_2& l) { return {Exact(l.a()), Exact(l.b()), Exact(l.c())}; }
+
+/// A line as one of CGAL's formulas gives it: `make(a, b, c)`. (CGAL's own lines would hold a copy of every number.)
+template <class Make>
+ProjectiveLine line_of(const Make& make) {
+    mpq_class a, b, c;
+    make(a, b, c);
+    return {Exact::in_lowest_terms(std::move(a)), Exact::in_lowest_terms(std::move(b)), Exact::in_lowest_terms(std::move(c))};
+}
 
 }  // namespace
 
 ProjectiveLine finite_line_through(const ProjectivePoint& point, const Vector& direction) {
     KG_ASSERT(!direction.is_zero(), "a line needs a direction");
-    return projective(Kernel::Line_2(finite(point), Kernel::Vector_2(direction.x.rational(), direction.y.rational())));
+    return line_of([&](mpq_class& a, mpq_class& b, mpq_class& c) {
+        CGAL::line_from_point_directionC2(point.x.rational(), point.y.rational(), direction.x.rational(), direction.y.rational(),
+                                          a, b, c);
+    });
 }
 
 ProjectiveLine finite_join(const ProjectivePoint& p, const ProjectivePoint& q) {
-    KG_ASSERT(p.place() != q.place(), "two places that coincide have no join");
-    return projective(Kernel::Line_2(finite(p), finite(q)));
+    KG_ASSERT(p.x != q.x || p.y != q.y, "two places that coincide have no join");
+    return line_of([&](mpq_class& a, mpq_class& b, mpq_class& c) {
+        CGAL::line_from_pointsC2(p.x.rational(), p.y.rational(), q.x.rational(), q.y.rational(), a, b, c);
+    });
 }
 
+// CGAL's intersection is the same, with each number copied four times on its way.
 ProjectivePoint finite_meet(const ProjectiveLine& l, const ProjectiveLine& m) {
-    const auto met = CGAL::intersection(finite(l), finite(m));
-    KG_ASSERT(met, "lines that are not parallel meet");
-    const auto* point = boost::get<Kernel::Point_2>(&*met);
-    KG_ASSERT(point != nullptr, "lines that do not coincide meet in one point");
-    return {Exact(point->x()), Exact(point->y()), 1};
+    const Exact across = difference_of_products(l.a, m.b, m.a, l.b);
+    KG_ASSERT(!across.is_zero(), "lines that are not parallel meet");
+    return {difference_of_products(l.b, m.c, m.b, l.c) / across, difference_of_products(m.a, l.c, l.a, m.c) / across, 1};
 }
 
 bool incident(const ProjectivePoint& p, const ProjectiveLine& l) {

@@ -1,6 +1,6 @@
-// Projective points and lines over any number. Over exact rationals the finite geometry is CGAL's (in geometry.cpp, the only file
-// that sees it); the thin layer of points and lines at infinity, which CGAL has not, is ours. Over doubles, for replays, the same
-// formulas stand here.
+// Projective points and lines over any number. Over exact rationals lines and incidence are CGAL's (in geometry.cpp, the only file
+// that sees it); the meet, which CGAL copies its way through, and the thin layer of points and lines at infinity, which CGAL has
+// not, are ours. Over doubles, for replays, the same formulas stand here.
 #pragma once
 
 #include "engine/exact.hpp"
@@ -11,16 +11,20 @@ namespace kinegraph {
 template <class Number>
 struct PointOf {
     Number x{}, y{}, w = 1;
-    bool at_infinity() const { return w == Number(0); }
+    bool at_infinity() const { return is_zero(w); }
     VectorOf<Number> place() const { return {x, y}; }
+    /// Of finite points: the vector from the second to the first.
+    friend VectorOf<Number> operator-(const PointOf& to, const PointOf& from) { return {to.x - from.x, to.y - from.y}; }
 };
 using ProjectivePoint = PointOf<Exact>;
+/// Of finite points.
+inline double distance(const ProjectivePoint& p, const ProjectivePoint& q) { return distance(p.x, p.y, q.x, q.y); }
 
 /// a x + b y + c w = 0; the line at infinity is (0, 0, 1).
 template <class Number>
 struct LineOf {
     Number a{}, b{}, c{};
-    bool at_infinity() const { return a == Number(0) && b == Number(0); }
+    bool at_infinity() const { return is_zero(a) && is_zero(b); }
     VectorOf<Number> direction() const { return {-b, a}; }
 };
 using ProjectiveLine = LineOf<Exact>;

@@ -8,5 +8,7 @@ namespace kinegraph {
 
 /// In quotation marks, with what JSON does not let stand escaped.
 std::string json_text(std::string_view text);
+/// The same, behind what `json` holds.
+void append_json_text(std::string& json, std::string_view text);
 
 }  // namespace kinegraph

@@ -23,14 +23,26 @@ bool acts_as_couple(const Load& load) {
 
 }  // namespace
 
-Magnitudes::Magnitudes(const Solution& solution) : mechanism_(solution.mechanism), pose_(solution.pose) {
+std::vector<std::optional<double>> moduli_of_motion(const Protocol& protocol) {
+    std::vector<std::optional<double>> moduli;
+    moduli.reserve(protocol.vectors.size());
+    for (const DrawnVector& vector : protocol.vectors) {
+        if (protocol.polygons[at(vector.polygon)].plane == Plane::force)
+            moduli.emplace_back();
+        else
+            moduli.emplace_back(protocol.modulus_of(vector));
+    }
+    return moduli;
+}
+
+Magnitudes::Magnitudes(const Solution& solution, const std::vector<std::optional<double>>& moduli)
+    : mechanism_(solution.mechanism), pose_(solution.pose) {
     for (const CheckRow& row : solution.checks) {
         take(row.quantity, row.graphical);
         take(row.quantity, row.numeric);
     }
-    for (const DrawnVector& vector : solution.protocol.vectors)
-        if (solution.protocol.polygons[at(vector.polygon)].plane != Plane::force)
-            take(vector.quantity, length(solution.protocol.value_of(vector)));
+    for (std::size_t v = 0; v < moduli.size(); ++v)
+        if (moduli[v]) take(solution.protocol.vectors[v].quantity, *moduli[v]);
     for (const FreeBody& body : solution.free_bodies)
         for (const AppliedForce& applied : body.forces) {
             raise(force_, length(applied.force));

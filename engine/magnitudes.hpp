@@ -2,9 +2,15 @@
 // what is rounding is told by them. Computes no mechanics.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "engine/solution.hpp"
 
 namespace kinegraph {
+
+/// The lengths of a record's drawn velocities and accelerations, SI, by Protocol::vectors; none of a force.
+std::vector<std::optional<double>> moduli_of_motion(const Protocol& protocol);
 
 /// The largest of each kind, SI units, what the file gives for drivers and loads included. Kinds that one motion ties together
 /// share their measure across the size L of the drawing: where the points move at v a body that turns at v/L turns at all, where
@@ -12,7 +18,9 @@ namespace kinegraph {
 /// altogether (no body turns) is measured, too.
 class Magnitudes {
 public:
-    explicit Magnitudes(const Solution& solution);
+    explicit Magnitudes(const Solution& solution) : Magnitudes(solution, moduli_of_motion(solution.protocol)) {}
+    /// With the moduli of the solution's record, where they are at hand.
+    Magnitudes(const Solution& solution, const std::vector<std::optional<double>>& moduli);
 
     double of(const Quantity& quantity) const;
 

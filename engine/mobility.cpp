@@ -163,9 +163,11 @@ private:
     Pair converted(const Vector& a) { return {field_.from(a.x), field_.from(a.y)}; }
     /// A direction, its larger component one.
     Pair direction(const Vector& a) {
-        const Exact largest = std::max(abs(a.x), abs(a.y));
-        KG_ASSERT(!largest.is_zero(), "a constraint has a direction");
-        return converted({a.x / largest, a.y / largest});
+        KG_ASSERT(!a.is_zero(), "a constraint has a direction");
+        const bool is_steep = abs(a.y) > abs(a.x);
+        const Exact& largest = is_steep ? a.y : a.x;
+        const Exact one = largest.sign(), other = (is_steep ? a.x : a.y) / abs(largest);
+        return is_steep ? converted({other, one}) : converted({one, other});
     }
 
     /// Σ ± (n·v_b at the point) = 0: n·v = n_x v_x + n_y v_y + ω (P × n).

@@ -179,8 +179,8 @@ Evaluation evaluate(const Program& program, const std::vector<Value>& givens, co
 /// k with v = k·w: the component along w, so that a replay on another pose, where they are parallel only nearly, is defined too.
 template <class Number>
 Number ratio_of(const VectorOf<Number>& v, const VectorOf<Number>& w) {
-    if (w.x == Number(0)) return v.y / w.y;
-    if (w.y == Number(0)) return v.x / w.x;
+    if (is_zero(w.x)) return v.y / w.y;
+    if (is_zero(w.y) || is_same_ratio(v.x, w.x, v.y, w.y)) return v.x / w.x;
     return dot(v, w) / squared_length(w);
 }
 
@@ -199,7 +199,7 @@ void carry_out(const Stroke& stroke, ElementIndex element, Memory& memory) {
         case Verb::pole:
             return memory.put(element, Point{0, 0, 1});
         case Verb::vector_between:
-            return memory.put(element, memory.point(b).place() - memory.point(a).place());
+            return memory.put(element, memory.point(b) - memory.point(a));
         case Verb::perpendicular:
         case Verb::turn:
             return memory.put(element, quarter_turn(memory.vector(a)));
@@ -304,7 +304,9 @@ struct Largest {
         auto& largest = vector[static_cast<std::size_t>(plane)];
         if (plane != Plane::drawing) largest = std::max(largest, magnitude_of(drawn));
     }
-    void note(Plane plane, const PointOf<Number>& point) { note(plane, point.place()); }
+    void note(Plane plane, const PointOf<Number>& point) {
+        if (plane != Plane::drawing) note(plane, point.place());
+    }
     void note(Plane, const LineOf<Number>&) {}
     void note(Plane plane, const Number& value) {
         auto& largest = scalar[static_cast<std::size_t>(plane)];
@@ -329,6 +331,13 @@ VectorOf<typename Memory::Number> direction_in(const Memory& memory, ElementInde
     return memory.is_line(element) ? memory.line(element).direction() : VectorOf<typename Memory::Number>(memory.vector(element));
 }
 
+template <class Memory>
+Magnitude<typename Memory::Number> magnitude_of_direction(const Memory& memory, ElementIndex element) {
+    if (!memory.is_line(element)) return magnitude_of(memory.vector(element));
+    const auto& line = memory.line(element);
+    return std::max(magnitude_of(line.b), magnitude_of(line.a));
+}
+
 /// How large the vectors are of which a direction is the difference: what its rounding is a part of.
 template <class Memory>
 Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, const Memory& memory, ElementIndex element,
@@ -345,7 +354,7 @@ Magnitude<typename Memory::Number> scale_of(const std::vector<Stroke>& strokes, 
         case Verb::direction_of_line:
             return scale_of(strokes, memory, stroke.inputs[0], largest);
         default:
-            return std::max(largest.vector[static_cast<std::size_t>(stroke.plane)], magnitude_of(direction_in(memory, element)));
+            return std::max(largest.vector[static_cast<std::size_t>(stroke.plane)], magnitude_of_direction(memory, element));
     }
 }
 
@@ -354,8 +363,8 @@ template <class Memory>
 Magnitude<typename Memory::Number> slack_of_parallels(const Guard& guard, const std::vector<Stroke>& strokes,
                                                       const Memory& memory, const Largest<typename Memory::Number>& largest) {
     const ElementIndex a = guard.inputs[0], b = guard.inputs[1];
-    return std::max(scale_of(strokes, memory, a, largest) * magnitude_of(direction_in(memory, b)),
-                    magnitude_of(direction_in(memory, a)) * scale_of(strokes, memory, b, largest));
+    return std::max(scale_of(strokes, memory, a, largest) * magnitude_of_direction(memory, b),
+                    magnitude_of_direction(memory, a) * scale_of(strokes, memory, b, largest));
 }
 
 /// Answers a predicate with exact zeros; whoever asks decides what a small excess means. For predicates of zero the verdict 1
@@ -381,14 +390,11 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
     };
     const auto zero = [&](const auto& excess, Magnitude<Number> unit) {
         const Magnitude<Number> size = magnitude_of(excess);
-        if constexpr (requires { excess.is_zero(); }) {
-            return noted({excess.is_zero() ? 1 : 0, excess.is_zero(), size, unit, {}}, excess);
-        } else {
-            return noted({excess == Number(0) ? 1 : 0, excess == Number(0), size, unit, {}}, excess);
-        }
+        const bool vanishes = is_zero(excess);
+        return noted({vanishes ? 1 : 0, vanishes, size, unit, {}}, excess);
     };
     const auto sign = [&](const Number& value, Magnitude<Number> unit) {
-        const int verdict = value == Number(0) ? 0 : value < Number(0) ? -1 : 1;
+        const int verdict = sign_of(value);
         return noted({verdict, verdict == 0, magnitude_of(value), unit, {}}, value);
     };
     const auto angle = [&](const VectorOf<Number>& d, const VectorOf<Number>& e) {
@@ -400,7 +406,7 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             const auto& q = memory.point(b);
             if (p.at_infinity() && q.at_infinity()) return angle(p.place(), q.place());
             if (p.at_infinity() || q.at_infinity()) return plain(false);
-            return zero(p.place() - q.place(), largest.vector[plane]);
+            return zero(p - q, largest.vector[plane]);
         }
         case Question::parallel: {
             const bool first = memory.is_line(a) && memory.line(a).at_infinity();
@@ -417,7 +423,7 @@ Answer<typename Memory::Number> answer(const Guard& guard, const std::vector<Str
             const auto& l = memory.line(b);
             if (l.at_infinity()) return plain(p.at_infinity());
             if (p.at_infinity()) return angle(p.place(), l.direction());
-            return zero(Number(l.a * p.x + l.b * p.y + l.c), magnitude_of(l.direction()) * largest.vector[plane]);
+            return zero(Number(sum_of_products(l.a, p.x, l.b, p.y) + l.c), magnitude_of(l.direction()) * largest.vector[plane]);
         }
         case Question::sign:
             return sign(memory.scalar(a), largest.beside_scalar(lies_in));

@@ -24,41 +24,74 @@ using Members = std::vector<std::pair<std::string, std::string>>;
 std::string quoted(std::string_view text) { return json_text(text); }
 
 /// JSON has no infinities: what no double holds is null. −0 is 0.
+void append_number(std::string& json, double value) {
+    if (!std::isfinite(value)) {
+        json += "null";
+    } else if (value == 0) {
+        json += '0';
+    } else {
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, value);
+        KG_ASSERT(end.ec == std::errc{}, "a double fits 32 characters");
+        json.append(text, end.ptr);
+    }
+}
 std::string number(double value) {
-    if (!std::isfinite(value)) return "null";
-    if (value == 0) return "0";
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value);
-    KG_ASSERT(end.ec == std::errc{}, "a double fits 32 characters");
-    return {text, end.ptr};
+    std::string json;
+    append_number(json, value);
+    return json;
 }
 std::string number(const Exact& value) { return number(value.to_double()); }
 
-std::string pair(const std::string& x, const std::string& y) { return "[" + x + ", " + y + "]"; }
-std::string pair(const Vector& v) { return pair(number(v.x), number(v.y)); }
+std::string pair(std::string_view x, std::string_view y) {
+    std::string json;
+    json.reserve(x.size() + y.size() + 4);
+    return json.append("[").append(x).append(", ").append(y).append("]");
+}
+std::string pair(const Vector& v) {
+    std::string json = "[";
+    append_number(json, v.x.to_double());
+    json += ", ";
+    append_number(json, v.y.to_double());
+    return json += ']';
+}
 
 std::string fraction(const Exact& value) { return quoted(value.to_fraction()); }
 std::string fractions(const Vector& v) { return pair(fraction(v.x), fraction(v.y)); }
 
+void append_member(std::string& json, std::string_view key, std::string_view value) {
+    append_json_text(json, key);
+    json.append(": ").append(value);
+}
 std::string object(const Members& members) {
+    constexpr std::size_t marks = 6;  // between a key and its value, and before the next
+    std::size_t size = 2;
+    for (const auto& [key, value] : members) size += key.size() + value.size() + marks;
     std::string json = "{";
+    json.reserve(size);
     for (const auto& [key, value] : members) {
         if (json.size() > 1) json += ", ";
-        json += quoted(key) + ": " + value;
+        append_member(json, key, value);
     }
-    return json + "}";
+    return json += '}';
 }
-/// An object or array with one entry a line, as a member of the file's object.
-std::string lines(char open, const std::vector<std::string>& entries, char close) {
+/// An object or array with one entry a line, as a member of the file's object: `append(json, entry)` writes one.
+template <class Entries, class Append>
+std::string lines(char open, const Entries& entries, char close, const Append& append) {
     if (entries.empty()) return {open, close};
     std::string json(1, open);
-    for (std::size_t i = 0; i < entries.size(); ++i) json += (i == 0 ? "\n    " : ",\n    ") + entries[i];
-    return json + "\n  " + close;
+    for (const auto& entry : entries) {
+        json += json.size() == 1 ? "\n    " : ",\n    ";
+        append(json, entry);
+    }
+    return (json += "\n  ") += close;
+}
+std::string lines(char open, const std::vector<std::string>& entries, char close) {
+    return lines(open, entries, close, [](std::string& json, const std::string& entry) { json += entry; });
 }
 std::string object_of_lines(const Members& members) {
-    std::vector<std::string> entries;
-    for (const auto& [key, value] : members) entries.push_back(quoted(key) + ": " + value);
-    return lines('{', entries, '}');
+    return lines('{', members, '}',
+                 [](std::string& json, const auto& member) { append_member(json, member.first, member.second); });
 }
 
 /// A point at infinity has no sense: dx > 0, or (0, 1). The larger component is 1 or −1.
@@ -107,12 +140,12 @@ public:
     void add(const std::string& key, const Recorded<Exact>& value) {
         if (!value) return;
         add(key, number(*value));
-        if (certain(*value)) fractions_.emplace_back(key, fraction(*value));
+        if (exact_ && certain(*value)) fractions_.emplace_back(key, fraction(*value));
     }
     void add(const std::string& key, const Recorded<Vector>& value) {
         if (!value) return;
         add(key, pair(*value));
-        if (certain(value->x) && certain(value->y)) fractions_.emplace_back(key, fractions(*value));
+        if (exact_ && certain(value->x) && certain(value->y)) fractions_.emplace_back(key, fractions(*value));
     }
     /// A named point's own place, exact or with the bound on what the compass left over.
     void add_place(PointIndex point) {
@@ -121,21 +154,20 @@ public:
         const Exact& leftover = pose_.leftover[at_index(point)];
         if (!leftover.is_zero()) {
             if (exact_) leftover_ = bound(leftover);
-        } else if (certain(at.x) && certain(at.y)) {
+        } else if (exact_ && certain(at.x) && certain(at.y)) {
             fractions_.emplace_back("at", fractions(at));
         }
     }
     void add_towards(const Vector& sensed) {
         const Vector direction = without_sense(sensed, pose_.exact);
         add("towards", unit(direction));
-        if (certain(direction.x) && certain(direction.y)) fractions_.emplace_back("towards", whole(direction));
+        if (exact_ && certain(direction.x) && certain(direction.y)) fractions_.emplace_back("towards", whole(direction));
     }
     bool empty() const { return members_.empty(); }
-    std::string json() const {
-        Members all = members_;
-        if (exact_ && !fractions_.empty()) all.emplace_back("exact", object(fractions_));
-        if (!leftover_.empty()) all.emplace_back("leftover", leftover_);
-        return object(all);
+    std::string json() && {
+        if (!fractions_.empty()) add("exact", object(fractions_));
+        if (!leftover_.empty()) add("leftover", leftover_);
+        return object(members_);
     }
 
 private:
@@ -159,13 +191,23 @@ Members values_of(const ProblemSolution& found) {
     return members;
 }
 
-/// A row of `checks`, of a value that has one.
-std::string check_row(const std::string& name, const ProblemValue& value) {
+/// A row of `checks`.
+std::string check_row(std::string_view name, double graphical, double numeric, double difference) {
+    constexpr std::size_t usual = 160;
+    std::string json = R"({"quantity": )";
+    json.reserve(usual);
+    append_json_text(json, name);
+    for (const auto& [key, value] : {std::pair(R"(, "graphical": )", graphical), std::pair(R"(, "numeric": )", numeric),
+                                     std::pair(R"(, "difference": )", difference)}) {
+        json += key;
+        append_number(json, value);
+    }
+    return json += '}';
+}
+/// Of a value that has one.
+std::string check_row(std::string_view name, const ProblemValue& value) {
     const double numeric = value.numeric.value_or(value.value);
-    return object({{"quantity", quoted(name)},
-                   {"graphical", number(value.value)},
-                   {"numeric", number(numeric)},
-                   {"difference", number(value.value - numeric)}});
+    return check_row(name, value.value, numeric, value.value - numeric);
 }
 
 /// The same for all sections.
@@ -203,11 +245,11 @@ public:
         if (!solution_.remarks.empty() || (solution_.problem && !solution_.problem->remarks.empty()))
             file.emplace_back("remarks", remarks());
         std::string text = "{";
-        for (std::size_t i = 0; i < file.size(); ++i) {
-            text += i == 0 ? "\n  " : ",\n  ";
-            text += quoted(file[i].first) + ": " + file[i].second;
+        for (const auto& [key, value] : file) {
+            text += text.size() == 1 ? "\n  " : ",\n  ";
+            append_member(text, key, value);
         }
-        return text + "\n}\n";
+        return text += "\n}\n";
     }
 
 private:
@@ -281,12 +323,12 @@ private:
                         Entry there = entry();
                         there.add("velocity", node->velocity);
                         there.add("acceleration", node->acceleration);
-                        if (carries && !there.empty()) on.emplace_back(name_of_body(body), there.json());
+                        if (carries && !there.empty()) on.emplace_back(name_of_body(body), std::move(there).json());
                     }
                 }
                 if (!on.empty()) here.add("on", object(on));
             }
-            all.emplace_back(name_of_point(point), here.json());
+            all.emplace_back(name_of_point(point), std::move(here).json());
         }
         return object_of_lines(all);
     }
@@ -297,7 +339,7 @@ private:
             Entry motion = entry();
             motion.add("omega", solution_.bodies[body].omega);
             motion.add("alpha", solution_.bodies[body].alpha);
-            if (!motion.empty()) all.emplace_back(mechanism_.bodies[body].name, motion.json());
+            if (!motion.empty()) all.emplace_back(mechanism_.bodies[body].name, std::move(motion).json());
         }
         return object_of_lines(all);
     }
@@ -309,7 +351,7 @@ private:
             motion.add("velocity", slide.velocity);
             motion.add("acceleration", slide.acceleration);
             motion.add("coriolis", slide.coriolis);
-            if (!motion.empty()) all.emplace_back(sliding_key(slide), motion.json());
+            if (!motion.empty()) all.emplace_back(sliding_key(slide), std::move(motion).json());
         }
         return object_of_lines(all);
     }
@@ -336,7 +378,7 @@ private:
                 where.add_towards(centre.at->place());
             if (where.empty()) continue;
             if (centre.depends_on_drivers) where.add("depends on drivers", std::string("true"));
-            all.emplace_back(name_of_body(centre.first) + "," + name_of_body(centre.second), where.json());
+            all.emplace_back(name_of_body(centre.first) + "," + name_of_body(centre.second), std::move(where).json());
         }
         return object_of_lines(all);
     }
@@ -345,7 +387,7 @@ private:
     std::string acceleration_centres() const {
         Entry where = entry();
         where.add("at", solution_.act_of_motion->acceleration_centre);
-        return object_of_lines({{name_of_body(solution_.act_of_motion->body), where.json()}});
+        return object_of_lines({{name_of_body(solution_.act_of_motion->body), std::move(where).json()}});
     }
 
     std::string curvature() const {
@@ -368,13 +410,13 @@ private:
             Entry circle = entry();
             circle.add("centre", found.inflection_centre);
             circle.add("diameter", number(diameter));
-            body.add("inflection circle", circle.json());
+            body.add("inflection circle", std::move(circle).json());
         }
         if (found.tangential_pole) body.add("tangential circle", tangential_circle(found));
         body.add("acceleration pole", found.acceleration_pole);
         body.add("points", path_centres(found));
         if (!found.envelopes.empty()) body.add("envelopes", envelopes(found));
-        return body.json();
+        return std::move(body).json();
     }
     /// Bresse's second: of the points without tangential acceleration.
     std::string tangential_circle(const Curvature& found) const {
@@ -393,7 +435,7 @@ private:
                 each.add("radius", std::string("null"));
                 each.add("reason", reason({path.centre ? Sentence::path_straight : Sentence::point_at_rest, {}}));
             }
-            points.emplace_back(name_of_point(path.point), each.json());
+            points.emplace_back(name_of_point(path.point), std::move(each).json());
         }
         return object(points);
     }
@@ -428,7 +470,7 @@ private:
         entry.add("normal acceleration", found.normal);
         entry.add("relative velocity in the axes", components(found.velocity_along, found.velocity_across));
         entry.add("relative acceleration in the axes", components(found.acceleration_along, found.acceleration_across));
-        return entry.json();
+        return std::move(entry).json();
     }
 
     std::string relative_motion() const {
@@ -448,7 +490,7 @@ private:
             seen.add("relative acceleration", motion.relative_acceleration);
             seen.add("coriolis", motion.coriolis);
             if (motion.apart) seen.add("apart", apart(*motion.apart));
-            all.push_back(seen.json());
+            all.push_back(std::move(seen).json());
         }
         return lines('[', all, ']');
     }
@@ -477,7 +519,7 @@ private:
             here.add("couple", action.couple);
             if (action.force && action.couple) add_through(action, solution_.pose.at(joint.point), here);
             const std::string from = action.from == none ? "pin" : name_of_body(action.from);
-            by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), here.json());
+            by_joint.back().second.emplace_back(from + " on " + name_of_body(action.on), std::move(here).json());
         }
         Members all;
         for (const auto& [name, actions] : by_joint) all.emplace_back(name, object(actions));
@@ -546,18 +588,16 @@ private:
                 here.add("through", found.through);
             else
                 here.add("through", std::string("null"));
-            all.emplace_back(name, here.json());
+            all.emplace_back(name, std::move(here).json());
         }
         return object_of_lines(all);
     }
 
     std::string checks() const {
         std::vector<std::string> all;
+        all.reserve(solution_.checks.size());
         for (const CheckRow& row : solution_.checks)
-            all.push_back(object({{"quantity", quoted(name_of(row.quantity, solution_))},
-                                  {"graphical", number(row.graphical)},
-                                  {"numeric", number(row.numeric)},
-                                  {"difference", number(row.difference)}}));
+            all.push_back(check_row(name_of(row.quantity, solution_), row.graphical, row.numeric, row.difference));
         if (solution_.problem) add_checks_of_contacts(all);
         return lines('[', all, ']');
     }

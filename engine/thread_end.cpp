@@ -2,8 +2,13 @@
 
 #include <mpfr.h>
 
+#include "engine/number_memory.hpp"
+
 namespace kinegraph {
 
-void end_thread() { mpfr_free_cache(); }
+void end_thread() {
+    mpfr_free_cache();
+    give_back_number_memory();
+}
 
 }  // namespace kinegraph

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "engine/assert.hpp"
@@ -92,6 +93,23 @@ TEST(Tangent, OfTheFirstOctant) {
     const Exact t = tangent_in_first_octant(Exact::ratio(1, 8), 100);  // tan 22.5° = √2 − 1
     EXPECT_LT(abs(square(t + 1) - 2), Exact::power_of_two(-98));
     EXPECT_THROW(tangent_in_first_octant(Exact::ratio(1, 3), 100), Fault);
+}
+
+TEST(Exact, AddsAndSubtractsWhateverDenominatorsShare) {
+    std::mt19937 random(7);  // NOLINT(cert-msc51-cpp): the same numbers in every run
+    const auto number = [&] {
+        mpz_class above = static_cast<long>(random() % 2001) - 1000, below = 1;
+        for (const int factor : {2, 2, 3, 5, 7, 1000003})
+            if (random() % 3 == 0) below *= factor;
+        for (int i = 0; i < 5; ++i)
+            if (random() % 4 == 0) below *= mpz_class("340282366920938463463374607431768211507"), above *= 1000000007;
+        return Exact(mpq_class(above + 1, below));
+    };
+    for (int i = 0; i < 20'000; ++i) {
+        const Exact a = number(), b = i % 5 == 0 ? a : number();
+        ASSERT_EQ((a + b).rational(), mpq_class(a.rational() + b.rational())) << a.to_fraction() << " + " << b.to_fraction();
+        ASSERT_EQ((a - b).rational(), mpq_class(a.rational() - b.rational())) << a.to_fraction() << " - " << b.to_fraction();
+    }
 }
 
 TEST(Length, KeepsTinyAndHuge) {

@@ -2,8 +2,10 @@
 // The same page gives the same bytes on every machine: no clock, no locale, no version.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "render/backends/embedded_type.hpp"
@@ -12,10 +14,25 @@
 
 namespace kinegraph::render {
 
+/// Path data of the glyphs of one set of fonts, by face, index and size: what one SVG has written out another need not. Kept by
+/// who makes many.
+class GlyphPaths {
+public:
+    /// Where there are very many, all are forgotten: to be called between pages.
+    void keep_few();
+    /// Empty where it is new.
+    std::string& of(std::uint64_t glyph) { return paths_[glyph]; }
+
+private:
+    std::unordered_map<std::uint64_t, std::string> paths_;
+};
+
 /// SVG 1.1, one user unit = 1 mm; groups, ids, titles and data attributes as docs/format.md says; text as outlines.
 std::string to_svg(const Page& page, const Fonts& fonts);
 /// The same of several pages: an outline that they share is written out once.
 std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts);
+/// The same, beginning with the outlines that are `known` of these fonts.
+std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts, GlyphPaths& known);
 
 /// The same with text that can be selected, searched and read aloud: <text> where the outlines stand, with the parts of the font
 /// that it needs in the file. What a reader reads is plain(as_set(text)) of each line.

@@ -1,6 +1,7 @@
 // A Page as SVG 1.1, a tree built with pugixml, one item a line. Each outline stands once, in <defs>, under an id that names
 // face, glyph and size, so that sheets put into one HTML page do not mix theirs up; live text stands in <text>, with the faces it
 // needs in a style sheet. Decides nothing about the drawing.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -21,12 +22,26 @@
 namespace kinegraph::render {
 namespace {
 
+/// Two digits before `first`: half as many divisions.
+void put_pair(char*& first, std::uint64_t below_hundred) {
+    static constexpr auto pairs = [] {
+        std::array<char, 200> text{};
+        for (std::size_t i = 0; i < 100; ++i) {
+            text.at(2 * i) = static_cast<char>('0' + i / 10);
+            text.at(2 * i + 1) = static_cast<char>('0' + i % 10);
+        }
+        return text;
+    }();
+    *--first = pairs[2 * below_hundred + 1];
+    *--first = pairs[2 * below_hundred];
+}
+
 /// A coordinate with at most `digits` decimals, without trailing zeros: the shortest decimal of the snapped number.
 void append_number(std::string& out, double value, int digits) {
     static constexpr double scales[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
     const double scaled = value * scales[digits];
     KG_ASSERT(std::abs(scaled) < 9e15, "a coordinate of a page is finite and of a size that paper has");
-    auto rest = static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
+    const auto rest = static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
     if (rest == 0) {
         out += '0';
         return;
@@ -35,21 +50,26 @@ void append_number(std::string& out, double value, int digits) {
     char text[32];
     char* first = text + sizeof text;
     const bool negative = rest < 0;
-    if (negative) rest = -rest;
-    if (digits >= 4 && rest % 10000 == 0) {
-        rest /= 10000;
+    auto left = static_cast<std::uint64_t>(negative ? -rest : rest);
+    if (digits >= 4 && left % 10000 == 0) {
+        left /= 10000;
         digits -= 4;
     }
-    while (digits > 0 && rest % 10 == 0) {
-        rest /= 10;
+    while (digits > 0 && left % 10 == 0) {
+        left /= 10;
         --digits;
     }
+    for (; digits > 1; digits -= 2, left /= 100) put_pair(first, left % 100);
     if (digits > 0) {
-        for (; digits > 0; --digits, rest /= 10) *--first = static_cast<char>('0' + rest % 10);
-        *--first = '.';
+        *--first = static_cast<char>('0' + left % 10);
+        left /= 10;
     }
-    do *--first = static_cast<char>('0' + rest % 10);
-    while ((rest /= 10) != 0);
+    if (first != text + sizeof text) *--first = '.';
+    for (; left >= 100; left /= 100) put_pair(first, left % 100);
+    if (left >= 10)
+        put_pair(first, left);
+    else
+        *--first = static_cast<char>('0' + left);
     if (negative) *--first = '-';
     out.append(first, text + sizeof text);
 }
@@ -59,13 +79,10 @@ constexpr int outline_digits = 4;  // of type: 0.1 µm
 constexpr double outline_units = 1e4;
 constexpr int font_digits = 6;  // of sizes
 
-/// Path data of glyphs, by face, index and size, for all pages.
-using Outlines = std::unordered_map<std::uint64_t, std::string>;
-
 class Writer {
 public:
     /// `type`: that of live text; null: words are outlines.
-    Writer(const Page& page, const Glyphs& fonts, Outlines& outlines, const EmbeddedType* type = nullptr)
+    Writer(const Page& page, const Glyphs& fonts, GlyphPaths& outlines, const EmbeddedType* type = nullptr)
         : page_(page), fonts_(fonts), outlines_(outlines), type_(type) {}
 
     std::string write() {
@@ -379,9 +396,9 @@ private:
         entry->second = text_;
         pugi::xml_node node = defs_.append_child("path");
         set(node, "id", text_.c_str() + 1);
-        const auto [outline, is_unknown] = outlines_.try_emplace(key);
-        if (is_unknown) outline->second = path_data(glyph);
-        set(node, "d", outline->second.c_str());
+        std::string& outline = outlines_.of(key);
+        if (outline.empty()) outline = path_data(glyph);
+        set(node, "d", outline.c_str());
         return entry->second;
     }
 
@@ -428,7 +445,7 @@ private:
 
     const Page& page_;
     const Glyphs& fonts_;
-    Outlines& outlines_;
+    GlyphPaths& outlines_;
     const EmbeddedType* type_;
     double base_size_ = 0;  // of the live line at hand
     pugi::xml_document document_;
@@ -440,20 +457,32 @@ private:
 
 }  // namespace
 
+void GlyphPaths::keep_few() {
+    constexpr std::size_t many = 4096;
+    if (paths_.size() > many) paths_.clear();
+}
+
 std::string to_svg(const Page& page, const Fonts& fonts) {
-    Outlines outlines;
+    GlyphPaths outlines;
     return Writer(page, fonts, outlines).write();
 }
 
-std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts) {
-    Outlines outlines;
+std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts, GlyphPaths& known) {
     std::vector<std::string> texts;
-    for (const Page& page : pages) texts.push_back(Writer(page, fonts, outlines).write());
+    for (const Page& page : pages) {
+        known.keep_few();
+        texts.push_back(Writer(page, fonts, known).write());
+    }
     return texts;
 }
 
+std::vector<std::string> to_svg(std::span<const Page> pages, const Fonts& fonts) {
+    GlyphPaths outlines;
+    return to_svg(pages, fonts, outlines);
+}
+
 std::vector<std::string> to_live_svg(std::span<const Page> pages, const Glyphs& glyphs, const Subsetter& subset) {
-    Outlines outlines;
+    GlyphPaths outlines;
     std::vector<std::string> texts;
     for (const Page& page : pages) {
         const EmbeddedType type = embedded_type(page.marks, glyphs, subset);

@@ -475,8 +475,7 @@ private:
             "vector",
             "cremona-" + legal_id(name),
             name,
-            {{"data-name", name},
-             {"data-value", shortest(kinegraph::length(solution_.protocol.value_of(vector)) / scene_.unit.si.to_double())}},
+            {{"data-name", name}, {"data-value", shortest(solution_.protocol.modulus_of(vector) / scene_.unit.si.to_double())}},
             vector.statement});
         draw_arrow(figure.marks, tail + aside, tip + aside, context_.theme.vector, context_.theme.text);
         figure.marks.emplace_back(GroupEnd{});
