@@ -228,7 +228,8 @@ std::optional<double> nearest_length(Nearly x, Nearly y) {
 /// ⌊(X + Y)/2⌋ − 2 and + 2), their difference between X − Y − 4 and X − Y + 3, or the other way round.
 std::optional<double> nearest_difference(const mpq_class& a, const mpq_class& b) {
     Nearly x = nearly(a), y = nearly(b);
-    bool x_is_negative = sgn(a)<0, y_is_negative = sgn(b)> 0;  // of a + (−b)
+    bool x_is_negative = sgn(a) < 0;
+    bool y_is_negative = sgn(b) > 0;  // of a + (−b)
     if (x.exponent < y.exponent) {
         std::swap(x, y);
         std::swap(x_is_negative, y_is_negative);
