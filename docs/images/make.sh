@@ -26,25 +26,25 @@ plot() {
     rm -f "docs/images/$name"-[0-9]*.png
 }
 
-draw four_bar four_bar 1 --dpi 110
+draw four_bar four_bar 1 --dpi 95
 draw sluice_gate sluice_gate 1 --dpi 110
-draw whitworth whitworth 1 --dpi 110
-draw watt_six_bar watt_six_bar 1 --dpi 110 --lang it
+draw whitworth whitworth 1 --dpi 95
+draw watt_six_bar watt_six_bar 1 --dpi 95 --lang it
 draw gas_force gas_force 2 --dpi 110
 draw toggle_clamp toggle_clamp 1 --dpi 110
-draw double_butterfly double_butterfly 1 --dpi 110
+draw double_butterfly double_butterfly 1 --dpi 85
 draw cam_flat_follower cam_flat_follower 1 --dpi 110
 draw planetary_train planetary_train 1 --dpi 110
 draw act_of_motion act_of_motion_general 1 --dpi 110
-draw upright quick_return 1 --dpi 100 --orientation portrait --lang it
+draw upright quick_return 1 --dpi 95 --orientation portrait --lang it
 draw velocity four_bar_weights 1 --dpi 110 --figure velocity
 draw body four_bar_weights 1 --dpi 110 --figure body-3
 draw contact joint_contact/cam_and_roller 4 --dpi 100
-draw equations slider_crank_offset 3 --dpi 110 --with equations
-draw virtual_work virtual_work 2 --dpi 110
+draw equations slider_crank_offset 2 --dpi 110 --with equations
+draw virtual_work virtual_work 1 --dpi 110
 draw truss truss_simple 1 --dpi 100
 draw engine engine_inertia_gas 2 --dpi 100
-draw superposition four_bar_weights 4 --dpi 110
+draw superposition four_bar_weights 3 --dpi 110
 draw gerber_beam gerber_beam 1 --dpi 110
 draw equilibrium plate_under_forces 1 --dpi 110
 draw redundant redundant/beam_on_two_hinges 1 --dpi 100
