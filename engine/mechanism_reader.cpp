@@ -1111,7 +1111,7 @@ private:
     Named read_actuator(JsonValue value) {
         const Members form = members(value, {"force", "joint"}, {"an actuator", "un attuatore"});
         Named name = effort_name(required(form, "force", {"the force's name", "il nome della forza"}),
-                                       {"the force's name", "il nome della forza"});
+                                 {"the force's name", "il nome della forza"});
         ActuatorEffort actuator;
         actuator.where = value.pointer();
         const Words remedy("an actuator works in a prismatic joint", "un attuatore agisce in una coppia prismatica");
