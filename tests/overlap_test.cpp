@@ -49,8 +49,8 @@ TEST_P(OverlapOnPaper, OfAllExamplesIsNone) {
             pixels += common;
         }
     };
-    // Under sanitizers each example is seen on a third of the papers and languages.
-    constexpr std::size_t one_in = unless_sanitized(1, 3);
+    // Under sanitizers each example is seen on a sixth of the papers and languages.
+    constexpr std::size_t one_in = unless_sanitized(1, 6);
     for (const std::string& name : tests::example_names()) {
         ++turn;
         if (turn % one_in != 0) continue;
