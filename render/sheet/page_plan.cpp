@@ -204,6 +204,20 @@ private:
         return best;
     }
 
+    /// A height from which on a row is worth so much. Between two of them height is wasted.
+    struct Rise {
+        int height;
+        double worth;
+    };
+    std::vector<Rise> rises_of(std::size_t first, std::size_t count, int most) {
+        std::vector<Rise> rises;
+        for (int height = least_height; height <= most; ++height)
+            if (const double worth = row(first, count, height, false).worth;
+                worth > (rises.empty() ? possible : rises.back().worth))
+                rises.push_back({height, worth});
+        return rises;
+    }
+
     /// All rows from a band on; the lowest of the first page apart.
     std::pair<Table, std::vector<State>> tables(std::size_t first) {
         const bool first_page = first == 0;
@@ -216,6 +230,7 @@ private:
         for (std::size_t b = 0; b < most; ++b) {
             for (std::size_t count = 1; count <= most_in_a_row && b + count <= most; ++count) {
                 if (mechanisms(first, first + b + count) > 1) continue;
+                const std::vector<Rise> rises = rises_of(first + b, count, whole - (first_page ? block : 0));
                 for (int used = 0; used <= whole; ++used) {
                     const double before = table[b][static_cast<std::size_t>(used)].worth;
                     if (before < possible) continue;
@@ -227,9 +242,10 @@ private:
                     if (top < whole)
                         offer(ends[b + count],
                               {before + row(first + b, count, whole - top, first_page).worth, count, whole - top});
-                    for (int height = least_height; top + height <= whole - (first_page ? block : 0); ++height)
-                        offer(table[b + count][at_index(top + height)],
-                              {before + row(first + b, count, height, false).worth, count, height});
+                    for (const auto& [height, worth] : rises) {
+                        if (top + height > whole - (first_page ? block : 0)) break;
+                        offer(table[b + count][at_index(top + height)], {before + worth, count, height});
+                    }
                 }
             }
         }
