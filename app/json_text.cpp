@@ -1,38 +1,12 @@
 #include "app/json_text.hpp"
 
+#include "engine/json_text.hpp"
+
 namespace kinegraph::app {
 namespace {
 
-bool stands_as_it_is(char letter) {
-    const auto code = static_cast<unsigned char>(letter);
-    return letter != '"' && letter != '\\' && code >= 0x20 && code != 0x7f;
-}
-
-/// Whole runs at a time: a sheet is some hundred thousand characters, of which few need more.
-void quote(std::string_view text, std::string& json) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    json += '"';
-    while (true) {
-        std::size_t plain = 0;
-        while (plain < text.size() && stands_as_it_is(text[plain])) ++plain;
-        json.append(text.substr(0, plain));
-        if (plain == text.size()) break;
-        const char letter = text[plain];
-        text.remove_prefix(plain + 1);
-        if (letter == '"' || letter == '\\') {
-            json += '\\';
-            json += letter;
-        } else if (letter == '\n') {
-            json += "\\n";
-        } else {
-            const auto code = static_cast<unsigned char>(letter);
-            json += "\\u00";
-            json += digits[code >> 4U];
-            json += digits[code & 15U];
-        }
-    }
-    json += '"';
-}
+/// Sheets have many lines: the short way to end one.
+void quote(std::string_view text, std::string& json) { append_json_text(json, text, "\\n"); }
 
 void copy(JsonValue value, std::string& json) {
     if (value.is_string()) return quote(value.text(), json);

@@ -11,7 +11,8 @@ bool stands_as_it_is(char letter) {
 
 }  // namespace
 
-void append_json_text(std::string& json, std::string_view text) {
+/// Whole runs at a time: a sheet is some hundred thousand characters, of which few need more.
+void append_json_text(std::string& json, std::string_view text, std::string_view line_end) {
     constexpr std::string_view digits = "0123456789abcdef";
     json += '"';
     while (true) {
@@ -24,6 +25,8 @@ void append_json_text(std::string& json, std::string_view text) {
         if (letter == '"' || letter == '\\') {
             json += '\\';
             json += letter;
+        } else if (letter == '\n') {
+            json += line_end;
         } else {
             const auto code = static_cast<unsigned char>(letter);
             json += "\\u00";

@@ -175,26 +175,23 @@ private:
     void add_trials(PolygonParts& parts, const Figure& figure) const {
         for (const SceneTrial& each : scene_.trials) {
             const Spot start = spot(figure, each.from), end = spot(figure, each.to);
-            const double beyond = each.is_line ? trial_overshoot : 0;
-            PolygonLine drawn;
-            drawn.from = start;
-            drawn.to = length(end - start) > coincident ? end + beyond * unit(end - start) : end;
-            drawn.pen = {context_.theme.thin, context_.theme.secondary, dashes(), false};
-            drawn.statement = each.statement;
-            parts.lines.push_back(std::move(drawn));
+            parts.lines.push_back(trial_line(start, end, each.is_line ? trial_overshoot : 0, each.statement));
         }
         for (const SceneMiss& each : scene_.misses) add_miss(parts, figure, each);
+    }
+    PolygonLine trial_line(Spot from, Spot to, double beyond, StatementIndex statement) const {
+        PolygonLine drawn;
+        drawn.from = from;
+        drawn.to = length(to - from) > coincident ? to + beyond * unit(to - from) : to;
+        drawn.pen = {context_.theme.thin, context_.theme.secondary, dashes(), false};
+        drawn.statement = statement;
+        return drawn;
     }
     /// The line that a trial misses, broken like all of it, and by how much, full.
     void add_miss(PolygonParts& parts, const Figure& figure, const SceneMiss& miss) const {
         const Spot through = spot(figure, miss.through), foot = spot(figure, miss.foot), tip = spot(figure, miss.tip);
         if (length(tip - foot) < coincident) return;
-        PolygonLine line;
-        line.from = through;
-        line.to = length(foot - through) > coincident ? foot + trial_overshoot * unit(foot - through) : foot;
-        line.pen = {context_.theme.thin, context_.theme.secondary, dashes(), false};
-        line.statement = miss.statement;
-        parts.lines.push_back(std::move(line));
+        parts.lines.push_back(trial_line(through, foot, trial_overshoot, miss.statement));
         PolygonLine error;
         error.from = foot;
         error.to = tip;
