@@ -57,6 +57,8 @@ Figure circle_diagram(const DrawingContext& context, double room_x, double room_
 /// One polygon of motion, by its scene or its index in the protocol: pole, vectors, images, construction lines.
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y,
                       double coarsest = any_scale);
+/// What the strokes of one take at a scale, mm: what any room for it must hold, letters apart.
+Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale);
 Figure polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y, double coarsest = any_scale);
 
 // Forces. Triangles and closed polygon share one scale: `least` is the smallest that the other could be drawn at (units per mm),
@@ -81,6 +83,8 @@ Figure partial_sums_figure(const DrawingContext& context, double room_x, double 
 Box extent_of_partial_sums(const Solution& solution);
 /// Of a free body, whether the figure has its polygon: two equal and opposite forces make none, the steps say so.
 bool has_force_polygon(const Solution& solution, const FreeBody& body);
+/// What the strokes of one of them take at a scale with its name and its bar, mm; `joined`: as closed polygon.
+Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale);
 /// The polygons joined: external forces full, internal sides dashed.
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              std::optional<double> least = std::nullopt, bool fixed = false);

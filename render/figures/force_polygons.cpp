@@ -536,6 +536,14 @@ Figure partial_sums_figure(const DrawingContext& context, double room_x, double 
     return fitted(Rows(context, polygons_of_sums(context.solution), false, "sums"), {room_x, room_y}, least, fixed);
 }
 
+Spot strokes_of_force_polygon(const DrawingContext& context, int polygon, bool joined, double scale) {
+    const ForcePolygon drawing(context, polygon);
+    const Figure empty = drawing.empty_at(scale);
+    const Box box = drawing.with_parts(empty, drawing.parts_of(empty), {}).box;
+    constexpr double name = 6, bar = 9, bar_with_unit = 19;
+    return {std::max(box.width(), bar_with_unit), box.height() + (joined ? 0 : name) + bar};
+}
+
 Figure closed_polygon_figure(const DrawingContext& context, int polygon, double room_x, double room_y,
                              std::optional<double> least, bool fixed) {
     const ForcePolygon drawing(context, polygon);

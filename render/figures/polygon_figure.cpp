@@ -447,6 +447,11 @@ Figure polygon_figure(const DrawingContext& context, int polygon, double room_x,
     return polygon_figure(context, polygon_scene(context.solution, polygon), room_x, room_y, coarsest);
 }
 
+Spot strokes_of_polygon(const DrawingContext& context, const PolygonScene& scene, double scale) {
+    const Box box = Drawing(context, scene).at(scale).box;
+    return {box.width(), box.height()};
+}
+
 Figure polygon_figure(const DrawingContext& context, const PolygonScene& scene, double room_x, double room_y, double coarsest) {
     return Fitting(Drawing(context, scene), context, {room_x, room_y}, coarsest).fitted();
 }

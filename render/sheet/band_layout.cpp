@@ -9,7 +9,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double caption = 7, text_gap = 5, least_beside = 25;
+constexpr double caption = 7, text_gap = 4, least_beside = 25;
 constexpr double price_of_columns = 0.05, worth_of_corner = 0.01;
 constexpr double hardly_readable = 10;  // mm
 constexpr int most_beside = 3;          // columns of text
@@ -19,37 +19,39 @@ constexpr double room_of_a_name = 100;  // mm²: with what keeps it off the stro
 /// What a figure of this size (mm) is worth: in steps of the scale, and small ones hardly anything.
 double use_of(double size) { return std::log(size) - 40 / size; }
 
-std::vector<FigureSize> sizes_of(Wanted wanted, const SheetFormat& format, std::optional<double> force_scale, bool crowded) {
+std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all, bool crowded) {
     std::vector<FigureSize> sizes;
     // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to the figure.
-    wanted.rim_x = std::min(wanted.rim_x, 0.5 * format.content.width());
-    wanted.rim_y = std::min(wanted.rim_y, 0.5 * format.content.height());
+    const double rim_x = std::min(wanted.rim_x, 0.5 * format.content.width());
+    const double rim_y = std::min(wanted.rim_y, 0.5 * format.content.height());
     const double extent = std::max(wanted.extent_x, wanted.extent_y);
     const auto at = [&](double scale) {
         const double size = std::min(extent / scale, wanted.enough);
-        return FigureSize{wanted.extent_x / scale + wanted.rim_x, wanted.extent_y / scale + wanted.rim_y + caption,
-                          wanted.weight * use_of(size), scale};
+        const Spot strokes = wanted.strokes_at(scale);
+        return FigureSize{std::max(strokes.x + rim_x, wanted.least_room.x),
+                          std::max(strokes.y + rim_y, wanted.least_room.y) + caption, wanted.weight * use_of(size), scale};
     };
     constexpr double nothing = 1e-20;
     if (wanted.empty)
         sizes.push_back({60, 30, 0, 1});
     else if (extent < nothing)
-        sizes.push_back({wanted.rim_x + 12, wanted.rim_y + 12 + caption, 0, 1});
+        sizes.push_back({rim_x + 12, rim_y + 12 + caption, 0, 1});
     else {
         constexpr double as_asked = 6;
         if (wanted.asked) {
             sizes.push_back(at(*wanted.asked));
-            sizes.back().worth += as_asked;
+            if (!wanted.spare) sizes.back().worth += as_asked;
         }
-        double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - wanted.rim_x,
-                                    format.content.height() - wanted.rim_y - caption, std::nullopt);
-        if (wanted.to_force_scale) scale = std::max(scale, force_scale.value_or(0));
+        double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - rim_x,
+                                    format.content.height() - rim_y - caption, std::nullopt);
+        if (wanted.to_force_scale) scale = std::max(scale, all.force_scale.value_or(0));
+        const bool at_this_alone = wanted.to_force_scale && all.force_scale && all.keeps_force_scale;
         const double least = crowded ? std::min(wanted.least, hardly_readable) : wanted.least;
         const auto has_room = [&](const FigureSize& size) {
             return extent / size.scale >= std::max(least, hardly_readable) &&
                    (crowded || size.x * size.y >= room_of_a_name * static_cast<double>(wanted.letters));
         };
-        for (FigureSize size = at(scale); !wanted.spare && (sizes.empty() || has_room(size));
+        for (FigureSize size = at(scale); !wanted.spare && (sizes.empty() || (!at_this_alone && has_room(size)));
              size = at(scale = next_scale(scale)))
             sizes.push_back(size);
     }
@@ -109,7 +111,7 @@ BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures
                          bool cornered)
     : all_texts_(texts), band_(band), format_(format) {
     for (const std::size_t figure : band.figures) {
-        sizes_.push_back(sizes_of(wanted.list[figure], format, wanted.force_scale, crowded));
+        sizes_.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
         double most = BandLayout::impossible;
         for (const FigureSize& size : sizes_.back()) most = std::max(most, size.worth);
         most_worth_ += most;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double step = 3;       // mm: heights are multiples of it
 constexpr int least_height = 5;  // steps, of a band
-constexpr int gap_steps = 3;     // at least row_gap
+constexpr int gap_steps = 2;     // at least row_gap
 static_assert(gap_steps * step >= row_gap);
 constexpr std::size_t most_cells = 3, most_in_a_cell = 2, most_in_a_row = 4, most_on_a_page = 8;
 constexpr double impossible = BandLayout::impossible, possible = BandLayout::possible;

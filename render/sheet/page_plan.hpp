@@ -19,7 +19,7 @@ using PlannedCell = std::vector<PlacedBand>;  ///< one under the other
 using PlannedRow = std::vector<PlannedCell>;  ///< side by side
 using PlannedPage = std::vector<PlannedRow>;
 
-constexpr double row_gap = 8;  ///< between rows of bands, mm
+constexpr double row_gap = 6;  ///< between rows of bands, mm
 
 /// What the bands of a page after the first may take: above the strip.
 Box content_of(const SheetFormat& format, bool first_page);

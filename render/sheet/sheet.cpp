@@ -27,7 +27,7 @@
 namespace kinegraph::render {
 namespace {
 
-constexpr double text_gap = 5;  // between figures and the text under them
+constexpr double text_gap = 4;  // between figures and the text under them
 constexpr double grace = 0.05;
 
 class Layout {
@@ -58,12 +58,15 @@ private:
             const std::size_t pages_before = plan_.size();
             takes_what_comes_ = round >= most_rounds;
             plan();
-            if (!refused_.empty() && plan_.size() > pages_before) take_back_refusals();
+            if (pages_before > 0 && plan_.size() > pages_before) take_back(pages_before);
             refused_.clear();
             draw();
             const bool lacks_equations = corner_missing_;  // they found no corner, and stand in the text from now on
-            if (round >= 2 * most_rounds && !lacks_equations) break;
-            if (!drawn_otherwise() && (takes_what_comes_ || !takes_less_than_thought())) break;
+            const bool may_go_on = round < 2 * most_rounds || lacks_equations;
+            if (!takes_what_comes_ && drawn_otherwise()) continue;
+            draw_what_fills_its_room();
+            if (may_go_on && drawn_otherwise()) continue;
+            if (!may_go_on || takes_what_comes_ || !takes_less_than_thought()) break;
         }
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));
@@ -77,6 +80,7 @@ private:
         int number = 0;
         double promised = 0;  // the scale that the room was planned for
         double caption = 0;   // mm that it takes
+        bool waits = false;   // for all others: it fills its room, whatever that is
         Figure figure;
         Spot size{};                 // of the figure alone
         std::vector<Mark> beside{};  // equations in its corner
@@ -89,6 +93,24 @@ private:
 
     /// The text of what no page holds goes on over pages; where that alone does not help the figures are shown smaller.
     void plan() {
+        const bool looks_again = std::exchange(looks_again_, false);
+        if (wanted_.keeps_force_scale && !looks_again && plans_at_same_force_scale()) return;
+        wanted_.force_scale = least_force_scale_;
+        wanted_.keeps_force_scale = false;
+        plan_all();
+        if (plan_.empty()) {
+            give_each_a_page();
+            return plan();
+        }
+        share_force_scale();
+    }
+    /// Whether force polygons have room at their common scale on as few pages as before.
+    bool plans_at_same_force_scale() {
+        const std::size_t pages = plan_.size();
+        plan_all();
+        return !plan_.empty() && plan_.size() <= pages;
+    }
+    void plan_all() {
         std::vector<BandLayouts> before = std::move(layouts_);
         layouts_.clear();
         for (std::size_t b = 0; b < bands_.list.size(); ++b) {
@@ -97,9 +119,6 @@ private:
             layouts_.push_back(std::move(same ? before[b] : layouts));
         }
         plan_ = plan_pages(layouts_, bands_.list, format_);
-        if (!plan_.empty()) return share_force_scale();
-        give_each_a_page();
-        plan();
     }
     void give_each_a_page() {
         layouts_.clear();
@@ -139,6 +158,12 @@ private:
     }
     BandLayouts layouts_of(const Band& band) {
         return {texts_, band, wanted_, format_, crowded_.contains(band.question), !cornerless_.contains(band.question)};
+    }
+    /// What a figure or the common scale of forces would want a page more for, they do without.
+    void take_back(std::size_t pages_before) {
+        looks_again_ = true;
+        if (std::exchange(seeks_finest_force_scale_, false)) plan();
+        if (!refused_.empty() && plan_.size() > pages_before) take_back_refusals();
     }
     /// A figure that would want a page more for its letters takes the room that it had, as it comes.
     void take_back_refusals() {
@@ -186,17 +211,31 @@ private:
         bands_.list.insert(bands_.list.begin() + static_cast<std::ptrdiff_t>(index) + 1, std::move(rest));
     }
 
-    /// Triangles and closed polygon have one scale: that at which all of them have room.
+    /// Triangles and closed polygon have one scale: the finest at which all of them have room on as few pages.
     void share_force_scale() {
-        if (wanted_.force_scale) return;
-        double common = 0;
+        double coarsest = 0, finest = least_force_scale_.value_or(0);
         for_each_figure([&](const PlacedBand& placed, std::size_t f, const BandLayout& layout) {
             if (wanted_.list[bands_.list[placed.band].figures[f]].to_force_scale)
-                common = std::max(common, layouts_[placed.band].scale_in(f, layout.rooms[f]));
+                coarsest = std::max(coarsest, layouts_[placed.band].scale_in(f, layout.rooms[f]));
         });
-        for (const Wanted& each : wanted_.list)
-            if (each.to_force_scale && each.asked) return;
-        if (common > 0) wanted_.force_scale = common;
+        for (const Wanted& each : wanted_.list) {
+            if (!each.to_force_scale) continue;
+            if (each.asked) return;
+            finest = std::max(finest, choose_scale(each.extent_x, each.extent_y, each.enough, each.enough, std::nullopt));
+        }
+        if (!(coarsest > 0)) return;
+        constexpr double rounding = 1e-9;
+        const std::size_t pages = plan_.size();
+        wanted_.keeps_force_scale = true;
+        if (seeks_finest_force_scale_)
+            for (double scale = finest; scale < coarsest * (1 + rounding); scale = next_scale(scale)) {
+                wanted_.force_scale = scale;
+                plan_all();
+                if (!plan_.empty() && plan_.size() <= pages) return;
+            }
+        wanted_.force_scale = coarsest;
+        wanted_.keeps_force_scale = false;
+        plan_all();
     }
     template <class Look>
     void for_each_figure(Look look) {
@@ -216,23 +255,63 @@ private:
     void draw() {
         drawn_.clear();
         int number = 0;
-        std::size_t details = 0;
         Spot corner;
         for_each_figure([&](const PlacedBand& placed, std::size_t f, const BandLayout& layout) {
             if (f == 0) corner = {0, 0};
             const Spot size = layout.rooms[f];
             const double wider = layout.cornered ? layouts_[placed.band].wider_in(size) : 0;
-            Drawn& drawn =
-                drawn_[placed.band].emplace_back(draw_into(bands_.list[placed.band].figures[f], {size.x - wider, size.y},
-                                                           ++number, coarsest_scale(placed.band, f, {size.x - wider, size.y})));
+            const std::size_t index = bands_.list[placed.band].figures[f];
+            const Spot own{size.x - wider, size.y};
+            Drawn& drawn = drawn_[placed.band].emplace_back();
+            drawn.wanted = index;
+            drawn.number = ++number;
             drawn.room = rectangle(corner.x, corner.y, corner.x + size.x, corner.y + size.y);
-            drawn.promised = layouts_[placed.band].scale_in(f, {size.x - wider, size.y});
-            drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
+            drawn.promised = layouts_[placed.band].scale_in(f, own);
+            drawn.waits = wanted_.list[index].fills;
+            if (!drawn.waits) draw_into(drawn, own, coarsest_scale(placed.band, f, own));
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
             if (layout.cornered && !drawn.is_refused()) set_in_corner(drawn, placed.band);
-            letter_details_on(drawn.figure, context_, details);
-            details += drawn.figure.details.size();
         });
+        for (auto& [band, figures] : drawn_) share_room(figures);
+    }
+    /// Once the rooms are those that all others are content with; then the letters of details are known.
+    void draw_what_fills_its_room() {
+        std::map<int, Drawn*> in_order;
+        for (auto& [band, figures] : drawn_)
+            for (Drawn& drawn : figures) in_order[drawn.number] = &drawn;
+        std::size_t details = 0;
+        for (const auto& [number, drawn] : in_order) {
+            if (std::exchange(drawn->waits, false)) draw_into(*drawn, {drawn->room.width(), drawn->room.height()}, any_scale);
+            letter_details_on(drawn->figure, context_, details);
+            details += drawn->figure.details.size();
+        }
+        for (auto& [band, figures] : drawn_) share_room(figures);
+    }
+    /// What one figure of a band leaves of its room is for another that takes more than its own.
+    void share_room(std::vector<Drawn>& figures) {
+        const auto is_open = [](const Drawn& drawn) { return drawn.waits || drawn.is_refused(); };
+        if (figures.size() < 2 || std::any_of(figures.begin(), figures.end(), is_open)) return;
+        const bool stacked = figures.back().room.min.y > figures.front().room.min.y;
+        const auto across = [&](const Drawn& drawn) {
+            return stacked ? drawn.size.x <= drawn.room.width() : drawn.height() <= drawn.room.height();
+        };
+        const auto along = [&](const Drawn& drawn) { return stacked ? drawn.height() : drawn.figure.box.width(); };
+        const auto own = [&](const Drawn& drawn) { return stacked ? drawn.room.height() : drawn.room.width(); };
+        double left = 0;
+        bool outgrown = false;
+        for (const Drawn& drawn : figures) {
+            left += own(drawn) - along(drawn);
+            outgrown = outgrown || along(drawn) > own(drawn);
+        }
+        if (!outgrown || left < 0 || !std::all_of(figures.begin(), figures.end(), across)) return;
+        double at = stacked ? figures.front().room.min.y : figures.front().room.min.x;
+        for (Drawn& drawn : figures) {
+            const double end = at + along(drawn) + left / static_cast<double>(figures.size());
+            (stacked ? drawn.room.min.y : drawn.room.min.x) = at;
+            (stacked ? drawn.room.max.y : drawn.room.max.x) = end;
+            drawn.caption = height_of_caption(drawn);
+            at = end + gap;
+        }
     }
     /// The equations into a corner of the room that the figure leaves free.
     void set_in_corner(Drawn& drawn, std::size_t band) {
@@ -251,6 +330,12 @@ private:
         const double finest = choose_scale(wanted.extent_x, wanted.extent_y, room.x, room.y, std::nullopt);
         return finest >= drawn.scale * (1 - rounding);
     }
+    /// For a figure that fills its room.
+    static bool is_hardly_other(Spot known, Spot room) {
+        constexpr double hardly = 1.2;
+        const double x = room.x / known.x, y = room.y / known.y;
+        return std::max(x, 1 / x) <= hardly && std::max(y, 1 / y) <= hardly;
+    }
     /// Drawn once for all rooms between the one it was drawn for and what it takes: its scale is the finest that fits. A room
     /// that holds it only smaller than at `coarsest` is refused, which costs less than to letter it there: the figure is empty
     /// then and at any_scale.
@@ -268,8 +353,10 @@ private:
             }
             const bool same = !larger && room.x > each.room.x - rounding && room.y > each.room.y - rounding;
             const Box& box = each.figure.box;
-            const bool fits = !wanted.fills && box.width() <= room.x + rounding && box.height() <= room.y + rounding;
-            if (same || (fits && (!larger || gains_nothing(wanted, each.figure, room)))) return each.figure;
+            const bool fits = box.width() <= room.x + rounding && box.height() <= room.y + rounding;
+            const bool as_large =
+                wanted.fills ? is_hardly_other(each.room, room) : !larger || gains_nothing(wanted, each.figure, room);
+            if (same || (fits && as_large)) return each.figure;
         }
         Known drawn{room, force_scale, {}, {}};
         if (coarsest < any_scale) {
@@ -288,19 +375,22 @@ private:
         constexpr double rounding = 1e-9;
         return layouts_[band].scale_in(f, room) * (1 + rounding);
     }
-    Drawn draw_into(std::size_t wanted, Spot room, int number, double coarsest) {
+    void draw_into(Drawn& drawn, Spot room, double coarsest) {
         constexpr double one_line = 7;
-        Drawn drawn;
-        drawn.wanted = wanted;
-        drawn.number = number;
         constexpr double least_room = 10;
         const auto below = [&](double taken) { return Spot{std::max(room.x, least_room), std::max(room.y - taken, least_room)}; };
-        drawn.figure = figure_in(wanted, below(one_line), coarsest);
-        if (drawn.is_refused()) return drawn;
+        drawn.figure = figure_in(drawn.wanted, below(one_line), coarsest);
+        drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
+        if (drawn.is_refused()) return;
+        drawn.caption = height_of_caption(drawn);
+        if (drawn.caption > one_line && drawn.height() > room.y)
+            drawn.figure = figure_in(drawn.wanted, below(drawn.caption), coarsest);
+        drawn.size = {drawn.figure.box.width(), drawn.figure.box.height()};
+    }
+
+    double height_of_caption(const Drawn& drawn) const {
         std::vector<Mark> words;
-        drawn.caption = set_caption(words, context_, drawn.figure, number, {0, 0}, room.x);
-        if (drawn.caption > one_line && drawn.height() > room.y) drawn.figure = figure_in(wanted, below(drawn.caption), coarsest);
-        return drawn;
+        return set_caption(words, context_, drawn.figure, drawn.number, {0, 0}, drawn.room.width());
     }
 
     bool is_coarser_than_promised(const Drawn& drawn) const {
@@ -328,10 +418,11 @@ private:
                     gained = std::max(gained, rim - known);
                     rim = known;
                 };
-                learn(wanted.rim_x, drawn.size.x - wanted.extent_x / drawn.figure.scale);
-                learn(wanted.rim_y, drawn.size.y - wanted.extent_y / drawn.figure.scale + drawn.caption - one_line);
+                const Spot strokes = wanted.strokes_at(drawn.figure.scale);
+                learn(wanted.rim_x, drawn.size.x - strokes.x);
+                learn(wanted.rim_y, drawn.size.y - strokes.y + drawn.caption - one_line);
             }
-        return gained > worth_another_plan;
+        return looks_again_ = gained > worth_another_plan;
     }
 
     /// For what its letters took at a coarser scale; what is not known, is tried.
@@ -341,8 +432,9 @@ private:
             (drawn.room.width() > drawn.room.height() ? wanted.rim_y : wanted.rim_x) += more;
             return;
         }
-        const double rim_x = drawn.size.x - wanted.extent_x / drawn.figure.scale;
-        const double rim_y = drawn.size.y - wanted.extent_y / drawn.figure.scale + drawn.caption - one_line;
+        const Spot strokes = wanted.strokes_at(drawn.figure.scale);
+        const double rim_x = drawn.size.x - strokes.x;
+        const double rim_y = drawn.size.y - strokes.y + drawn.caption - one_line;
         const bool is_known = rim_x > wanted.rim_x || rim_y > wanted.rim_y;
         wanted.rim_x = is_known ? std::max(wanted.rim_x, rim_x + 1) : wanted.rim_x + more;
         wanted.rim_y = is_known ? std::max(wanted.rim_y, rim_y + 1) : wanted.rim_y + more;
@@ -362,8 +454,14 @@ private:
         constexpr double ink = 0.25;  // of rules at the rim
         if (over_x < ink && over_y < ink) return false;
         Wanted& wanted = wanted_.list[drawn.wanted];
-        wanted.rim_x += std::max(over_x, 0.0);
-        wanted.rim_y += std::max(over_y, 0.0);
+        if (wanted.fills) {
+            constexpr double one_line = 7;
+            wanted.least_room = {std::max(wanted.least_room.x, box.width()),
+                                 std::max(wanted.least_room.y, drawn.height() - one_line)};
+        } else {
+            wanted.rim_x += std::max(over_x, 0.0);
+            wanted.rim_y += std::max(over_y, 0.0);
+        }
         return true;
     }
     /// The words with what they are followed by, as a remark on a figure; false where it is made already.
@@ -387,6 +485,7 @@ private:
         double least = 1e300, most = 0;
         for (const auto& [band, figures] : drawn_)
             for (const Drawn& drawn : figures) {
+                if (drawn.waits) continue;
                 if (drawn.is_refused()) {
                     otherwise = has_outgrown(drawn);
                     continue;
@@ -411,7 +510,8 @@ private:
                 otherwise = has_outgrown(drawn) || otherwise;
             }
         if (most > least * (1 + 1e-9)) {
-            wanted_.force_scale = most;
+            least_force_scale_ = most;
+            looks_again_ = true;
             otherwise = true;
         }
         return otherwise;
@@ -562,9 +662,12 @@ private:
     std::optional<BandTexts> measured_texts_;          // with these
     Spot first_caption_;                               // of figure 1: its corner, and the room it has
     double first_caption_width_ = 0;
-    bool corner_missing_ = false;    // one was promised to equations
-    bool takes_what_comes_ = false;  // the last round: no figure refuses its room
-    int times_less_ = 0;             // plans anew because letters took less than was thought
+    bool corner_missing_ = false;  // one was promised to equations
+    bool seeks_finest_force_scale_ = true;
+    bool looks_again_ = false;                 // for another force scale
+    std::optional<double> least_force_scale_;  // at which all force polygons that were drawn had room
+    bool takes_what_comes_ = false;            // the last round: no figure refuses its room
+    int times_less_ = 0;                       // plans anew because letters took less than was thought
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "render/sheet/wanted_figures.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "render/figures/truss_figures.hpp"
@@ -111,7 +112,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_x = extent.width();
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
-    mechanism.least = 40;
+    mechanism.least = 25;
     mechanism.weight = context_.solution.act_of_motion ? 2 : 1.2;
     return mechanism;
 }
@@ -134,6 +135,9 @@ void WantedFigures::collect_forces(bool joukowsky) {
                            [this, p](double x, double y, std::optional<double> scale, bool fixed) {
                                return closed_polygon_figure(context_, p, x, y, scale, fixed);
                            });
+        know_strokes(list.back(), [this, p](double scale) { return strokes_of_force_polygon(context_, p, true, scale); });
+        list.back().rim_x = 16;
+        list.back().rim_y = 12;
     }
     keep_forces_readable();
     add_free_bodies();
@@ -143,9 +147,20 @@ void WantedFigures::collect_forces(bool joukowsky) {
     lever.extent_x = extent_of_lever(s).width();
     lever.extent_y = extent_of_lever(s).height();
     lever.rim_x = lever.rim_y = 40;  // forces on either side
-    lever.least = 40;
+    lever.least = 25;
     lever.draw = [this](double x, double y) { return joukowsky_figure(context_, x, y); };
     add(std::move(lever));
+}
+
+/// Its letters alone are a guess then.
+void WantedFigures::know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes) {
+    wanted.strokes = [strokes = std::move(strokes), known = std::map<double, Spot>{}](double scale) mutable {
+        const auto [found, fresh] = known.try_emplace(scale);
+        if (fresh) found->second = strokes(scale);
+        return found->second;
+    };
+    wanted.rim_x = 6;
+    wanted.rim_y = wanted.to_force_scale ? 9 : 3;
 }
 
 /// One by one, then of those taken together.
@@ -157,6 +172,8 @@ void WantedFigures::add_polygons_of_bodies(const DrawingContext& context) {
                            [&context, polygon](double x, double y, std::optional<double> scale, bool fixed) {
                                return force_polygons_figure(context, x, y, scale, fixed, false, polygon);
                            });
+        know_strokes(list.back(),
+                     [&context, polygon](double scale) { return strokes_of_force_polygon(context, polygon, false, scale); });
     };
     for (const FreeBody& body : s.free_bodies) {
         if (!has_force_polygon(s, body)) continue;
@@ -265,8 +282,8 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
     wanted.name = name;
     wanted.extent_x = extent.width();
     wanted.extent_y = extent.height();
-    wanted.rim_x = 18;
-    wanted.rim_y = 24;
+    wanted.rim_x = 20;
+    wanted.rim_y = 30;
     wanted.least = 0;
     wanted.enough = 110;
     for (const std::string& figure : {kind, std::string("forces"), std::string("closure")})
@@ -281,7 +298,7 @@ void WantedFigures::add_force_polygons(const std::string& kind, const std::strin
 
 /// All have one scale: at it the largest must be readable.
 void WantedFigures::keep_forces_readable() {
-    constexpr double least = 24;
+    constexpr double least = 18;
     Wanted* largest = nullptr;
     const auto size = [](const Wanted& wanted) { return std::max(wanted.extent_x, wanted.extent_y); };
     for (Wanted& each : list)
@@ -309,8 +326,8 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
     const Box box = extent_of_free_body(s, index);
     body.extent_x = std::max(box.width(), 0.3 * box.height());
     body.extent_y = std::max(box.height(), 0.3 * box.width());
-    body.rim_x = 36;
-    body.rim_y = 40;
+    body.rim_x = 30;
+    body.rim_y = 34;
     body.fills = true;
     body.least = 12;
     body.enough = 70;
@@ -475,7 +492,7 @@ void WantedFigures::add_polygon(int polygon) {
     wanted.empty = scene.empty();
     wanted.extent_x = scene.width();
     wanted.extent_y = scene.height();
-    wanted.least = 30;
+    wanted.least = 20;
     wanted.letters = scene.vectors.size() + scene.images.size();
     wanted.weight = 1.5;
     const double si = scene.unit.si.to_double();
@@ -486,6 +503,7 @@ void WantedFigures::add_polygon(int polygon) {
         wanted.draw_or_refuse = [this, &scene](Spot room, double coarsest) {
             return polygon_figure(context_, scene, room.x, room.y, coarsest);
         };
+    if (!wanted.empty) know_strokes(wanted, [this, &scene](double scale) { return strokes_of_polygon(context_, scene, scale); });
     wanted.wider_for = [&scene](double scale, Spot block) { return wider_for(scene, scale, block); };
     add(std::move(wanted));
 }

@@ -29,8 +29,9 @@ std::string name_of(const Solution& solution, const TakenTogether& together);
 struct Wanted {
     std::string name;                   ///< by which it may be asked for alone
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
-    double rim_x = 20, rim_y = 14;      ///< what lettering takes, mm
+    double rim_x = 20, rim_y = 14;      ///< what lettering takes beside the strokes, mm
     double least = 22;                  ///< mm of its longer extent below which nothing can be read off it
+    Spot least_room{};                  ///< mm, its caption apart: what it took where it was drawn into less
     std::size_t letters = 0;            ///< how many names it carries
     double enough = 200;                ///< mm beyond which it gains nothing
     double weight = 1;                  ///< against the other figures
@@ -40,10 +41,14 @@ struct Wanted {
     std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
     /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no such corner.
     std::function<double(double scale, Spot block)> wider_for{};
+    /// What its strokes take at a scale, mm, where that is not in proportion to its extents.
+    std::function<Spot(double scale)> strokes{};
     bool empty = false;           ///< all its vectors are zero: a pole and names
     bool spare = false;           ///< shown only where there is room
     bool to_force_scale = false;  ///< one scale for all of these
     bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
+
+    Spot strokes_at(double scale) const { return strokes ? strokes(scale) : Spot{extent_x / scale, extent_y / scale}; }
 };
 
 /// Their list. Not to be moved: those who draw refer to it.
@@ -57,6 +62,7 @@ public:
     /// Polygons of motion are called by their ids; of a body cut free there are "body-2" and, where it has one, "forces-2".
     std::vector<Wanted> list;
     std::optional<double> force_scale;  ///< common to all force polygons, once one could not be drawn larger
+    bool keeps_force_scale = false;     ///< none is planned smaller than at that
 
     /// Index into list; nothing where no figure has that name.
     std::optional<std::size_t> named(const std::string& name) const;
@@ -66,6 +72,7 @@ public:
     bool shows_centres() const;
 
 private:
+    static void know_strokes(Wanted& wanted, std::function<Spot(double scale)> strokes);
     using DrawForces = std::function<Figure(double room_x, double room_y, std::optional<double> scale, bool fixed)>;
 
     Wanted& add(Wanted wanted);
