@@ -41,6 +41,9 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
         if (wanted.asked) {
             sizes.push_back(at(*wanted.asked));
             if (!wanted.spare) sizes.back().worth += as_asked;
+            // It may cost a page, as long as there is a page that holds it.
+            const bool holds = sizes.back().x <= format.content.width() && sizes.back().y <= format.content.height();
+            if (holds && !crowded && !wanted.spare) return sizes;
         }
         double scale = choose_scale(wanted.extent_x, wanted.extent_y, format.content.width() - rim_x,
                                     format.content.height() - rim_y - caption, std::nullopt);
