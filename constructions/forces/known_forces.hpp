@@ -2,8 +2,9 @@
 // It reads runs and opens them; it knows no rule and no sentence.
 #pragma once
 
-#include <map>
+#include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "constructions/force_model.hpp"

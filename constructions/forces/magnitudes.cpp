@@ -1,5 +1,7 @@
 #include "constructions/forces/magnitudes.hpp"
 
+#include <string>
+
 #include "engine/assert.hpp"
 
 namespace kinegraph::statics {

@@ -1,5 +1,7 @@
 #include "constructions/forces/resultants.hpp"
 
+#include <utility>
+
 namespace kinegraph::statics {
 
 std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {

@@ -1,6 +1,7 @@
 #include "constructions/forces/rules.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kinegraph::statics {
 

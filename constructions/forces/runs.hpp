@@ -3,7 +3,10 @@
 // anew.
 #pragma once
 
+#include <map>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "constructions/forces/every_equilibrium.hpp"

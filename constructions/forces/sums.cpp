@@ -1,5 +1,7 @@
 #include "constructions/forces/sums.hpp"
 
+#include <utility>
+
 namespace kinegraph::statics {
 
 Run Sums::add_up(std::vector<PartRun> parts) {

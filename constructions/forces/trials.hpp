@@ -2,6 +2,7 @@
 // the true one, for all is linear.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "constructions/free_bodies/force_polygons.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "engine/assert.hpp"

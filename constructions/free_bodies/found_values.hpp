@@ -1,8 +1,6 @@
 // The values of a run as results: forces at joints, efforts, and the motions by which redundant constraints gave theirs.
 #pragma once
 
-#include <optional>
-
 #include "constructions/forces.hpp"
 #include "constructions/free_bodies/way.hpp"
 

@@ -1,6 +1,5 @@
 #include "constructions/free_bodies/superposing.hpp"
 
-#include <string>
 #include <utility>
 #include <vector>
 

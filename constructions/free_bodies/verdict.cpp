@@ -1,6 +1,7 @@
 #include "constructions/free_bodies/verdict.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace kinegraph::statics {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <set>
-#include <vector>
 
 #include "constructions/forces.hpp"
 #include "constructions/free_bodies/way.hpp"

@@ -1,6 +1,7 @@
 #include "constructions/free_bodies/way.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kinegraph::statics {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <variant>
 
 namespace kinegraph::drafting {
 namespace {

@@ -1,6 +1,5 @@
 #include "engine/drawing/placing.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <variant>
 

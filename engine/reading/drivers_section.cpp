@@ -1,6 +1,5 @@
 #include "engine/reading/drivers_section.hpp"
 
-#include <array>
 #include <utility>
 
 #include "engine/assert.hpp"

@@ -1,7 +1,6 @@
 #include "engine/reading/loads_section.hpp"
 
 #include <utility>
-#include <vector>
 
 namespace kinegraph {
 

@@ -14,7 +14,7 @@ namespace kinegraph::render::closure {
 class DeadPointText {
 public:
     DeadPointText(const Solution& solution, const EquationPen& pen, EquationList& list)
-        : e_(*solution.equations), mechanism_(solution.mechanism), pen_(pen), list_(list) {}
+        : e_(*solution.equations), pen_(pen), list_(list) {}
 
     void write_dead_points();
 
@@ -24,7 +24,6 @@ private:
     std::string list_of(const std::vector<double>& values, LetterIndex of) const;
 
     const Equations& e_;
-    const Mechanism& mechanism_;
     const EquationPen& pen_;
     EquationList& list_;
 };

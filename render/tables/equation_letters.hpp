@@ -1,6 +1,8 @@
 // The table of the letters: what is given, driven and sought, what each is and measures.
 #pragma once
 
+#include <string>
+
 #include "engine/solution.hpp"
 #include "render/tables/equation_list.hpp"
 #include "render/tables/equation_pen.hpp"

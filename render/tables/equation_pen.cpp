@@ -4,9 +4,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
-#include "engine/equations_values.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render::closure {

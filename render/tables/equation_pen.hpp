@@ -2,6 +2,7 @@
 // called and measures. It says nothing of what is done with them.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,8 +1,9 @@
 #include "render/tables/equation_positions.hpp"
 
-#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/equations_values.hpp"
 
@@ -81,9 +82,8 @@ void PositionText::write_resultant(const Equations::Loop& loop, std::size_t inde
     for (const Side& each : pen_.known_sides(loop)) sum.push_back(pen_.side(each, pen_.sign_of(each, lead)));
     const Formula p = Formula::letter("p", pen_.numbered(index)), sigma = Formula::letter("sigma", pen_.numbered(index));
     list_.set(equal(p + Formula::power(Formula::letter("e"), pen_.imaginary() + sigma), joined(sum)));
-    const auto told = [&](double si, QuantityKind kind) { return pen_.amount_text(si, kind); };
-    list_.set(equal(p, Formula::upright(told(loop.solved.resultant, QuantityKind::length) + ", ")) +
-              equal(sigma, Formula::upright(told(loop.solved.direction, QuantityKind::angle))));
+    list_.set(equal(p, Formula::upright(pen_.amount_text(loop.solved.resultant, QuantityKind::length) + ", ")) +
+              equal(sigma, Formula::upright(pen_.amount_text(loop.solved.direction, QuantityKind::angle))));
 }
 
 void PositionText::write_two_turns(const Equations::Loop& loop, std::size_t index) {

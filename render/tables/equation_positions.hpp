@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "engine/solution.hpp"
 #include "render/tables/equation_list.hpp"

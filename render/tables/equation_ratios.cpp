@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "engine/equations_values.hpp"
 #include "render/text/formula.hpp"
 
 namespace kinegraph::render::closure {
