@@ -44,9 +44,9 @@ struct Chain {
     bool absolute = false;  ///< the sought vector is the node's whole velocity (acceleration)
 };
 
-/// What the recipes of motion are built on.
+/// What the recipes of motion are built with.
 class Chains {
-protected:
+public:
     Chains(Structure& structure, Board& board)
         : structure_(structure), board_(board), diagram_(structure, board), mechanism_(structure.mechanism()) {}
 
@@ -112,6 +112,15 @@ protected:
     /// 2 ω_j ∧ v_rel, nothing where it vanishes.
     std::optional<Link<Plane::acceleration>> coriolis_of(BodyIndex guide_body, NodeIndex slider, NodeIndex guide);
 
+    Structure& structure() { return structure_; }
+    SpaceDiagram& diagram() { return diagram_; }
+    const Mechanism& mechanism() const { return mechanism_; }
+    /// What is drawn so far.
+    Motion& motion() { return motion_; }
+    /// Only the effect of an assumption is wanted.
+    void rest_drivers() { drivers_rest_ = true; }
+
+private:
     Structure& structure_;
     Board& board_;
     SpaceDiagram diagram_;
@@ -119,7 +128,6 @@ protected:
     Motion motion_;
     bool drivers_rest_ = false;
 
-private:
     /// Known base, direction ⟂ to the join: v_BA ⟂ BA; a_BA = a_BA^n + a_BA^t. An equivalent link turns as a body would.
     template <Plane plane>
     void start_rotation(const Track<plane>& track, const Locus& locus, Chain<plane>& result);

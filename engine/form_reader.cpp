@@ -92,6 +92,18 @@ std::string FormReader::new_name(JsonValue value, const Words& wanted) {
     return std::string(value.text());
 }
 
+bool FormReader::add_point(std::string_view name) {
+    if (!points_by_name_.emplace(name, PointIndex(point_names_.size())).second) return false;
+    point_names_.push_back(name);
+    return true;
+}
+
+bool FormReader::add_body(std::string_view name) {
+    if (!bodies_by_name_.emplace(name, BodyIndex(body_names_.size())).second) return false;
+    body_names_.push_back(name);
+    return true;
+}
+
 PointIndex FormReader::look_up_point(JsonValue at, std::string_view name) {
     const auto found = points_by_name_.find(name);
     if (found != points_by_name_.end()) {

@@ -45,9 +45,10 @@ private:
     std::vector<std::string> misspelt_;
 };
 
-/// What the reader of a file is built on. What cannot be read is a fault, and a value that does no harm stands for it.
+/// What the reader of a file and of each section is built on. What cannot be read is a fault, and a value that does no harm
+/// stands for it.
 class FormReader {
-protected:
+public:
     using Kind = JsonValue::Kind;
 
     // ----- faults and forms
@@ -64,8 +65,25 @@ protected:
     JsonValue required(const Members& of, std::string_view key, const Words& meaning);
     /// The one of several members that must not stand together; a fault where there are none (if `needed`) or more.
     JsonValue one_of(const Members& of, std::initializer_list<std::string_view> keys, bool needed = true);
+    template <class Action>
+    void each(JsonValue array, const Words& wanted, Action&& action) {
+        if (!array || !expect(array, Kind::array, wanted)) return;
+        for (const JsonValue element : array) action(element);
+    }
+    std::size_t fault_count() const { return faults_.size(); }
+    Speller& speller() { return speller_; }
 
     // ----- names
+    /// A new one of the file's points; false: it is there already.
+    bool add_point(std::string_view name);
+    bool add_body(std::string_view name);
+    PointIndex index_of_point(std::string_view name) const { return points_by_name_.at(name); }
+    BodyIndex index_of_body(std::string_view name) const { return bodies_by_name_.at(name); }
+    /// Whether the list could be read, so that a name that is not in it is a fault.
+    void know_points(bool known) { points_known_ = known; }
+    void know_bodies(bool known) { bodies_known_ = known; }
+    /// Where the points are noted that placements name from now on; null: no more.
+    void collect_points(std::vector<PointIndex>* where) { collected_ = where; }
     /// Whether the text may be a name; a fault at `at` if not.
     void check_name(JsonValue at, std::string_view name);
     /// A new name as a member's value.
@@ -92,6 +110,7 @@ protected:
     /// A number, or a formula.
     static bool is_numeric(JsonValue value) { return value.is_number() || (value.is_string() && is_formula(value.text())); }
     const KnownUnit& bare_unit(QuantityKind kind) const;
+    void measure_bare_numbers_in(const KnownUnit& unit) { bare_units_.push_back(&unit); }
     /// A number or a string with a unit, as written; range checked in SI.
     std::optional<WrittenQuantity> quantity_as_written(JsonValue value, QuantityKind kind);
     /// In SI.
@@ -112,12 +131,13 @@ protected:
     /// A point's name or bare coordinates.
     Place place(JsonValue value);
 
+protected:
     std::vector<std::pair<std::uint32_t, Error>> faults_;
     Speller speller_;
     std::vector<const KnownUnit*> bare_units_;  ///< those that the file sets
     std::vector<Exact> computed_;               ///< lengths that formulas gave, m
     bool is_approximate_ = false;               ///< one of them is a root or a sine
-    // Views into the source. "Known": the list could be read, so that a name that is not in it is a fault.
+    // Views into the source.
     std::unordered_map<std::string_view, PointIndex> points_by_name_;
     std::unordered_map<std::string_view, BodyIndex> bodies_by_name_;
     std::vector<std::string_view> point_names_, body_names_;

@@ -7,7 +7,7 @@
 namespace kinegraph {
 
 class LawReader : protected FormReader {
-protected:
+public:
     /// What a law's pieces are measured in: the key and kind of their rise, and of what they go over.
     struct LawTerms {
         std::string_view rise;

@@ -12,6 +12,12 @@ namespace kinegraph {
 
 /// What the reader of a mechanism file is built on, beside the forms.
 class ProblemReader : protected LawReader {
+public:
+    /// The keys of a joint that say what its bodies are made of; of joints whose bodies touch.
+    static constexpr std::array<std::string_view, 2> contact_keys{"materials", "length"};
+    /// Of the joint that will have that index, where it has materials.
+    void read_contact(const Members& form, const Joint& joint, JointIndex index);
+
 protected:
     /// The keys of such sections; `motion` is one where it is a point's.
     static constexpr std::array<std::string_view, 5> problem_keys{"hertz", "reye", "impact", "positions", "motion"};
@@ -19,10 +25,6 @@ protected:
     static bool states_problem(const Members& file);
     /// The section of the file, or null where it states none or one that cannot be read. Its bodies are added to `mechanism`.
     std::shared_ptr<const Problem> read_problem(const Members& file, Mechanism& mechanism);
-    /// The keys of a joint that say what its bodies are made of; of joints whose bodies touch.
-    static constexpr std::array<std::string_view, 2> contact_keys{"materials", "length"};
-    /// Of the joint that will have that index, where it has materials.
-    void read_contact(const Members& form, const Joint& joint, JointIndex index);
     LoadedContacts contacts_;
 
 private:

@@ -1,0 +1,74 @@
+#include "constructions/forces/resultants.hpp"
+
+#include <utility>
+
+namespace kinegraph::statics {
+
+std::vector<Actor> Resultants::actors_on(const Group& group, const std::vector<Load>& loads, const Run& run) {
+    std::vector<Actor> actors;
+    for (const Load& load : loads)
+        if (in(group, load.member) && !model_.is_inner(load, group)) actors.push_back({load.symbol, load.force, load.place, -1});
+    for (const int b : model_.outer_bonds(group)) {
+        const Bond& bond = model_.bonds()[at(b)];
+        const Reaction& reaction = run.reactions[at(b)];
+        if (!reaction.known || (!reaction.force && !reaction.couple)) continue;
+        const MemberIndex member = in(group, bond.first) ? bond.first : bond.second;
+        const Wrench wrench = model_.wrench_of(bond, reaction, member);
+        Symbol symbol = said_.symbol_on(b, group);
+        if (!wrench.force && bond.effort < 0) symbol.letter = Symbol::Letter::M;
+        actors.push_back({std::move(symbol), wrench.force, wrench.place, b});
+    }
+    return actors;
+}
+
+void Resultants::say_resultant(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
+    const std::size_t most = known_.is_whole(group) ? 12 : 6;
+    if (said_.in_trial() || !known.force) return;
+    const std::vector<Actor> actors = actors_on(group, loads, run);
+    if (actors.size() < 2 || actors.size() > most) return;
+    Added added{group, {}, *known.force, known.place, {}, none};
+    added.symbol = said_.resultant_symbol(group);
+    Symbols symbols;
+    for (const Actor& actor : actors) {
+        symbols.push_back(actor.symbol);
+        if (actor.bond >= 0) added.bonds.push_back(actor.bond);
+    }
+    said_.say_of(group, Sentence::known_resultant, {std::move(symbols), added.symbol});
+    added.statement = said_.last();
+    run.added.push_back(std::move(added));
+}
+
+Symbol Resultants::symbol_of_known(const Group& group, const std::vector<Load>& loads, const Run& run) {
+    const std::vector<Actor> actors = actors_on(group, loads, run);
+    return actors.size() == 1 ? actors.front().symbol : said_.resultant_symbol(group);
+}
+
+std::optional<PlaceOnDrawing> Resultants::meet_of_resultant(const Group& group, const Action& line, const Wrench& known,
+                                                            const std::vector<Load>& loads, Run& run) {
+    if (said_.in_trial() || !known.force || actors_on(group, loads, run).size() < 2) return std::nullopt;
+    say_resultant(group, known, loads, run);
+    return board_.meet(model_.line_of(known), line.line);
+}
+
+void Resultants::note_culmann(const Group& group, int one, const std::string& names, Force force, PlaceOnDrawing met,
+                              const std::vector<Load>& loads, Run& run) {
+    if (said_.in_trial() || board_.is_zero(force)) return;
+    Added added{group, said_.with_mark({Symbol::Letter::F, names, {}}), force, met, {one}, said_.last()};
+    for (const Actor& actor : actors_on(group, loads, run))
+        if (actor.bond >= 0) added.bonds.push_back(actor.bond);
+    run.added.push_back(std::move(added));
+}
+
+void Resultants::note_lever(const Group& group, PlaceOnDrawing about, Force force, PlaceOnDrawing place, Run& run) {
+    if (said_.in_trial() || group.size() > 1 || model_.is_pin(group.front())) return;
+    run.levers.push_back({group.front(), about, force, place, said_.last(), false});
+}
+
+void Resultants::note_couple_of_two(const Group& group, const Wrench& known, const std::vector<Load>& loads, Run& run) {
+    if (!known.couple || said_.in_trial()) return;
+    const std::vector<Actor> actors = actors_on(group, loads, run);
+    if (actors.size() == 2 && actors[0].force && actors[1].force)
+        note_lever(group, actors[0].place, *actors[1].force, actors[1].place, run);
+}
+
+}  // namespace kinegraph::statics

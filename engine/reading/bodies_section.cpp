@@ -1,0 +1,75 @@
+#include "engine/reading/bodies_section.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kinegraph {
+
+void BodiesSection::register_bodies(JsonValue stated, JsonValue bodies) {
+    std::string_view frame_name = "0";
+    if (stated) {
+        if (stated.is_string() || is_whole_number(stated)) {
+            frame_name = stated.text();
+            file_.check_name(stated, frame_name);
+        } else {
+            file_.wrong(stated, {"a body's name", "il nome di un corpo"});
+            file_.know_bodies(false);
+        }
+    }
+    const auto add = [&](std::string_view name, std::string where) {
+        if (!file_.add_body(name)) return false;
+        Body added;
+        added.name = name;
+        added.where = std::move(where);
+        mechanism_.bodies.push_back(std::move(added));
+        return true;
+    };
+    add(frame_name, stated ? stated.pointer() : "");
+    if (!bodies) return;
+    for (const JsonValue member : bodies) {
+        if (add(member.key(), member.pointer())) {
+            file_.check_name(member, member.key());
+        } else if (member.key() == frame_name) {
+            mechanism_.bodies.front().where = member.pointer();
+        }
+    }
+}
+
+void BodiesSection::read_bodies(JsonValue bodies) {
+    for (const JsonValue member : bodies) {
+        const BodyIndex index = file_.index_of_body(member.key());
+        JsonValue points = member;
+        if (member.is_object()) {
+            const Members form = file_.members(member, {"points", "label", "circle"}, {"a body", "un corpo"});
+            points = form["points"];
+            if (form["label"]) body_at(index).label = file_.words(form["label"]);
+            if (form["circle"]) read_body_circle(form["circle"], index);
+            if (!points) continue;
+            if (!file_.expect(points, Kind::array, {"an array of points", "un array di punti"})) continue;
+        } else if (!file_.expect(
+                       points, Kind::array,
+                       {"an array of points, or {\"points\": […], …},", "un array di punti, o {\"points\": […], …},"})) {
+            continue;
+        }
+        for (const JsonValue name : points) carry(index, file_.point(name, true));
+    }
+}
+
+void BodiesSection::carry(BodyIndex on, PointIndex carried) {
+    if (on == none || carried == none) return;
+    const std::uint64_t pair = (static_cast<std::uint64_t>(on.number()) << 32U) | static_cast<std::uint64_t>(carried.number());
+    if (carried_.insert(pair).second) body_at(on).points.push_back(carried);
+}
+
+void BodiesSection::read_body_circle(JsonValue value, BodyIndex index) {
+    if (!file_.expect(value, Kind::object, {"{\"centre\": …, \"radius\": …}", "{\"centre\": …, \"radius\": …}"})) return;
+    const Members form = file_.members(value, {"centre", "radius"}, {"a body's circle", "la circonferenza di un corpo"});
+    Circle circle;
+    circle.centre = file_.point(file_.required(form, "centre", {"the circle's centre", "il centro della circonferenza"}));
+    circle.radius = file_.positive(file_.required(form, "radius", {"the circle's radius", "il raggio della circonferenza"}),
+                                   QuantityKind::length, {"a radius", "un raggio"});
+    body_at(index).circle = std::move(circle);
+}
+
+}  // namespace kinegraph

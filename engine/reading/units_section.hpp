@@ -1,0 +1,25 @@
+// "units" and "scales": what bare numbers are measured in, and how large figures are drawn.
+#pragma once
+
+#include "engine/form_reader.hpp"
+#include "engine/mechanism.hpp"
+
+namespace kinegraph {
+
+class UnitsSection {
+public:
+    UnitsSection(FormReader& file, Mechanism& mechanism) : file_(file), mechanism_(mechanism) {}
+
+    void read_units(JsonValue units);
+    void read_scales(JsonValue value);
+
+private:
+    using Kind = FormReader::Kind;
+
+    void read_unit(JsonValue value, QuantityKind kind);
+
+    FormReader& file_;
+    Mechanism& mechanism_;
+};
+
+}  // namespace kinegraph
