@@ -160,9 +160,11 @@ TEST(Question, SaysEveryDatum) {
     const std::string words = words_of(lay_out(example("four_bar"), of_kind(SheetKind::question), fonts()));
     for (const char* datum : {"40 mm", "60°", "150 mm", "80 mm", "(0, 0)", "(150, 0)"})
         EXPECT_NE(words.find(datum), std::string::npos) << datum;
-    // How far a guide passes beside the pin stands on the figure, too.
+    // How far a guide passes beside the pin stands on the figure, too, where the figure is not as small as on an A4.
     bool offset = false;
-    for (const Page& page : lay_out(example("slider_crank_offset"), of_kind(SheetKind::question), fonts()))
+    SheetOptions large = of_kind(SheetKind::question);
+    large.paper = Paper::a3;
+    for (const Page& page : lay_out(example("slider_crank_offset"), large, fonts()))
         for (const Mark& mark : page.marks)
             if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "dimension")
                 offset = offset || (group->title == "20 mm" && group->id.ends_with("offset"));
