@@ -148,9 +148,7 @@ const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
     KG_ASSERT(index < f.drawn.size(), "a glyph's index lies within its face");
     std::unique_ptr<Drawn>& drawn = f.drawn[index];
     if (drawn) return *drawn;
-    auto made = f.typeface->draw(index);
-    KG_ASSERT(made.has_value(), "a face that can be shaped can be drawn");
-    drawn = std::make_unique<Drawn>(*std::move(made));
+    drawn = std::make_unique<Drawn>(f.typeface->draw(index));
     return *drawn;
 }
 
