@@ -14,18 +14,20 @@ constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alon
 
 bool is_wider(const Passage& passage, double measure) {
     constexpr double ink = 0.2;
-    return (!passage.heading.marks.empty() && box_of(passage.heading.marks).max.x > measure + ink) ||
-           std::any_of(passage.rows.begin(), passage.rows.end(), [&](const Block& row) { return row.width > measure + ink; });
+    const std::vector<Mark>& heading = passage.heading->marks;
+    return (!heading.empty() && box_of(heading).max.x > measure + ink) ||
+           std::any_of(passage.rows.begin(), passage.rows.end(),
+                       [&](const SharedBlock& row) { return row->width > measure + ink; });
 }
 
 /// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
 /// none by itself in the end.
-std::size_t end_of_group(const std::vector<Block>& rows, std::size_t first) {
+std::size_t end_of_group(const std::vector<SharedBlock>& rows, std::size_t first) {
     std::size_t end = first + 1;
-    double height = rows[first].height;
-    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++].height;
+    double height = rows[first]->height;
+    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++]->height;
     double left = 0;
-    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i].height;
+    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i]->height;
     return left < two_lines ? rows.size() : end;
 }
 
@@ -33,7 +35,7 @@ std::size_t end_of_group(const std::vector<Block>& rows, std::size_t first) {
 
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
     : passages_(std::move(passages)), measure_(measure) {
-    const auto reduce = [scale](Block& block) { block = scaled(std::move(block), scale); };
+    const auto reduce = [scale](SharedBlock& block) { block = scaled(block, scale); };
     for (std::size_t p = 0; p < passages_.size(); ++p) {
         Passage& passage = passages_[p];
         if (scale != 1) {
@@ -44,8 +46,8 @@ ColumnText::ColumnText(std::vector<Passage> passages, double measure, double sca
         too_wide_ = too_wide_ || is_wider(passage, measure_);
         for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
             end = end_of_group(passage.rows, first);
-            Group group{p, first, end, passage.head.height, first == 0 ? passage.heading.height : 0, 0};
-            for (std::size_t i = first; i < end; ++i) group.rows += passage.rows[i].height;
+            Group group{p, first, end, passage.head->height, first == 0 ? passage.heading->height : 0, 0};
+            for (std::size_t i = first; i < end; ++i) group.rows += passage.rows[i]->height;
             groups_.push_back(group);
         }
     }
@@ -83,8 +85,8 @@ double ColumnText::whole_height() const {
     if (whole_ >= 0) return whole_;
     whole_ = 0;
     for (const Passage& passage : passages_) {
-        whole_ += (whole_ > 0 ? passage_gap : 0) + passage.heading.height + passage.head.height;
-        for (const Block& row : passage.rows) whole_ += row.height;
+        whole_ += (whole_ > 0 ? passage_gap : 0) + passage.heading->height + passage.head->height;
+        for (const SharedBlock& row : passage.rows) whole_ += row->height;
     }
     return whole_;
 }
@@ -115,9 +117,9 @@ void ColumnText::set(std::vector<Mark>& marks, Spot at, const std::vector<TextCo
     flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
         const Passage& passage = passages_[group.passage];
         Spot corner{at.x + columns[column].x, at.y + columns[column].top + y};
-        const auto put = [&](const Block& block) {
-            if (!block.marks.empty()) render::set(marks, block, corner);
-            corner.y += block.height;
+        const auto put = [&](const SharedBlock& block) {
+            if (!block->marks.empty()) render::set(marks, *block, corner);
+            corner.y += block->height;
         };
         if (group.first == 0) put(passage.heading);
         if (group.first == 0 || turns) put(passage.head);
