@@ -56,8 +56,8 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
         return 7;
     }
     double baseline = at.y + 3.8;
-    for (const ShapedLine& each : context.fonts.wrap(text, theme.label, width)) {
-        set_text(marks, each, {at.x, baseline}, theme.text, "text");
+    for (ShapedLine& each : context.fonts.wrap(text, theme.label, width)) {
+        set_text(marks, std::move(each), {at.x, baseline}, theme.text, "text");
         baseline += 4.7;
     }
     if (scale.width > 0) {
