@@ -48,11 +48,12 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
     RichText text = one_piece(word("figure", context.language) + " " + std::to_string(number), Face::bold);
     append(text, one_piece("   "));
     append(text, figure.caption);
-    const ShapedLine caption = context.fonts.shape(text, theme.label);
-    const ShapedLine scale = figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
+    ShapedLine caption = context.fonts.shape(text, theme.label);
+    ShapedLine scale = figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
     if (caption.width + 5 + scale.width <= width) {
-        set_text(marks, caption, {at.x, at.y + 3.8}, theme.text, "text");
-        set_text(marks, scale, {at.x + caption.width + 5, at.y + 3.8}, theme.secondary, "text");
+        const double scale_at = at.x + caption.width + 5;
+        set_text(marks, std::move(caption), {at.x, at.y + 3.8}, theme.text, "text");
+        set_text(marks, std::move(scale), {scale_at, at.y + 3.8}, theme.secondary, "text");
         return 7;
     }
     double baseline = at.y + 3.8;
@@ -61,7 +62,7 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
         baseline += 4.7;
     }
     if (scale.width > 0) {
-        set_text(marks, scale, {at.x, baseline}, theme.secondary, "text");
+        set_text(marks, std::move(scale), {at.x, baseline}, theme.secondary, "text");
         baseline += 4.4;
     }
     return baseline - 3.8 - at.y + 2;

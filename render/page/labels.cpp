@@ -658,13 +658,20 @@ private:
             const double to_own = distance_to_line(requests_[i], centre);
             for (std::size_t j = 0; j < requests_.size(); ++j) {
                 if (j == i || !requests_[j].toward || requests_[j].along || requests_[j].balloon > 0) continue;
+                const double near = to_own + 0.8;
+                if (is_beyond(requests_[j], centre, near)) continue;
                 const double other = distance_to_line(requests_[j], centre);
-                if (other < to_own + 0.8) price += 2.5 * std::min(2.0, to_own + 0.8 - other);
+                if (other < near) price += 2.5 * std::min(2.0, near - other);
             }
         }
         return price;
     }
 
+    /// Whether the box round the line that a request's label names tells that the line is farther away.
+    static bool is_beyond(const LabelRequest& request, Spot spot, double distance) {
+        const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
+        return std::abs(d.x) > std::abs(half.x) + distance || std::abs(d.y) > std::abs(half.y) + distance;
+    }
     /// From the line that a request's label names (its anchor in the middle).
     static double distance_to_line(const LabelRequest& request, Spot spot) {
         const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
