@@ -297,7 +297,11 @@ private:
     }
 
     void propose(std::size_t i) {
-        if (beside_line(i))
+        // Memory that grows step by step takes twice as much of it, and a place is no small thing.
+        constexpr std::size_t beside_it = 104, along_it = 152, around = 120;
+        const bool beside = beside_line(i);
+        places_[i].all.reserve(!beside ? around : requests_[i].along ? along_it : beside_it);
+        if (beside)
             propose_beside_line(i, *requests_[i].toward);
         else
             propose_around(i, 0, 0, false);
@@ -333,6 +337,7 @@ private:
     /// The most wanted first: where one of them is free, the others need no look.
     static void rank_new(Places& places) {
         const std::size_t first = places.ranked.size();
+        places.ranked.reserve(places.all.size());
         for (std::size_t place = first; place < places.all.size(); ++place) {
             const Candidate& candidate = places.all[place];
             places.ranked.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
