@@ -102,7 +102,7 @@ double fill_of(const Page& page, const SheetFormat& format, bool first) {
         if (figure_depth > 0)
             figure.push_back(mark);
         else if (const auto* text = std::get_if<TextMark>(&mark); text && !text->glyphs.empty())
-            take(box_of({mark}), leading);
+            take(box_of(std::span(&mark, 1)), leading);
         if (std::holds_alternative<GroupEnd>(mark)) {
             if (depth == figure_depth) {
                 take(box_of(figure), 0);

@@ -141,7 +141,8 @@ TEST(DrawnAsInBooks, LeadersEndInADot) {
     EXPECT_TRUE(leader[0]->stroked);
     EXPECT_LT(leader[0]->pen.width, 0.2);
     EXPECT_TRUE(leader[1]->filled);
-    EXPECT_LT(length(box_of({*leader[1]}).middle()), 3);
+    const Mark dot = *leader[1];
+    EXPECT_LT(length(box_of(std::span(&dot, 1)).middle()), 3);
     std::vector<Mark> marks(figure.marks.begin(), figure.marks.begin() + static_cast<std::ptrdiff_t>(before) + 2);
     drop_leader(marks, grey);
     EXPECT_EQ(marks.size(), before);

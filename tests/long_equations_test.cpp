@@ -45,7 +45,7 @@ void expect_within(const std::string& file, Language language, const std::string
             EXPECT_GE(smallest_size(block), hardly_legible);
             for (const Mark& mark : block.marks) {
                 const auto* text = std::get_if<TextMark>(&mark);
-                const Box ink = text != nullptr ? pages::ink_of(*text) : box_of({mark});
+                const Box ink = text != nullptr ? pages::ink_of(*text) : box_of(std::span(&mark, 1));
                 EXPECT_GE(ink.min.x, -overhang) << (text != nullptr ? text->words : "");
                 EXPECT_LE(ink.max.x, measure + ink_of_a_line) << (text != nullptr ? text->words : "");
             }

@@ -242,7 +242,7 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
             if (std::holds_alternative<LineTo>(path->segments[1]))
                 leader = strokes;
             else
-                rings.assign(1, box_of({mark}));
+                rings.assign(1, box_of(std::span(&mark, 1)));
             return;
         }
         // Where links cross, a stroke of paper keeps them apart.
@@ -261,7 +261,7 @@ PageParts parts_of(const Page& page, const Fonts& fonts) {
 /// The sheet's frame: the first path of a page.
 Box frame_of(const Page& page) {
     for (const Mark& mark : page.marks)
-        if (std::holds_alternative<Path>(mark)) return box_of({mark});
+        if (std::holds_alternative<Path>(mark)) return box_of(std::span(&mark, 1));
     return {{0, 0}, {page.width, page.height}};
 }
 
@@ -353,7 +353,7 @@ std::vector<Fault> faults_of(const Page& page, const Fonts& fonts) {
             if (const std::string id = figure_of(*group); !id.empty()) here = id;
         if (std::holds_alternative<GroupBegin>(mark) || std::holds_alternative<GroupEnd>(mark)) continue;
         const auto* text = std::get_if<TextMark>(&mark);
-        Box box = box_of({mark});
+        Box box = box_of(std::span(&mark, 1));
         if (text) {
             const TurnedBox ink = turned_about(unturned_ink(*text, fonts), text->pivot, text->angle);
             const Spot reach{std::abs(ink.axis.x) * ink.half.x + std::abs(ink.axis.y) * ink.half.y,

@@ -1,5 +1,5 @@
-// The seam between the program and kinegraph_type.so, the module that shapes type and draws its outlines. HarfBuzz and FreeType
-// bring ten libraries; results and messages do without them.
+// The seam between the program and kinegraph_type.so, the module that shapes type and draws its outlines. HarfBuzz
+// brings ten libraries; results and messages do without them.
 #pragma once
 
 #include <string>

@@ -48,20 +48,21 @@ double set_caption(std::vector<Mark>& marks, const DrawingContext& context, cons
     RichText text = one_piece(word("figure", context.language) + " " + std::to_string(number), Face::bold);
     append(text, one_piece("   "));
     append(text, figure.caption);
-    const ShapedLine caption = context.fonts.shape(text, theme.label);
-    const ShapedLine scale = figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
+    ShapedLine caption = context.fonts.shape(text, theme.label);
+    ShapedLine scale = figure.has_scale ? context.fonts.shape(scale_words(context, figure), theme.body_text) : ShapedLine{};
     if (caption.width + 5 + scale.width <= width) {
-        set_text(marks, caption, {at.x, at.y + 3.8}, theme.text, "text");
-        set_text(marks, scale, {at.x + caption.width + 5, at.y + 3.8}, theme.secondary, "text");
+        const double scale_at = at.x + caption.width + 5;
+        set_text(marks, std::move(caption), {at.x, at.y + 3.8}, theme.text, "text");
+        set_text(marks, std::move(scale), {scale_at, at.y + 3.8}, theme.secondary, "text");
         return 7;
     }
     double baseline = at.y + 3.8;
-    for (const ShapedLine& each : context.fonts.wrap(text, theme.label, width)) {
-        set_text(marks, each, {at.x, baseline}, theme.text, "text");
+    for (ShapedLine& each : context.fonts.wrap(text, theme.label, width)) {
+        set_text(marks, std::move(each), {at.x, baseline}, theme.text, "text");
         baseline += 4.7;
     }
     if (scale.width > 0) {
-        set_text(marks, scale, {at.x, baseline}, theme.secondary, "text");
+        set_text(marks, std::move(scale), {at.x, baseline}, theme.secondary, "text");
         baseline += 4.4;
     }
     return baseline - 3.8 - at.y + 2;

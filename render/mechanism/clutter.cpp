@@ -1,7 +1,18 @@
 // Clutter: strokes kept as bars with half their width.
 #include "render/mechanism/clutter.hpp"
 
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+
 namespace kinegraph::render::drawing {
+
+void Clutter::add(const Bar& bar, double half) {
+    const double near = half + 1.2;
+    const auto [tail, tip] = bar;
+    strokes_.push_back({bar, near,
+                        rectangle(std::min(tail.x, tip.x) - near, std::min(tail.y, tip.y) - near, std::max(tail.x, tip.x) + near,
+                                  std::max(tail.y, tip.y) + near)});
+}
 
 void Clutter::add(const std::vector<Mark>& marks) {
     for (const Mark& mark : marks) {
@@ -13,13 +24,13 @@ void Clutter::add(const std::vector<Mark>& marks) {
             if (const auto* m = std::get_if<MoveTo>(&segment)) {
                 pen = start = m->to;
             } else if (const auto* l = std::get_if<LineTo>(&segment)) {
-                strokes_.push_back({{pen, l->to}, half});
+                add(Bar{pen, l->to}, half);
                 pen = l->to;
             } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
                 pen = a->centre + a->radius * polar_spot(a->to);
-                strokes_.push_back({{a->centre, a->centre}, a->radius});
+                add(Bar{a->centre, a->centre}, a->radius);
             } else if (std::holds_alternative<Close>(segment)) {
-                strokes_.push_back({{pen, start}, half});
+                add(Bar{pen, start}, half);
             }
         }
     }
@@ -34,16 +45,22 @@ void Clutter::add_arc(Spot centre, double radius, double from, double sweep) {
 
 double Clutter::along(Spot from, Spot to) const {
     constexpr int pieces = 16;
+    // Most strokes are far away: the boxes round them tell, those of the whole stretch first.
+    constexpr double rounding = 1e-6;
+    const Spot low{std::min(from.x, to.x) - rounding, std::min(from.y, to.y) - rounding};
+    const Spot high{std::max(from.x, to.x) + rounding, std::max(from.y, to.y) + rounding};
+    boost::container::small_vector<const Stroke*, 32> about;
+    for (const Stroke& stroke : strokes_)
+        if (high.x > stroke.box.min.x && low.x < stroke.box.max.x && high.y > stroke.box.min.y && low.y < stroke.box.max.y)
+            about.push_back(&stroke);
+    if (about.empty()) return 0;
     int met = 0;
     for (int i = 0; i <= pieces; ++i) {
         const Spot at = from + (static_cast<double>(i) / pieces) * (to - from);
-        if (std::any_of(strokes_.begin(), strokes_.end(), [&](const Stroke& stroke) {
-                const double near = stroke.half + 1.2;
-                const auto [tail, tip] = stroke.bar;
-                // Most are far away: the box round a stroke tells.
-                return at.x > std::min(tail.x, tip.x) - near && at.x < std::max(tail.x, tip.x) + near &&
-                       at.y > std::min(tail.y, tip.y) - near && at.y < std::max(tail.y, tip.y) + near &&
-                       distance(at, stroke.bar) < near;
+        if (std::any_of(about.begin(), about.end(), [at](const Stroke* stroke) {
+                const Box& box = stroke->box;
+                return at.x > box.min.x && at.x < box.max.x && at.y > box.min.y && at.y < box.max.y &&
+                       distance(at, stroke->bar) < stroke->near;
             }))
             ++met;
     }

@@ -10,7 +10,7 @@ namespace kinegraph::render::drawing {
 class Clutter {
 public:
     void add(const std::vector<Mark>& marks);
-    void add(Spot from, Spot to) { strokes_.push_back({{from, to}, 1.0}); }
+    void add(Spot from, Spot to) { add(Bar{from, to}, 1.0); }
     void add_arc(Spot centre, double radius, double from, double sweep);
     /// The share of the stretch that lies near strokes.
     double along(Spot from, Spot to) const;
@@ -20,8 +20,10 @@ public:
 private:
     struct Stroke {
         Bar bar;
-        double half;
+        double near;  ///< at less than this from it something lies near it
+        Box box;      ///< of all that does
     };
+    void add(const Bar& bar, double half);
     std::vector<Stroke> strokes_;
 };
 

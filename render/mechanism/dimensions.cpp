@@ -21,7 +21,7 @@ public:
             const Spot along = name.half.x * name.axis;
             for (const double level : {-1.0, 0.0, 1.0}) {
                 const Spot middle = name.centre + level * name.half.y * turned(name.axis);
-                taken_.push_back({middle - along, middle + along});
+                taken_.push_back({{middle - along, middle + along}});
             }
         }
         // A mark in the way: links, pins, ground and arrows always, construction lines for the figures.
@@ -77,7 +77,17 @@ private:
 
     Pen thin() const { return {sketch_.theme.thin, sketch_.theme.text, {}, false}; }
 
-    static void add(const std::vector<Mark>& marks, std::vector<Bar>& to) {
+    /// What a dimension should keep off, with the box round it, which tells of most that they are far away.
+    struct Obstacle {
+        Bar bar;
+        Box box = box_round(bar);
+    };
+    static Box box_round(const Bar& bar) {
+        return {{std::min(bar.from.x, bar.to.x), std::min(bar.from.y, bar.to.y)},
+                {std::max(bar.from.x, bar.to.x), std::max(bar.from.y, bar.to.y)}};
+    }
+
+    static void add(const std::vector<Mark>& marks, std::vector<Obstacle>& to) {
         for (const Mark& mark : marks) {
             const auto* path = std::get_if<Path>(&mark);
             if (!path) continue;
@@ -85,19 +95,19 @@ private:
             for (const Segment& segment : path->segments) {
                 if (const auto* m = std::get_if<MoveTo>(&segment)) pen = start = m->to;
                 if (const auto* l = std::get_if<LineTo>(&segment)) {
-                    to.push_back({pen, l->to});
+                    to.push_back({{pen, l->to}});
                     pen = l->to;
                 }
                 if (const auto* a = std::get_if<ArcTo>(&segment)) {
                     const int parts = std::clamp(static_cast<int>(std::abs(a->to - a->from) * a->radius / 3), 2, 24);
                     for (int i = 0; i <= parts; ++i) {
                         const Spot at = a->centre + a->radius * polar_spot(a->from + (a->to - a->from) * i / parts);
-                        if (i > 0) to.push_back({pen, at});
+                        if (i > 0) to.push_back({{pen, at}});
                         pen = at;
                     }
                 }
                 if (std::holds_alternative<Close>(segment)) {
-                    to.push_back({pen, start});
+                    to.push_back({{pen, start}});
                     pen = start;
                 }
             }
@@ -229,14 +239,15 @@ private:
     // ---- where ----
 
     /// Signed gap between a bar and obstacles: how many are nearer than `gap`.
-    static int count_near(const Bar& bar, const std::vector<Bar>& obstacles, double gap, const std::array<Spot, 2>& except) {
+    static int count_near(const Bar& bar, const std::vector<Obstacle>& obstacles, double gap, const std::array<Spot, 2>& except) {
         int count = 0;
-        for (const Bar& other : obstacles) {
-            if (std::max(bar.from.x, bar.to.x) + gap < std::min(other.from.x, other.to.x) ||
-                std::min(bar.from.x, bar.to.x) - gap > std::max(other.from.x, other.to.x) ||
-                std::max(bar.from.y, bar.to.y) + gap < std::min(other.from.y, other.to.y) ||
-                std::min(bar.from.y, bar.to.y) - gap > std::max(other.from.y, other.to.y))
+        Box near = box_round(bar);
+        near = {near.min - Spot{gap, gap}, near.max + Spot{gap, gap}};
+        for (const Obstacle& each : obstacles) {
+            if (near.max.x < each.box.min.x || near.min.x > each.box.max.x || near.max.y < each.box.min.y ||
+                near.min.y > each.box.max.y)
                 continue;
+            const Bar& other = each.bar;
             const double apart = std::min({distance(bar.from, other), distance(bar.to, other), distance(other.from, bar),
                                            distance(other.to, bar), crosses(bar, other) ? 0 : 1e300});
             if (apart >= gap) continue;
@@ -299,19 +310,22 @@ private:
     double toll(const Bar& bar, Rate heavy, Rate light, Rate taken, const std::array<Spot, 2>& ends) const {
         return toll(bar, heavy_, heavy, light, taken, ends);
     }
-    double toll(const Bar& bar, const std::vector<Bar>& heavy_bars, Rate heavy, Rate light, Rate taken,
+    double toll(const Bar& bar, const std::vector<Obstacle>& heavy_bars, Rate heavy, Rate light, Rate taken,
                 const std::array<Spot, 2>& ends) const {
         return heavy.price * count_near(bar, heavy_bars, heavy.distance, ends) +
                light.price * count_near(bar, light_, light.distance, ends) +
                taken.price * count_near(bar, taken_, taken.distance, nowhere);
     }
-    double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends) const {
+    /// Nothing is taken off a price: from `enough` on it is no longer added to.
+    double price_of(const Trial& trial, const Text& text, const std::array<Spot, 2>& ends, double enough) const {
         double price = trial.price;
-        for (const Bar& stroke : trial.strokes) price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends);
+        for (const Bar& stroke : trial.strokes)
+            if (price < enough) price += toll(stroke, {3, 1.2}, {0.6, 0.3}, {3, 1.0}, ends);
         for (const Bar& extension : trial.extensions)
-            price += toll(extension, crossed_, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
+            if (price < enough) price += toll(extension, crossed_, {1.5, 0.4}, {0.3, 0.2}, {1.5, 0.4}, ends);
         for (const Bar& bar : frame_of(trial.text_at, trial.text_angle, text.width()))
-            price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
+            if (price < enough) price += toll(bar, {4, 1.5}, {4, 0.6}, {4, 0.6}, nowhere);
+        if (price >= enough) return price;
         const Box box = with(box_, trial, text.width());
         // Names need a rim, the scale bar its place below.
         if (box.width() > std::max(room_.x - 10, box_.width()) || box.height() > std::max(room_.y - 18, box_.height()))
@@ -324,9 +338,10 @@ private:
                    const std::string& title, bool all) {
         constexpr double free_enough = 2.2;
         Trial* best = nullptr;
-        double least = 1e300;
+        // What costs more than this is not drawn.
+        double least = all ? 1e300 : free_enough + 1;
         for (Trial& trial : trials)
-            if (const double price = price_of(trial, text, ends); price < least - 1e-9) {
+            if (const double price = price_of(trial, text, ends, least); price < least - 1e-9) {
                 least = price;
                 best = &trial;
             }
@@ -345,9 +360,9 @@ private:
                 set->pivot = best->text_at;
             }
         marks.emplace_back(GroupEnd{});
-        taken_.insert(taken_.end(), best->strokes.begin(), best->strokes.end());
-        taken_.insert(taken_.end(), best->extensions.begin(), best->extensions.end());
-        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) taken_.push_back(bar);
+        for (const Bar& bar : best->strokes) taken_.push_back({bar});
+        for (const Bar& bar : best->extensions) taken_.push_back({bar});
+        for (const Bar& bar : frame_of(best->text_at, best->text_angle, text.width())) taken_.push_back({bar});
         box_ = with(box_, *best, text.width());
         return true;
     }
@@ -445,8 +460,8 @@ private:
     Spot room_;
     const DimensionWish& wish_;
     Box box_;  // of all that is drawn
-    std::vector<Bar> heavy_, light_, taken_;
-    std::vector<Bar> crossed_;  // what extension lines had better not cross
+    std::vector<Obstacle> heavy_, light_, taken_;
+    std::vector<Obstacle> crossed_;  // what extension lines had better not cross
     std::vector<Length> lengths_;
     std::vector<Radius> radii_;
     std::vector<AngleOf> angles_;

@@ -42,5 +42,13 @@ Block scaled(Block block, double factor) {
     block.height *= factor;
     return block;
 }
+SharedBlock scaled(const SharedBlock& block, double factor) {
+    return factor == 1 ? block : SharedBlock(scaled(Block(*block), factor));
+}
+
+const Block& SharedBlock::none() {
+    static const Block nothing;
+    return nothing;
+}
 
 }  // namespace kinegraph::render

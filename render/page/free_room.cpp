@@ -87,7 +87,7 @@ std::vector<Spot> covered(const std::vector<Mark>& marks) {
     for (const Mark& mark : marks) {
         if (const auto* path = std::get_if<Path>(&mark)) {
             if (path->filled) {
-                fill(box_of({mark}));
+                fill(box_of(std::span(&mark, 1)));
                 continue;
             }
             Spot pen, start;
@@ -115,7 +115,7 @@ std::vector<Spot> covered(const std::vector<Mark>& marks) {
                 }
             }
         } else if (std::holds_alternative<TextMark>(mark)) {
-            fill(box_of({mark}));
+            fill(box_of(std::span(&mark, 1)));
         }
     }
     return spots;

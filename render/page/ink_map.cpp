@@ -20,26 +20,50 @@ int up(double value) {
 }
 int down(double value) { return static_cast<int>(value); }
 
-/// Calls look(row, from, to) with the run of a box in each row, until it says no; rows are those whose middle it meets.
-template <class Look>
-void runs_of(const InkBox& box, double top, double pitch, int rows, Look look) {
-    const double reach = box.reach().y;
-    const double low = (box.centre.y - reach - top) / pitch - 0.5, high = (box.centre.y + reach - top) / pitch - 0.5;
-    if (!(high >= 0 && low <= rows - 1)) return;
-    // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
-    constexpr double endless = 1e300, least = 1e-9;
-    const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x, sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
-    const double along = cosine != 0 ? box.half.x / std::abs(cosine) : endless;
-    const double across = sine != 0 ? box.half.y / std::abs(sine) : endless;
-    const double lean_along = cosine != 0 ? -sine / cosine : 0, lean_across = sine != 0 ? cosine / sine : 0;
-    const int last = down(std::min(rows - 1.0, high));
-    for (int row = up(std::max(0.0, low)); row <= last; ++row) {
-        const double y = top + (row + 0.5) * pitch - box.centre.y;
-        const double from = std::max(lean_along * y - along, lean_across * y - across);
-        const double to = std::min(lean_along * y + along, lean_across * y + across);
-        if (from <= to && !look(row, box.centre.x + from, box.centre.x + to)) return;
+/// The run that a box has in each row of a map; rows are those whose middle it meets.
+class Runs {
+public:
+    Runs(const InkBox& box, double top, double pitch, int rows) : centre_(box.centre), top_(top), pitch_(pitch) {
+        const double reach = box.reach().y;
+        const double low = (box.centre.y - reach - top) / pitch - 0.5, high = (box.centre.y + reach - top) / pitch - 0.5;
+        if (!(high >= 0 && low <= rows - 1)) return;
+        first = up(std::max(0.0, low));
+        last = down(std::min(rows - 1.0, high));
+        // The box is where two strips cross; of each strip a row has a stretch as long as of any other.
+        constexpr double endless = 1e300, least = 1e-9;
+        const double cosine = std::abs(box.axis.x) < least ? 0 : box.axis.x, sine = std::abs(box.axis.y) < least ? 0 : box.axis.y;
+        along_ = cosine != 0 ? box.half.x / std::abs(cosine) : endless;
+        across_ = sine != 0 ? box.half.y / std::abs(sine) : endless;
+        lean_along_ = cosine != 0 ? -sine / cosine : 0;
+        lean_across_ = sine != 0 ? cosine / sine : 0;
     }
-}
+
+    struct Run {
+        double from, to;  // blank where these are the wrong way round
+    };
+    Run of(int row) const {
+        const double y = below_centre(row);
+        return at(std::max(lean_along_ * y - along_, lean_across_ * y - across_),
+                  std::min(lean_along_ * y + along_, lean_across_ * y + across_));
+    }
+    /// One that holds those of all rows from one to another.
+    Run round(int from, int to) const {
+        const double y = below_centre(from), z = below_centre(to);
+        const auto [least_along, most_along] = std::minmax({lean_along_ * y, lean_along_ * z});
+        const auto [least_across, most_across] = std::minmax({lean_across_ * y, lean_across_ * z});
+        return at(std::max(least_along - along_, least_across - across_), std::min(most_along + along_, most_across + across_));
+    }
+
+    int first = 0, last = -1;  ///< rows
+
+private:
+    double below_centre(int row) const { return top_ + (row + 0.5) * pitch_ - centre_.y; }
+    Run at(double from, double to) const { return from <= to ? Run{centre_.x + from, centre_.x + to} : Run{1, 0}; }
+
+    Spot centre_;
+    double top_, pitch_;
+    double along_ = 0, across_ = 0, lean_along_ = 0, lean_across_ = 0;
+};
 
 /// Bits that are set. The baseline of x86-64 has no instruction for it, and std::popcount calls a function.
 int count(std::uint64_t word) {
@@ -145,12 +169,11 @@ InkMap::InkMap(const Box& area) : origin_(area.min) {
 }
 
 template <class Look>
-bool InkMap::words_of(int row, double from, double to, Look look) const {
+bool InkMap::words_of(std::size_t base, double from, double to, Look look) const {
     const double first_bit = (from - origin_.x) / pitch_ - 0.5, last_bit = (to - origin_.x) / pitch_ - 0.5;
     if (!(last_bit >= 0 && first_bit <= columns_ - 1)) return true;
     const auto first = static_cast<std::size_t>(up(std::max(0.0, first_bit)));
     const auto last = static_cast<std::size_t>(down(std::min(columns_ - 1.0, last_bit)));
-    const std::size_t base = static_cast<std::size_t>(row) * words_;
     for (std::size_t word = first / 64; word <= last / 64 && first <= last; ++word) {
         std::uint64_t mask = ~std::uint64_t{0};
         if (word == first / 64) mask &= ~std::uint64_t{0} << (first % 64);
@@ -162,7 +185,7 @@ bool InkMap::words_of(int row, double from, double to, Look look) const {
 
 void InkMap::ink_row(int row, double from, double to) {
     const std::size_t of_row = static_cast<std::size_t>(row) * words_, of_band = static_cast<std::size_t>(row) / band * words_;
-    words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) {
+    words_of(of_row, from, to, [&](std::size_t word, std::uint64_t mask) {
         bits_[word] |= mask;
         bands_[word - of_row + of_band] |= mask;
         return true;
@@ -198,10 +221,9 @@ void InkMap::ink(const Path& path) {
 }
 
 void InkMap::fill(const InkBox& box) {
-    runs_of(box, origin_.y, pitch_, rows_, [&](int row, double from, double to) {
-        ink_row(row, from, to);
-        return true;
-    });
+    const Runs runs(box, origin_.y, pitch_, rows_);
+    for (int row = runs.first; row <= runs.last; ++row)
+        if (const auto [from, to] = runs.of(row); from <= to) ink_row(row, from, to);
 }
 
 void InkMap::fill(const std::vector<Spot>& corners) {
@@ -228,20 +250,16 @@ void InkMap::clear(const Box& box) {
     const int last = static_cast<int>(std::clamp((box.max.y - origin_.y) / pitch_, 0.0, rows_ - 1.0));
     // Bands stay as they are: they may say too much.
     for (int row = first; row <= last; ++row)
-        words_of(row, box.min.x - pitch_, box.max.x + pitch_, [&](std::size_t word, std::uint64_t mask) {
-            bits_[word] &= ~mask;
-            return true;
-        });
+        words_of(static_cast<std::size_t>(row) * words_, box.min.x - pitch_, box.max.x + pitch_,
+                 [&](std::size_t word, std::uint64_t mask) {
+                     bits_[word] &= ~mask;
+                     return true;
+                 });
 }
 
 template <class Look>
 void InkMap::rows_of(const InkBox& box, Look look) const {
-    if (box.axis.y != 0) {
-        runs_of(box, origin_.y, pitch_, rows_, [&](int row, double from, double to) {
-            return words_of(row, from, to, [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); });
-        });
-        return;
-    }
+    if (box.axis.y != 0) return rows_of_turned(Runs(box, origin_.y, pitch_, rows_), look);
     const double first = (box.centre.y - box.half.y - origin_.y) / pitch_ - 0.5;
     const double last = (box.centre.y + box.half.y - origin_.y) / pitch_ - 0.5;
     const double left = (box.centre.x - box.half.x - origin_.x) / pitch_ - 0.5;
@@ -268,6 +286,27 @@ void InkMap::rows_of(const InkBox& box, Look look) const {
         else
             for (; row < std::min(next, end); ++row)
                 if (!each_word(bits_.data() + row * words_, look)) return;
+    }
+}
+
+/// Rows of a band are looked at only where something in it is inked.
+template <class Turned, class Look>
+void InkMap::rows_of_turned(const Turned& runs, Look look) const {
+    constexpr int rows_of_band = static_cast<int>(band);
+    for (int row = runs.first; row <= runs.last;) {
+        const int end = std::min((row / rows_of_band + 1) * rows_of_band, runs.last + 1);
+        const auto of_band = static_cast<std::size_t>(row) / band * words_;
+        const auto [least, most] = runs.round(row, end - 1);
+        const bool blank =
+            words_of(of_band, least, most, [&](std::size_t word, std::uint64_t mask) { return (bands_[word] & mask) == 0; });
+        for (; !blank && row < end; ++row) {
+            const auto [from, to] = runs.of(row);
+            const auto of_row = static_cast<std::size_t>(row) * words_;
+            if (from <= to &&
+                !words_of(of_row, from, to, [&](std::size_t word, std::uint64_t mask) { return look(bits_[word] & mask); }))
+                return;
+        }
+        row = end;
     }
 }
 

@@ -58,9 +58,12 @@ private:
     /// Shows look() the words of a box row by row, until it says no; blank ones may be left out.
     template <class Look>
     void rows_of(const InkBox& box, Look look) const;
-    /// The words that hold the bits of a row from x to x, until look() says no; whether it never did.
+    template <class Turned, class Look>
+    void rows_of_turned(const Turned& runs, Look look) const;
+    /// The words that hold the bits from x to x of the row whose first word is `base`, until look() says no; whether it never
+    /// did.
     template <class Look>
-    bool words_of(int row, double from, double to, Look look) const;
+    bool words_of(std::size_t base, double from, double to, Look look) const;
     void ink_row(int row, double from, double to);
 
     Spot origin_;

@@ -297,7 +297,11 @@ private:
     }
 
     void propose(std::size_t i) {
-        if (beside_line(i))
+        // Memory that grows step by step takes twice as much of it, and a place is no small thing.
+        constexpr std::size_t beside_it = 104, along_it = 152, around = 120;
+        const bool beside = beside_line(i);
+        places_[i].all.reserve(!beside ? around : requests_[i].along ? along_it : beside_it);
+        if (beside)
             propose_beside_line(i, *requests_[i].toward);
         else
             propose_around(i, 0, 0, false);
@@ -333,6 +337,7 @@ private:
     /// The most wanted first: where one of them is free, the others need no look.
     static void rank_new(Places& places) {
         const std::size_t first = places.ranked.size();
+        places.ranked.reserve(places.all.size());
         for (std::size_t place = first; place < places.all.size(); ++place) {
             const Candidate& candidate = places.all[place];
             places.ranked.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
@@ -658,13 +663,20 @@ private:
             const double to_own = distance_to_line(requests_[i], centre);
             for (std::size_t j = 0; j < requests_.size(); ++j) {
                 if (j == i || !requests_[j].toward || requests_[j].along || requests_[j].balloon > 0) continue;
+                const double near = to_own + 0.8;
+                if (is_beyond(requests_[j], centre, near)) continue;
                 const double other = distance_to_line(requests_[j], centre);
-                if (other < to_own + 0.8) price += 2.5 * std::min(2.0, to_own + 0.8 - other);
+                if (other < near) price += 2.5 * std::min(2.0, near - other);
             }
         }
         return price;
     }
 
+    /// Whether the box round the line that a request's label names tells that the line is farther away.
+    static bool is_beyond(const LabelRequest& request, Spot spot, double distance) {
+        const Spot half = *request.toward - request.anchor, d = spot - request.anchor;
+        return std::abs(d.x) > std::abs(half.x) + distance || std::abs(d.y) > std::abs(half.y) + distance;
+    }
     /// From the line that a request's label names (its anchor in the middle).
     static double distance_to_line(const LabelRequest& request, Spot spot) {
         const Spot half = *request.toward - request.anchor, d = spot - request.anchor;

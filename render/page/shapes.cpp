@@ -20,8 +20,16 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
+/// As std::round, which is a call, where the number is no larger than its integers are exact.
+double rounded(double value) {
+    if (!(std::abs(value) < 4e15)) return std::round(value);
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
+    const double rest = value - whole;
+    return whole + (rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0);
+}
+
 double snapped(double value) {
-    const double result = std::round(value * 1e8) / 1e8;
+    const double result = rounded(value * 1e8) / 1e8;
     return result == 0 ? 0 : result;  // no −0 in the output
 }
 
@@ -71,18 +79,29 @@ struct Bounds {
                                       add(s.control_2, margin);
                                       add(s.to, margin);
                                   },
-                                  [&](const ArcTo& s) {
-                                      const double sweep = s.to - s.from;
-                                      const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.1)));
-                                      for (int i = 0; i <= steps; ++i) {
-                                          const double angle = s.from + sweep * i / steps;
-                                          add(s.centre + s.radius * Spot{std::cos(angle), std::sin(angle)}, margin);
-                                      }
-                                  },
-                                  [](const Close&) {}},
+                                  [&](const ArcTo& s) { add(s, margin); }, [](const Close&) {}},
                        segment);
     }
+    /// In steps of a tenth, of which only those count that are next to its ends and to where it crosses an axis of its circle.
+    void add(const ArcTo& arc, double margin) {
+        const double sweep = arc.to - arc.from;
+        const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / 0.1)));
+        const auto look_at = [&](int i) {
+            const double angle = arc.from + sweep * i / steps;
+            add(arc.centre + arc.radius * Spot{std::cos(angle), std::sin(angle)}, margin);
+        };
+        look_at(0);
+        look_at(steps);
+        constexpr double quarter = std::numbers::pi / 2;
+        const double low = std::min(arc.from, arc.to), high = std::max(arc.from, arc.to);
+        for (double k = std::ceil(low / quarter); k * quarter < high; ++k) {
+            const int before = std::clamp(static_cast<int>((k * quarter - arc.from) / sweep * steps), 0, steps - 1);
+            look_at(before);
+            look_at(before + 1);
+        }
+    }
     void add(const TextMark& text) {
+        if (text.angle == 0) return add_upright(text);
         const double c = std::cos(text.angle), s = std::sin(text.angle);
         for (const Glyph& glyph : text.glyphs)
             // The letter's em box is near enough for a figure's edge; labels are placed by their true ink.
@@ -90,6 +109,12 @@ struct Bounds {
                 const Spot at = glyph.origin + glyph.size * corner - text.pivot;
                 add(text.pivot + Spot{at.x * c - at.y * s, at.x * s + at.y * c});
             }
+    }
+    /// The same without turning: two corners say all.
+    void add_upright(const TextMark& text) {
+        for (const Glyph& glyph : text.glyphs)
+            for (const Spot corner : {Spot{0, -0.72}, Spot{0.62, 0.22}})
+                add(text.pivot + (glyph.origin + glyph.size * corner - text.pivot));
     }
 };
 
@@ -254,14 +279,14 @@ void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double
     draw_head(marks, on_arc(to), unit(on_arc(to) - on_arc(back)), head, colour);
 }
 
-void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls) {
+void set_text(std::vector<Mark>& marks, ShapedLine shaped, Spot origin, Colour colour, const std::string& cls) {
     bool first = true;
-    for (const ShapedLine::Part& part : shaped.parts) {
-        TextMark text;
-        text.glyphs = part.glyphs;
-        text.extras = part.extras;
+    for (ShapedLine::Part& part : shaped.parts) {
+        auto& text = std::get<TextMark>(marks.emplace_back(std::in_place_type<TextMark>));
+        text.glyphs = std::move(part.glyphs);
+        text.extras = std::move(part.extras);
         text.colour = part.coloured ? part.colour : colour;
-        if (first) text.words = shaped.words, text.text = shaped.text;
+        if (first) text.words = std::move(shaped.words), text.text = std::move(shaped.text);
         text.cls = cls;
         text.pivot = origin;
         const Shift shift{origin.x, origin.y};
@@ -270,7 +295,6 @@ void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, C
             shift(extra);
             (extra.filled ? extra.fill : extra.pen.colour) = text.colour;  // the dot of a derivative has its letter's ink
         }
-        marks.emplace_back(std::move(text));
         first = false;
     }
 }
@@ -303,7 +327,7 @@ void draw_scale_bar(std::vector<Mark>& marks, const Fonts& fonts, const Theme& t
     set_text(marks, end, {origin.x + width - digits.width / 2, baseline}, theme.text, "text");
 }
 
-Box box_of(const std::vector<Mark>& marks) {
+Box box_of(std::span<const Mark> marks) {
     Bounds bounds;
     for (const Mark& mark : marks)
         std::visit(Overloaded{[&](const Path& path) { bounds.add(path); },
@@ -335,7 +359,7 @@ void hang(std::vector<Mark>& marks, std::size_t first, const Holds& holds) {
 
 void move(Spot& spot, double dx, double dy) { Shift{dx, dy}(spot); }
 
-void move(std::vector<Mark>& marks, double dx, double dy) {
+void move(std::span<Mark> marks, double dx, double dy) {
     for (Mark& mark : marks) Shift{dx, dy}(mark);
 }
 

@@ -2,6 +2,7 @@
 // box they cover; knows no mechanism and no scale but that of the bar it draws.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ void draw_arrow(std::vector<Mark>& marks, Spot tail, Spot tip, double width, Col
 void draw_arc_arrow(std::vector<Mark>& marks, Spot centre, double radius, double from, double to, double width, Colour colour);
 
 /// Text on a baseline starting at `origin`; one TextMark for each colour, the words and the rich text on the first.
-void set_text(std::vector<Mark>& marks, const ShapedLine& shaped, Spot origin, Colour colour, const std::string& cls);
+void set_text(std::vector<Mark>& marks, ShapedLine shaped, Spot origin, Colour colour, const std::string& cls);
 
 /// A two-tone scale bar of a round length, `target` mm or less, its top left at `origin`, with its end values: copies keep it
 /// true. `scale` and `unit_in_si` say what a mm is worth and in which unit the values are printed.
@@ -62,9 +63,9 @@ void belong(std::vector<Mark>& marks, std::size_t first, StatementIndex statemen
 /// Paths from index `first` on, beside and in groups, go with that.
 void hang(std::vector<Mark>& marks, std::size_t first, const Holds& holds);
 /// Everything drawn, strokes with their width, text with its ink; an empty list gives an empty box at the origin.
-Box box_of(const std::vector<Mark>& marks);
+Box box_of(std::span<const Mark> marks);
 /// Moves marks, or one spot; coordinates are snapped to 1e-8 mm.
-void move(std::vector<Mark>& marks, double dx, double dy);
+void move(std::span<Mark> marks, double dx, double dy);
 void move(Spot& spot, double dx, double dy);
 
 }  // namespace kinegraph::render

@@ -83,17 +83,16 @@ public:
 private:
     Passage under(const std::string& title, std::vector<Block> rows, const RichText& note = {}) const {
         const std::string words = word(title, context_.language);
-        return {heading_block(context_, measure_, words, note),
-                heading_block(context_, measure_, words + ", " + word("continued", context_.language), note),
-                {},
-                std::move(rows)};
+        Passage passage{heading_block(context_, measure_, words, note),
+                        heading_block(context_, measure_, words + ", " + word("continued", context_.language), note),
+                        {}};
+        passage.take_rows(std::move(rows));
+        return passage;
     }
     /// Its head, the first line, stands again where it goes on.
     Passage table_under(const std::string& title, std::vector<Block> lines) const {
         Passage passage = under(title, {});
-        if (lines.empty()) return passage;
-        passage.head = std::move(lines.front());
-        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+        passage.take_table(std::move(lines));
         return passage;
     }
     Block paragraph(const RichText& text, double indent = 0, const std::string& number_text = {}) const {
@@ -144,12 +143,7 @@ private:
     }
 
     Passage answers() const {
-        std::vector<Block> lines = answer_lines(context_, answers_of(context_, {}, with_centres_), measure_);
-        Passage passage = under("answers", {});
-        if (lines.empty()) return passage;
-        passage.head = std::move(lines.front());
-        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
-        return passage;
+        return table_under("answers", answer_lines(context_, answers_of(context_, {}, with_centres_), measure_));
     }
 
     /// A section of the equations: its heading, and what stands under it.
@@ -157,19 +151,18 @@ private:
         const auto first = equations_.begin() + static_cast<std::ptrdiff_t>(which.front());
         const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(which.back());
         const std::string& words = first->words;
-        return {heading_block(context_, measure_, words),
-                heading_block(context_, measure_, words + ", " + word("continued", context_.language)),
-                {},
-                equation_blocks(context_, {first + 1, end}, measure_, natural_)};
+        Passage passage{heading_block(context_, measure_, words),
+                        heading_block(context_, measure_, words + ", " + word("continued", context_.language)),
+                        {}};
+        passage.take_rows(equation_blocks(context_, {first + 1, end}, measure_, natural_));
+        return passage;
     }
 
     Passage table(const std::vector<std::size_t>& which, const std::vector<ResultRow>& results) const {
         std::vector<ResultRow> rows;
         for (const std::size_t i : which) rows.push_back(results[i]);
-        std::vector<Block> lines = results_lines(context_, rows, measure_);
         Passage passage;
-        passage.head = std::move(lines.front());
-        passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+        passage.take_table(results_lines(context_, rows, measure_));
         return passage;
     }
 
@@ -664,6 +657,15 @@ Passage Bands::text(const Band::Part& part, double measure, bool equations_apart
     const BandText writer(context_, measure, equations_apart, step_, likewise_, wanted_.shows_centres(), equations_, lines_,
                           natural_, said_, wanted_);
     return writer.passage_of(part, results, remarks_);
+}
+
+void Passage::take_rows(std::vector<Block> blocks) {
+    rows.assign(std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
+}
+void Passage::take_table(std::vector<Block> lines) {
+    if (lines.empty()) return;
+    head = std::move(lines.front());
+    rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
 }
 
 std::vector<Passage> own_rows(const std::vector<Passage>& text, const Band& band) {

@@ -18,9 +18,13 @@ namespace kinegraph::render {
 
 /// Rows under a heading. Where they go on in a further column a table sets its head again; on a further page the heading too.
 struct Passage {
-    Block heading, heading_again;  ///< no height: none
-    Block head;
-    std::vector<Block> rows{};
+    SharedBlock heading, heading_again;  ///< no height: none
+    SharedBlock head;
+    std::vector<SharedBlock> rows{};
+
+    void take_rows(std::vector<Block> blocks);
+    /// Of a table: the first line is its head. No lines: neither head nor rows.
+    void take_table(std::vector<Block> lines);
 };
 
 /// One question of the solution.

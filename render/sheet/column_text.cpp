@@ -12,41 +12,38 @@ namespace {
 constexpr double passage_gap = 3.5, grace = 1e-6;
 constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
-bool is_wider(const Passage& passage, double measure) {
+bool is_wider(const Passage& passage, double scale, double measure) {
     constexpr double ink = 0.2;
-    return (!passage.heading.marks.empty() && box_of(passage.heading.marks).max.x > measure + ink) ||
-           std::any_of(passage.rows.begin(), passage.rows.end(), [&](const Block& row) { return row.width > measure + ink; });
+    const std::vector<Mark>& heading = passage.heading->marks;
+    return (!heading.empty() && scale * box_of(heading).max.x > measure + ink) ||
+           std::any_of(passage.rows.begin(), passage.rows.end(),
+                       [&](const SharedBlock& row) { return scale * row->width > measure + ink; });
 }
 
 /// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
 /// none by itself in the end.
-std::size_t end_of_group(const std::vector<Block>& rows, std::size_t first) {
+std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
     std::size_t end = first + 1;
-    double height = rows[first].height;
-    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++].height;
+    double height = rows[first]->height * scale;
+    while (first == 0 && end < rows.size() && height < two_lines) height += rows[end++]->height * scale;
     double left = 0;
-    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i].height;
+    for (std::size_t i = end; i < rows.size() && left < two_lines; ++i) left += rows[i]->height * scale;
     return left < two_lines ? rows.size() : end;
 }
 
 }  // namespace
 
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
-    : passages_(std::move(passages)), measure_(measure) {
-    const auto reduce = [scale](Block& block) { block = scaled(std::move(block), scale); };
+    : passages_(std::move(passages)), scale_(scale), measure_(measure) {
     for (std::size_t p = 0; p < passages_.size(); ++p) {
-        Passage& passage = passages_[p];
-        if (scale != 1) {
-            reduce(passage.heading);
-            reduce(passage.head);
-            std::for_each(passage.rows.begin(), passage.rows.end(), reduce);
-        }
-        too_wide_ = too_wide_ || is_wider(passage, measure_);
+        const Passage& passage = passages_[p];
+        too_wide_ = too_wide_ || is_wider(passage, scale_, measure_);
         for (std::size_t first = 0, end = 0; first < passage.rows.size(); first = end) {
-            end = end_of_group(passage.rows, first);
-            Group group{p, first, end, passage.head.height, first == 0 ? passage.heading.height : 0, 0};
-            for (std::size_t i = first; i < end; ++i) group.rows += passage.rows[i].height;
-            groups_.push_back(group);
+            end = end_of_group(passage.rows, scale_, first);
+            double rows = 0;
+            for (std::size_t i = first; i < end; ++i) rows += height_of(passage.rows[i]);
+            const double heading = first == 0 ? height_of(passage.heading) : 0, head = height_of(passage.head);
+            groups_.push_back({p, first, end, heading + (first == 0 ? head : 0) + rows, heading + head + rows});
         }
     }
 }
@@ -60,17 +57,16 @@ bool ColumnText::flow(const std::vector<TextColumn>& columns, double height, Pla
     for (const Group& group : groups_) {
         const bool first = group.first == 0;
         const double before = first && y > 0 ? passage_gap : 0;
-        const bool turns = y + before + group.heading + (first ? group.head : 0) + group.rows > room;
+        const bool turns = y + before + group.on > room;
         if (turns) {
-            const double anew = group.heading + group.head + group.rows;
             do {
                 if (++column == columns.size()) return false;
                 room = room_in(column);
-            } while (anew > room);
+            } while (group.anew > room);
         }
         y = turns ? 0 : y + before;
         place(group, turns, column, y);
-        y += group.heading + (first || turns ? group.head : 0) + group.rows;
+        y += turns ? group.anew : group.on;
     }
     return true;
 }
@@ -83,8 +79,8 @@ double ColumnText::whole_height() const {
     if (whole_ >= 0) return whole_;
     whole_ = 0;
     for (const Passage& passage : passages_) {
-        whole_ += (whole_ > 0 ? passage_gap : 0) + passage.heading.height + passage.head.height;
-        for (const Block& row : passage.rows) whole_ += row.height;
+        whole_ += (whole_ > 0 ? passage_gap : 0) + height_of(passage.heading) + height_of(passage.head);
+        for (const SharedBlock& row : passage.rows) whole_ += height_of(row);
     }
     return whole_;
 }
@@ -115,9 +111,9 @@ void ColumnText::set(std::vector<Mark>& marks, Spot at, const std::vector<TextCo
     flow(columns, height(columns), [&](const Group& group, bool turns, std::size_t column, double y) {
         const Passage& passage = passages_[group.passage];
         Spot corner{at.x + columns[column].x, at.y + columns[column].top + y};
-        const auto put = [&](const Block& block) {
-            if (!block.marks.empty()) render::set(marks, block, corner);
-            corner.y += block.height;
+        const auto put = [&](const SharedBlock& block) {
+            if (!block->marks.empty()) render::set(marks, scaled(*block, scale_), corner);
+            corner.y += height_of(block);
         };
         if (group.first == 0) put(passage.heading);
         if (group.first == 0 || turns) put(passage.head);

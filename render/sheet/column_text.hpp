@@ -14,7 +14,7 @@ struct TextColumn {
 
 class ColumnText {
 public:
-    /// Rows as they are set, then scaled; `measure`: width of a column, mm.
+    /// Rows as they are set, scaled where they come to stand; `measure`: width of a column, mm.
     ColumnText(std::vector<Passage> passages, double measure, double scale);
 
     bool empty() const { return passages_.empty(); }
@@ -33,17 +33,20 @@ public:
     double whole_height() const;
 
 private:
-    /// Rows that no column parts, and how high they are: themselves, the head over them where a column begins with them, and the
-    /// heading over the first ones of a passage.
+    /// Rows that no column parts, and how high they are with what stands over them: the heading over the first ones of a passage,
+    /// the head over these and where a column begins.
     struct Group {
         std::size_t passage, first, end;
-        double head, heading, rows;
+        double on, anew;  ///< going on in a column, beginning one
     };
     /// Shows place() each group, whether it begins a column, and where; false where it does not fit.
     template <class Place>
     bool flow(const std::vector<TextColumn>& columns, double height, Place place) const;
 
+    double height_of(const SharedBlock& block) const { return block->height * scale_; }
+
     std::vector<Passage> passages_;
+    double scale_;
     std::vector<Group> groups_;
     double measure_;
     bool too_wide_ = false;

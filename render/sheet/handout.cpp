@@ -122,9 +122,7 @@ private:
         const auto close = [&] {
             if (group.empty()) return;
             Passage passage = passage_under(heading_of(section, context_.language), {}, "");
-            std::vector<Block> lines = answer_lines(context_, group, measure());
-            passage.head = std::move(lines.front());
-            passage.rows.assign(std::make_move_iterator(lines.begin() + 1), std::make_move_iterator(lines.end()));
+            passage.take_table(answer_lines(context_, group, measure()));
             passages.push_back(std::move(passage));
             group.clear();
         };
@@ -149,8 +147,8 @@ private:
             std::size_t end = first + 1;
             while (end < items.size() && items[end].kind != EquationItem::Kind::heading) ++end;
             passages.push_back(passage_under(items[first].words, {}, ""));
-            passages.back().rows =
-                equation_blocks(context_, std::span(items).subspan(first + 1, end - first - 1), measure(), natural);
+            passages.back().take_rows(
+                equation_blocks(context_, std::span(items).subspan(first + 1, end - first - 1), measure(), natural));
             first = end;
         }
     }
@@ -189,28 +187,28 @@ private:
             next();
         else
             y = free.front().top;
-        const auto put = [&](const Block& block) {
-            if (!block.marks.empty()) render::set(sheets_[free[now].page], block, {free[now].left, y});
-            y += block.height;
+        const auto put = [&](const SharedBlock& block) {
+            if (!block->marks.empty()) render::set(sheets_[free[now].page], *block, {free[now].left, y});
+            y += block->height;
         };
         for (Passage& passage : passages) {
-            for (Block* block : {&passage.heading, &passage.heading_again, &passage.head}) *block = reduced(std::move(*block));
+            for (SharedBlock* block : {&passage.heading, &passage.heading_again, &passage.head}) *block = reduced(*block);
             for (std::size_t i = 0; i < passage.rows.size(); ++i) {
-                const Block row = reduced(passage.rows[i]);
-                const double above = i == 0 ? passage.heading.height + passage.head.height : 0;
+                const SharedBlock row = reduced(passage.rows[i]);
+                const double above = i == 0 ? passage.heading->height + passage.head->height : 0;
                 const bool at_top = y <= free[now].top;
                 if (i == 0 && !at_top) y += passage_gap;
-                const bool turns = !at_top && y + above + row.height > free[now].bottom;
+                const bool turns = !at_top && y + above + row->height > free[now].bottom;
                 if (turns) next();
                 if (i == 0)
                     put(passage.heading), put(passage.head);
                 else if (turns)
-                    put(free[now].page > 0 && now == 0 ? passage.heading_again : Block{}), put(passage.head);
+                    put(free[now].page > 0 && now == 0 ? passage.heading_again : SharedBlock{}), put(passage.head);
                 put(row);
             }
         }
     }
-    Block reduced(Block block) const { return format_.text_size == 1 ? block : scaled(std::move(block), format_.text_size); }
+    SharedBlock reduced(const SharedBlock& block) const { return scaled(block, format_.text_size); }
 
     /// Where the equations are sought: in which letters, so that answers can be compared.
     void add_loops() {

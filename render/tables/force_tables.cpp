@@ -416,8 +416,8 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         for (const auto& [text, left, room] :
              {std::tuple(active, active_left, active_room), std::tuple(reactions, reactions_left, width - reactions_left)}) {
             double baseline = 3.6;
-            for (const ShapedLine& each : context.fonts.wrap(text, theme.body_text, room)) {
-                set_text(block.marks, each, {left, baseline}, theme.text, "text");
+            for (ShapedLine& each : context.fonts.wrap(text, theme.body_text, room)) {
+                set_text(block.marks, std::move(each), {left, baseline}, theme.text, "text");
                 baseline += 4.3;
             }
             deepest = std::max(deepest, baseline);
@@ -505,8 +505,8 @@ std::vector<Block> reaction_lines(const DrawingContext& context, double width) {
         if (!closed_polygons(solution).empty()) append(text, " " + word("internal sides", language));
         Block note;
         double baseline = 4.2;
-        for (const ShapedLine& each : context.fonts.wrap(text, theme.small, width)) {
-            set_text(note.marks, each, {0, baseline}, theme.secondary, "text");
+        for (ShapedLine& each : context.fonts.wrap(text, theme.small, width)) {
+            set_text(note.marks, std::move(each), {0, baseline}, theme.secondary, "text");
             baseline += 3.9;
         }
         note.width = width;

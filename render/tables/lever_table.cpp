@@ -84,8 +84,8 @@ public:
         rule(baseline + 2.5, theme_.outline);
         baseline += 7;
         const std::string said = word(couples_ ? "lever with couples" : "lever of forces", context_.language);
-        for (const ShapedLine& each : context_.fonts.wrap(with_quantities(said), theme_.small, block.width)) {
-            set_text(block.marks, each, {0, baseline}, theme_.secondary, "text");
+        for (ShapedLine& each : context_.fonts.wrap(with_quantities(said), theme_.small, block.width)) {
+            set_text(block.marks, std::move(each), {0, baseline}, theme_.secondary, "text");
             baseline += 3.9;
         }
         block.height = baseline - 3.9 + 1.2;

@@ -2,7 +2,7 @@
 #include "render/tables/prose.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <span>
 
 #include "render/page/shapes.hpp"
 
@@ -31,16 +31,16 @@ Block paragraph_block(const DrawingContext& context, double measure, const RichT
                  context.theme.secondary, "text");
     const double lead = 3.85 / 9 * context.theme.body_text;
     double under = 0;  // the ink of the line before
-    for (const ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
-        std::vector<Mark> line;
-        set_text(line, each, {indent, 0}, context.theme.text, "text");
+    for (ShapedLine& each : context.fonts.wrap(text, context.theme.body_text, measure - indent)) {
+        const std::size_t first = block.marks.size();
+        set_text(block.marks, std::move(each), {indent, 0}, context.theme.text, "text");
+        const auto line = std::span(block.marks).subspan(first);
         // What stands over and under letters may ask for more than the lead.
         constexpr double clear = 0.15;
         const Box ink = box_of(line);
-        if (!block.marks.empty() && block.height > 0) baseline += std::max(lead, under - ink.min.y + clear);
+        if (block.height > 0) baseline += std::max(lead, under - ink.min.y + clear);
         under = ink.max.y;
         move(line, 0, baseline);
-        block.marks.insert(block.marks.end(), std::make_move_iterator(line.begin()), std::make_move_iterator(line.end()));
         block.height = baseline;
     }
     block.width = measure;

@@ -22,11 +22,13 @@ Path rule(double from, double to, double y, double width, Colour colour) {
     return line({from, y}, {to, y}, {width, colour, {}, false});
 }
 
-void set_right(std::vector<Mark>& marks, const ShapedLine& shaped, double right, double baseline, Colour colour) {
-    set_text(marks, shaped, {right - shaped.width, baseline}, colour, "text");
+void set_right(std::vector<Mark>& marks, ShapedLine shaped, double right, double baseline, Colour colour) {
+    const double left = right - shaped.width;
+    set_text(marks, std::move(shaped), {left, baseline}, colour, "text");
 }
-void set_centred(std::vector<Mark>& marks, const ShapedLine& shaped, double middle, double baseline, Colour colour) {
-    set_text(marks, shaped, {middle - shaped.width / 2, baseline}, colour, "text");
+void set_centred(std::vector<Mark>& marks, ShapedLine shaped, double middle, double baseline, Colour colour) {
+    const double left = middle - shaped.width / 2;
+    set_text(marks, std::move(shaped), {left, baseline}, colour, "text");
 }
 
 /// Decimals that show five digits of the largest value of a column; nothing where plain decimals would be too long.
@@ -405,11 +407,12 @@ std::vector<Block> results_lines(const DrawingContext& context, const std::vecto
     for (std::size_t c = 1; c < 6; ++c) left[c] = left[c - 1] + widths[c - 1] + gap;
 
     const double whole = left[5] + widths[5];
-    const auto set_line = [&](Block& block, const Line& each, double baseline, Colour colour) {
-        set_text(block.marks, each.cells[0], {left[0], baseline}, theme.text, "text");
-        set_text(block.marks, each.cells[4], {left[4], baseline}, colour, "text");
+    const auto set_line = [&](Block& block, Line each, double baseline, Colour colour) {
+        block.marks.reserve(each.cells.size() + 2);  // with two rules
+        set_text(block.marks, std::move(each.cells[0]), {left[0], baseline}, theme.text, "text");
+        set_text(block.marks, std::move(each.cells[4]), {left[4], baseline}, colour, "text");
         for (const std::size_t c : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}})
-            set_right(block.marks, each.cells[c], left[c] + widths[c], baseline, colour);
+            set_right(block.marks, std::move(each.cells[c]), left[c] + widths[c], baseline, colour);
     };
     std::vector<Block> set{{{rule(0, whole, 0, theme.outline, theme.text)}, whole, 4.8}};
     // The arithmetic of the readings, "mm × 0.005", where one scale holds and the head has room for it.
@@ -417,13 +420,13 @@ std::vector<Block> results_lines(const DrawingContext& context, const std::vecto
         const ShapedLine product = shape("mm × " + round_number(*scale, language), theme.small);
         if (product.width <= left[1] + widths[1]) head.cells[1] = product;
     }
-    set_line(set.front(), head, 3.4, theme.secondary);
+    set_line(set.front(), std::move(head), 3.4, theme.secondary);
     set.front().marks.emplace_back(rule(0, whole, 4.8, theme.thin, theme.text));
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Block& block = set.emplace_back(Block{{}, whole, pitch});
         const bool begins = i > 0 && rows[i].group != rows[i - 1].group;
         if (begins) block.marks.emplace_back(rule(0, whole, 0.4, theme.thin, theme.secondary));
-        set_line(block, lines[i], (begins ? 0.4 : 0) + 3.3, theme.text);
+        set_line(block, std::move(lines[i]), (begins ? 0.4 : 0) + 3.3, theme.text);
         block.height += begins ? 0.4 : 0;
     }
     Block& last = set.back();

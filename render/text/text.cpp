@@ -148,9 +148,7 @@ const Drawn& Fonts::State::drawing(std::uint8_t face, std::uint32_t index) {
     KG_ASSERT(index < f.drawn.size(), "a glyph's index lies within its face");
     std::unique_ptr<Drawn>& drawn = f.drawn[index];
     if (drawn) return *drawn;
-    auto made = f.typeface->draw(index);
-    KG_ASSERT(made.has_value(), "a face that can be shaped can be drawn");
-    drawn = std::make_unique<Drawn>(*std::move(made));
+    drawn = std::make_unique<Drawn>(f.typeface->draw(index));
     return *drawn;
 }
 
@@ -259,11 +257,47 @@ std::string dots_said(const Piece& piece) {
     return dots;
 }
 
+/// About as many letters as it has.
+std::size_t bytes_of(const RichText& text) {
+    std::size_t bytes = 0;
+    for (const Piece& piece : text) bytes += piece.text.size() + piece.sub.size() + piece.sup.size() + 4;
+    return bytes;
+}
+
+/// A stretch that no line divides: a word, blanks between words, or a piece that holds together.
+struct Stretch {
+    std::size_t piece, begin, end;
+    bool blank;
+    double width;
+    bool symbol = false;         // with an index or a power
+    const Word* word = nullptr;  // if it is one
+};
+
+/// Other words in the setting of a piece that has no scripts.
+Piece like(const Piece& piece, std::string words) {
+    Piece own;
+    own.text = std::move(words);
+    own.face = piece.face;
+    own.sub_face = piece.sub_face;
+    own.sup_face = piece.sup_face;
+    own.coloured = piece.coloured;
+    own.colour = piece.colour;
+    return own;
+}
+
 /// One piece of text after the other on a line; lengths in mm, y downwards.
 template <class State>
 class Setter {
 public:
-    explicit Setter(State& state) : state_(state) {}
+    /// `letters`: as many as the line will have, about.
+    Setter(State& state, std::size_t letters) : state_(state), letters_(letters) {}
+    /// One that only measures: pieces advance, and leave no line.
+    static Setter measuring(State& state) {
+        Setter setter(state, 0);
+        setter.measures_ = true;
+        return setter;
+    }
+    double advance() const { return x_; }
 
     struct Run {
         double advance = 0;
@@ -279,12 +313,25 @@ public:
                 ++at;
                 continue;
             }
-            const auto stop = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), breaks);
-            const auto length = static_cast<std::size_t>(stop - text.begin()) - at;
-            place(state_.word(text.substr(at, length), face), said + at, size, from, part, run);
-            at += length;
+            std::size_t end = at + 1;
+            while (end < text.size() && !breaks(text[end])) ++end;
+            place(state_.word(text.substr(at, end - at), face), said + at, size, from, part, run);
+            at = end;
         }
         return run;
+    }
+    /// A piece without scripts, of stretches that are known.
+    void set(const Piece& piece, std::span<const Stretch> stretches, double size) {
+        const std::size_t part = part_of(piece), begin = stretches.front().begin;
+        const double space = state_.faces[static_cast<std::size_t>(piece.face)].space * size;
+        Run run;
+        for (const Stretch& each : stretches)
+            if (each.word != nullptr)
+                place(*each.word, said_ + (each.begin - begin), size, {x_, 0}, part, run);
+            else
+                for (std::size_t at = each.begin; at < each.end; ++at) run.advance += space;
+        said_ += piece.text.size();
+        x_ += run.advance;
     }
 
     void set(const Piece& piece, double size) {
@@ -307,44 +354,29 @@ public:
         x_ += wide + space_after_scripts * size;
     }
 
-    ShapedLine finish(const RichText& text) {
+    ShapedLine finish(RichText text) {
         line_.width = x_;
         line_.words = plain(text);
-        line_.text = text;
+        line_.text = std::move(text);
         return std::move(line_);
     }
 
 private:
     std::size_t part_of(const Piece& piece) {
+        if (measures_) return 0;
         for (std::size_t i = 0; i < line_.parts.size(); ++i) {
             const auto& part = line_.parts[i];
             if (part.coloured == piece.coloured && (!piece.coloured || part.colour == piece.colour)) return i;
         }
         line_.parts.push_back({{}, {}, piece.coloured, piece.coloured ? piece.colour : Colour{}});
+        // Most lines have one colour.
+        if (line_.parts.size() == 1) line_.parts.front().glyphs.reserve(letters_);
         return line_.parts.size() - 1;
     }
 
     void place(const Word& word, std::size_t said, double size, Spot from, std::size_t part, Run& run) {
         const double at = from.x + run.advance, y = from.y;
-        auto& to = line_.parts[part];
-        for (const auto& g : word.glyphs) {
-            to.glyphs.push_back({g.face,
-                                 g.index,
-                                 g.scale * size,
-                                 {at + g.x * size, y - g.y * size},
-                                 static_cast<std::uint32_t>(said + g.at),
-                                 g.coded});
-        }
-        for (const Ink& box : word.boxes) {
-            Path path;
-            const double left = at + box.left * size, right = at + box.right * size;
-            const double top = y - box.top * size, bottom = y - box.bottom * size;
-            path.segments = {MoveTo{{left, top}}, LineTo{{right, top}}, LineTo{{right, bottom}}, LineTo{{left, bottom}}, Close{}};
-            path.stroked = true;
-            path.pen.width = code_line * size;
-            path.pen.colour = to.colour;
-            to.extras.push_back(std::move(path));
-        }
+        if (!measures_) draw(word, said, size, {at, y}, line_.parts[part]);
         if (!word.last.blank()) {
             run.last = {at + word.last.left * size, word.last.bottom * size - y, at + word.last.right * size,
                         word.last.top * size - y};
@@ -353,7 +385,29 @@ private:
         run.advance += word.advance * size;
     }
 
+    static void draw(const Word& word, std::size_t said, double size, Spot at, ShapedLine::Part& to) {
+        for (const auto& g : word.glyphs) {
+            to.glyphs.push_back({g.face,
+                                 g.index,
+                                 g.scale * size,
+                                 {at.x + g.x * size, at.y - g.y * size},
+                                 static_cast<std::uint32_t>(said + g.at),
+                                 g.coded});
+        }
+        for (const Ink& box : word.boxes) {
+            Path path;
+            const double left = at.x + box.left * size, right = at.x + box.right * size;
+            const double top = at.y - box.top * size, bottom = at.y - box.bottom * size;
+            path.segments = {MoveTo{{left, top}}, LineTo{{right, top}}, LineTo{{right, bottom}}, LineTo{{left, bottom}}, Close{}};
+            path.stroked = true;
+            path.pen.width = code_line * size;
+            path.pen.colour = to.colour;
+            to.extras.push_back(std::move(path));
+        }
+    }
+
     void dot(const Piece& piece, const Ink& letter, double size, std::size_t part) {
+        if (measures_) return;
         const double height = letter.top + dot_rise * size;
         double middle = (letter.left + letter.right) / 2;
         if (italic(piece.face)) middle += slant * (height - (letter.bottom + letter.top) / 2) / 2;
@@ -375,6 +429,8 @@ private:
     }
 
     State& state_;
+    std::size_t letters_;
+    bool measures_ = false;
     ShapedLine line_;
     double x_ = 0;
     std::size_t said_ = 0;  // what the line says so far, bytes
@@ -460,10 +516,12 @@ RichText as_set(const RichText& text) {
 
 std::string plain(const RichText& text) {
     std::string words;
+    words.reserve(bytes_of(text));
     for (const Piece& piece : text) {
-        words += piece.text + dots_said(piece);
-        if (!piece.sub.empty()) words += "_" + piece.sub;
-        if (!piece.sup.empty()) words += "^" + piece.sup;
+        words += piece.text;
+        if (piece.dots > 0) words += dots_said(piece);
+        if (!piece.sub.empty()) (words += '_') += piece.sub;
+        if (!piece.sup.empty()) (words += '^') += piece.sup;
     }
     return words;
 }
@@ -484,38 +542,39 @@ Fonts::Fonts(Fonts&&) noexcept = default;
 Fonts& Fonts::operator=(Fonts&&) noexcept = default;
 Fonts::~Fonts() = default;
 
-ShapedLine Fonts::shape(const RichText& text, double size_points) const {
+ShapedLine Fonts::shape(RichText text, double size_points) const {
     KG_ASSERT(std::isfinite(size_points) && size_points > 0, "type has a size");
-    Setter<State> setter(*state_);
+    Setter<State> setter(*state_, bytes_of(text));
     RichText changed;
     for (const Piece& piece : with_raised_digits(text, changed)) setter.set(piece, millimetres(size_points));
-    return setter.finish(text);
+    return setter.finish(std::move(text));
 }
 
 namespace {
 
-/// A stretch that no line divides: a word, blanks between words, or a piece that holds together.
-struct Stretch {
-    std::size_t piece, begin, end;
-    bool blank;
-    double width;
-    bool symbol = false;  // with an index or a power
-};
-
-/// The text of stretches from the first up to the last.
-RichText line_of(const RichText& text, const std::vector<Stretch>& stretches, std::size_t first, std::size_t last) {
-    RichText line;
-    for (std::size_t i = first; i < last; ++i) {
-        const Stretch& stretch = stretches[i];
-        const Piece& piece = text[stretch.piece];
-        if (i > first && stretches[i - 1].piece == stretch.piece) {
-            line.back().text.append(piece.text, stretch.begin, stretch.end - stretch.begin);
-            continue;
-        }
-        line.push_back(piece);
-        line.back().text = piece.text.substr(stretch.begin, stretch.end - stretch.begin);
+/// The line of stretches that stand one behind the other.
+template <class State>
+ShapedLine line_of(State& state, const RichText& text, std::span<const Stretch> stretches, double size) {
+    std::size_t letters = 0, pieces = 0;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        letters += stretches[i].end - stretches[i].begin;
+        pieces += i == 0 || stretches[i].piece != stretches[i - 1].piece ? 1 : 0;
     }
-    return line;
+    Setter<State> setter(state, letters + pieces);
+    RichText line;
+    line.reserve(pieces);
+    for (std::size_t first = 0, end = 0; first < stretches.size(); first = end) {
+        const std::size_t piece = stretches[first].piece;
+        for (end = first + 1; end < stretches.size() && stretches[end].piece == piece;) ++end;
+        if (stretches[first].symbol) {
+            setter.set(line.emplace_back(text[piece]), size);
+        } else {
+            const std::size_t begin = stretches[first].begin;
+            line.push_back(like(text[piece], text[piece].text.substr(begin, stretches[end - 1].end - begin)));
+            setter.set(line.back(), stretches.subspan(first, end - first), size);
+        }
+    }
+    return setter.finish(std::move(line));
 }
 
 /// Calls set(first, last) for every line: it may end only at a blank.
@@ -562,26 +621,30 @@ std::vector<ShapedLine> Fonts::wrap(const RichText& given, double size_points, d
     const RichText& text = with_raised_digits(given, changed);
     const double size = millimetres(size_points);
     std::vector<Stretch> stretches;
+    stretches.reserve(bytes_of(text) / 3);
     for (std::size_t p = 0; p < text.size(); ++p) {
         const Piece& piece = text[p];
         const std::string_view words = piece.text;
         if (has_scripts(piece)) {
-            stretches.push_back({p, 0, words.size(), false, shape({piece}, size_points).width, true});
+            auto symbol = Setter<State>::measuring(*state_);
+            symbol.set(piece, size);
+            stretches.push_back({p, 0, words.size(), false, symbol.advance(), true});
             continue;
         }
         for (std::size_t at = 0; at < words.size();) {
             const bool blank = breaks(words[at]);
             std::size_t end = at + 1;
             while (end < words.size() && breaks(words[end]) == blank) ++end;
-            const double em = blank ? state_->faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at)
-                                    : state_->word(words.substr(at, end - at), piece.face).advance;
-            stretches.push_back({p, at, end, blank, em * size});
+            const Word* word = blank ? nullptr : &state_->word(words.substr(at, end - at), piece.face);
+            const double em =
+                blank ? state_->faces[static_cast<std::size_t>(piece.face)].space * static_cast<double>(end - at) : word->advance;
+            stretches.push_back({p, at, end, blank, em * size, false, word});
             at = end;
         }
     }
     std::vector<ShapedLine> lines;
     break_lines(stretches, measure, [&](std::size_t first, std::size_t last) {
-        lines.push_back(shape(line_of(text, stretches, first, last), size_points));
+        lines.push_back(line_of(*state_, text, std::span(stretches).subspan(first, last - first), size));
     });
     return lines;
 }

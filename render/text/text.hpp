@@ -55,7 +55,7 @@ public:
 
     /// Sets one line at `size` points. A character that no face has is drawn as its code in a box (U+XXXX) and reported through
     /// `missing()`.
-    ShapedLine shape(const RichText& text, double size_points) const;
+    ShapedLine shape(RichText text, double size_points) const;
     /// Breaks at spaces so that no line is wider than `measure` mm (a word longer than that stands alone).
     std::vector<ShapedLine> wrap(const RichText& text, double size_points, double measure) const;
     const Outline& outline(std::uint8_t face, std::uint32_t index) const override;

@@ -1,13 +1,11 @@
-// HarfBuzz shapes, FreeType gives the outlines, unhinted; no fontconfig, so that every machine sets the same line.
+// HarfBuzz shapes and gives the outlines, unhinted; no fontconfig, so that every machine sets the same line.
 #include "render/text/typeface.hpp"
 
-#include <ft2build.h>
-#include FT_FREETYPE_H
-#include FT_BBOX_H
-#include FT_OUTLINE_H
 #include <hb-ot.h>
 #include <hb.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "render/text/text.hpp"
@@ -23,45 +21,85 @@ struct Release {
     void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
     void operator()(hb_font_t* font) const { hb_font_destroy(font); }
     void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
-    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
     void operator()(hb_face_t* face) const { hb_face_destroy(face); }
-    void operator()(FT_Face face) const { FT_Done_Face(face); }
+    void operator()(hb_draw_funcs_t* pen) const { hb_draw_funcs_destroy(pen); }
 };
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
-/// Collects a FreeType outline as segments in em.
-struct Collector {
-    Outline& outline;
-    double unit;
-    Spot at{};
-    Spot spot(const FT_Vector* v) const { return {static_cast<double>(v->x) * unit, static_cast<double>(v->y) * unit}; }
+/// How far a curve with these ends and controls, along one axis, reaches beyond its ends, in whole units.
+void reach(double p, double control_1, double control_2, double q, double& least, double& most) {
+    least = std::min({least, p, q});
+    most = std::max({most, p, q});
+    if (std::min(control_1, control_2) >= least && std::max(control_1, control_2) <= most) return;
+    // Where a t² + b t + c, a third of its slope, vanishes; in the form that bears a = 0.
+    const double a = q - p + 3 * (control_1 - control_2), b = 2 * (p - 2 * control_1 + control_2), c = control_1 - p;
+    const double under_root = b * b - 4 * a * c;
+    if (under_root < 0) return;
+    const double sum = -0.5 * (b + std::copysign(std::sqrt(under_root), b));
+    for (const double t : {sum / a, c / sum}) {
+        if (!(t > 0 && t < 1)) continue;
+        const double u = 1 - t, at = std::round(u * u * (u * p + 3 * t * control_1) + t * t * (3 * u * control_2 + t * q));
+        least = std::min(least, at);
+        most = std::max(most, at);
+    }
+}
 
-    static int move(const FT_Vector* to, void* self) {
-        auto& c = *static_cast<Collector*>(self);
-        if (!c.outline.segments.empty()) c.outline.segments.emplace_back(Close{});
-        c.outline.segments.emplace_back(MoveTo{c.at = c.spot(to)});
-        return 0;
+/// Collects an outline as segments in em, and the box round it.
+class Collector {
+public:
+    Collector(Drawn& drawn, double unit) : segments_(drawn.outline.segments), ink_(drawn.ink), unit_(unit) {}
+
+    void finish() {
+        if (segments_.empty()) return;
+        segments_.emplace_back(Close{});
+        ink_ = {box_.min.x * unit_, box_.min.y * unit_, box_.max.x * unit_, box_.max.y * unit_};
     }
-    static int line(const FT_Vector* to, void* self) {
+
+    static void move(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x, float y, void* /*data*/) {
         auto& c = *static_cast<Collector*>(self);
-        c.outline.segments.emplace_back(LineTo{c.at = c.spot(to)});
-        return 0;
+        if (c.segments_.empty())
+            c.box_ = {{x, y}, {x, y}};
+        else
+            c.segments_.emplace_back(Close{});
+        c.segments_.emplace_back(MoveTo{c.em({x, y})});
+        c.go_to({x, y});
     }
-    static int conic(const FT_Vector* control, const FT_Vector* to, void* self) {
+    static void line(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x, float y, void* /*data*/) {
         auto& c = *static_cast<Collector*>(self);
-        const Spot q = c.spot(control), end = c.spot(to);
-        const auto towards = [&q](Spot p) { return Spot{(p.x + 2 * q.x) / 3, (p.y + 2 * q.y) / 3}; };
-        c.outline.segments.emplace_back(CurveTo{towards(c.at), towards(end), end});
-        c.at = end;
-        return 0;
+        c.segments_.emplace_back(LineTo{c.em({x, y})});
+        c.go_to({x, y});
     }
-    static int cubic(const FT_Vector* control_1, const FT_Vector* control_2, const FT_Vector* to, void* self) {
+    static void cubic(hb_draw_funcs_t* /*pen*/, void* self, hb_draw_state_t* /*state*/, float x_1, float y_1, float x_2,
+                      float y_2, float x, float y, void* /*data*/) {
         auto& c = *static_cast<Collector*>(self);
-        c.outline.segments.emplace_back(CurveTo{c.spot(control_1), c.spot(control_2), c.spot(to)});
-        c.at = c.spot(to);
-        return 0;
+        c.segments_.emplace_back(CurveTo{c.em({x_1, y_1}), c.em({x_2, y_2}), c.em({x, y})});
+        reach(c.at_.x, x_1, x_2, x, c.box_.min.x, c.box_.max.x);
+        reach(c.at_.y, y_1, y_2, y, c.box_.min.y, c.box_.max.y);
+        c.at_ = {x, y};
     }
+    /// What calls them; a quadratic curve comes as a cubic one, a contour's last line if it has one.
+    static Owned<hb_draw_funcs_t> pen() {
+        Owned<hb_draw_funcs_t> calls(hb_draw_funcs_create());
+        hb_draw_funcs_set_move_to_func(calls.get(), move, nullptr, nullptr);
+        hb_draw_funcs_set_line_to_func(calls.get(), line, nullptr, nullptr);
+        hb_draw_funcs_set_cubic_to_func(calls.get(), cubic, nullptr, nullptr);
+        return calls;
+    }
+
+private:
+    Spot em(Spot units) const { return {units.x * unit_, units.y * unit_}; }
+    void go_to(Spot to) {
+        at_ = to;
+        box_ = {{std::min(box_.min.x, to.x), std::min(box_.min.y, to.y)},
+                {std::max(box_.max.x, to.x), std::max(box_.max.y, to.y)}};
+    }
+
+    std::vector<Segment>& segments_;
+    Ink& ink_;
+    double unit_;
+    Spot at_{};
+    Box box_{};  // units
 };
 
 class OpenTypeFace final : public Typeface {
@@ -99,20 +137,11 @@ public:
         for (unsigned i = 0; i < count; ++i)
             placed.push_back({infos[i].codepoint, places[i].x_offset, places[i].y_offset, places[i].x_advance, infos[i].cluster});
     }
-    std::optional<Drawn> draw(std::uint32_t glyph) const override {
-        if (!outlines_ && !open_outlines()) return std::nullopt;
-        std::optional<Drawn> drawn{std::in_place};
-        if (FT_Load_Glyph(outlines_.get(), glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_SCALE) != 0) return drawn;
-        FT_Outline& outline = outlines_->glyph->outline;
-        if (outline.n_points == 0) return drawn;
-        static constexpr FT_Outline_Funcs collect = {Collector::move, Collector::line, Collector::conic, Collector::cubic, 0, 0};
-        Collector collector{drawn->outline, unit_};
-        FT_Outline_Decompose(&outline, &collect, &collector);
-        drawn->outline.segments.emplace_back(Close{});
-        FT_BBox box{};
-        FT_Outline_Get_BBox(&outline, &box);
-        const auto em = [this](FT_Pos units) { return static_cast<double>(units) * unit_; };
-        drawn->ink = {em(box.xMin), em(box.yMin), em(box.xMax), em(box.yMax)};
+    Drawn draw(std::uint32_t glyph) const override {
+        Drawn drawn;
+        Collector collector(drawn, unit_);
+        hb_font_get_glyph_shape(font_.get(), glyph, pen_.get(), &collector);
+        collector.finish();
         return drawn;
     }
     std::string_view file() const override {
@@ -122,28 +151,13 @@ public:
     }
 
 private:
-    /// FreeType starts with the first glyph that is drawn: shaping does without.
-    bool open_outlines() const {
-        FT_Library library = nullptr;
-        if (FT_Init_FreeType(&library) != 0) return false;
-        library_.reset(library);
-        const std::string_view bytes = file();
-        FT_Face face = nullptr;
-        if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()), static_cast<FT_Long>(bytes.size()), 0,
-                               &face) != 0)
-            return false;
-        outlines_.reset(face);
-        return true;
-    }
-
     Owned<hb_blob_t> blob_;
     Owned<hb_font_t> font_;
     double unit_;
     std::size_t glyphs_;
     Owned<hb_buffer_t> buffer_{hb_buffer_create()};
     hb_language_t language_ = hb_language_from_string("en", -1);  // never the machine's
-    mutable Owned<FT_LibraryRec_> library_;                       // outlives the outlines
-    mutable Owned<FT_FaceRec_> outlines_;
+    Owned<hb_draw_funcs_t> pen_{Collector::pen()};
 };
 
 }  // namespace

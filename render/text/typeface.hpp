@@ -1,12 +1,11 @@
 // A face of the font as setting needs it: which characters it has, how a run of them is shaped, what its glyphs look like. What
-// stands behind it (HarfBuzz and FreeType, which take longer to load than many runs take) is known to typeface.cpp alone.
+// stands behind it (HarfBuzz, which takes longer to load than many runs take) is known to typeface.cpp alone.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,8 +51,7 @@ public:
     virtual char32_t composed(char32_t letter, char32_t accent) const = 0;
     /// Characters that the face has, from left to right always.
     virtual void shape(std::span<const char32_t> run, std::vector<Placed>& placed) const = 0;
-    /// Nothing where the face cannot be drawn at all.
-    virtual std::optional<Drawn> draw(std::uint32_t glyph) const = 0;
+    virtual Drawn draw(std::uint32_t glyph) const = 0;
     /// The bytes of its file; they live as long as the face.
     virtual std::string_view file() const = 0;
 
