@@ -107,7 +107,7 @@ private:
                         {},
                         {}};
         for (const RichText& each : paragraphs)
-            passage.rows.push_back(paragraph_block(context_, measure(), each, bullet.empty() ? 0 : 4, bullet));
+            passage.rows.emplace_back(paragraph_block(context_, measure(), each, bullet.empty() ? 0 : 4, bullet));
         return passage;
     }
     std::vector<Passage> question() const {
