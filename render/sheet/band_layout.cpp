@@ -27,9 +27,10 @@ std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format
     const double extent = std::max(wanted.extent_x, wanted.extent_y);
     const auto at = [&](double scale) {
         const double size = std::min(extent / scale, wanted.enough);
-        const Spot strokes = wanted.strokes_at(scale);
-        return FigureSize{std::max(strokes.x + rim_x, wanted.least_room.x),
-                          std::max(strokes.y + rim_y, wanted.least_room.y) + caption, wanted.weight * use_of(size), scale};
+        const auto taken = wanted.taken.find(scale);
+        const Spot own = taken != wanted.taken.end() ? taken->second : wanted.strokes_at(scale) + Spot{rim_x, rim_y};
+        return FigureSize{std::max(own.x, wanted.least_room.x), std::max(own.y, wanted.least_room.y) + caption,
+                          wanted.weight * use_of(size), scale};
     };
     constexpr double nothing = 1e-20;
     if (wanted.empty)

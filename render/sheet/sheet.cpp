@@ -254,6 +254,7 @@ private:
 
     void draw() {
         drawn_.clear();
+        spared_ = 0;
         int number = 0;
         Spot corner;
         for_each_figure([&](const PlacedBand& placed, std::size_t f, const BandLayout& layout) {
@@ -269,6 +270,7 @@ private:
             drawn.promised = layouts_[placed.band].scale_in(f, own);
             drawn.waits = wanted_.list[index].fills;
             if (!drawn.waits) draw_into(drawn, own, coarsest_scale(placed.band, f, own));
+            if (!drawn.waits && !drawn.is_refused()) learn_from(drawn);
             (layout.stacked ? corner.y : corner.x) += (layout.stacked ? size.y : size.x) + gap;
             if (layout.cornered && !drawn.is_refused()) set_in_corner(drawn, placed.band);
         });
@@ -406,23 +408,19 @@ private:
     /// Whether letters take so much less than was set aside for them that another plan may do with less paper; a few times.
     bool takes_less_than_thought() {
         constexpr int most_times = 2;
-        constexpr double air = 1, worth_another_plan = 3, one_line = 7;
-        if (++times_less_ > most_times) return false;
-        double gained = 0;
-        for (const auto& [band, figures] : drawn_)
-            for (const Drawn& drawn : figures) {
-                Wanted& wanted = wanted_.list[drawn.wanted];
-                if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) continue;
-                const auto learn = [&](double& rim, double taken) {
-                    const double known = std::clamp(taken + air, 2.0, rim);
-                    gained = std::max(gained, rim - known);
-                    rim = known;
-                };
-                const Spot strokes = wanted.strokes_at(drawn.figure.scale);
-                learn(wanted.rim_x, drawn.size.x - strokes.x);
-                learn(wanted.rim_y, drawn.size.y - strokes.y + drawn.caption - one_line);
-            }
-        return looks_again_ = gained > worth_another_plan;
+        constexpr double worth_another_plan = 3;
+        return looks_again_ = ++times_less_ <= most_times && spared_ > worth_another_plan;
+    }
+    /// What a figure takes at the scale that it was drawn at is known from then on.
+    void learn_from(const Drawn& drawn) {
+        Wanted& wanted = wanted_.list[drawn.wanted];
+        if (wanted.empty || wanted.fills || wanted.spare || wanted.asked) return;
+        constexpr double air = 0.5, one_line = 7;
+        const Spot taken{drawn.size.x + air, drawn.size.y + drawn.caption - one_line + air};
+        const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
+        const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
+        if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
+        known->second = taken;
     }
 
     /// For what its letters took at a coarser scale; what is not known, is tried.
@@ -667,6 +665,7 @@ private:
     bool looks_again_ = false;                 // for another force scale
     std::optional<double> least_force_scale_;  // at which all force polygons that were drawn had room
     bool takes_what_comes_ = false;            // the last round: no figure refuses its room
+    double spared_ = 0;                        // mm, of a room as it was planned in the last round
     int times_less_ = 0;                       // plans anew because letters took less than was thought
 };
 

@@ -113,7 +113,7 @@ Wanted WantedFigures::mechanism(const std::string& name, bool with_centres) cons
     mechanism.extent_y = extent.height();
     mechanism.asked = asked("mechanism", 1);
     // Far centres may take most of the figure: the links must be seen.
-    constexpr double least_of_links = 25;
+    constexpr double least_of_links = 20;
     const Box links = with_centres ? extent_of_mechanism(context_.solution, false) : extent;
     const double size = std::max(links.width(), links.height());
     mechanism.least = size > 0 ? least_of_links * std::max(extent.width(), extent.height()) / size : least_of_links;
@@ -442,8 +442,8 @@ void WantedFigures::add_mechanism() {
     const Solution& s = context_.solution;
     const bool centres = shows_centres();
     Wanted wanted = mechanism(!centres || s.act_of_motion ? "mechanism" : "centres", centres);
-    wanted.rim_x = 26;
-    wanted.rim_y = 34;
+    wanted.rim_x = 20;
+    wanted.rim_y = 33;
     const auto draw = [centres](const DrawingContext& context, double x, double y) {
         if (context.solution.act_of_motion) return act_of_motion_figure(context, x, y);
         return mechanism_figure(context, x, y, centres);

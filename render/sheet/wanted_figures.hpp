@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct Wanted {
     double extent_x = 0, extent_y = 0;  ///< in the units of its scale; 0 where nothing depends on it
     double rim_x = 20, rim_y = 14;      ///< what lettering takes beside the strokes, mm
     double least = 22;                  ///< mm of its longer extent below which nothing can be read off it
+    std::map<double, Spot> taken{};     ///< mm, letters and all, its caption apart, at the scales at which it was drawn
     Spot least_room{};                  ///< mm, its caption apart: what it took where it was drawn into less
     std::size_t letters = 0;            ///< how many names it carries
     double enough = 200;                ///< mm beyond which it gains nothing
