@@ -49,7 +49,7 @@ const std::set<std::string>& said_in_sources() {
         static const std::regex use("Sentence::([a-z_]+)");
         for (const char* room : {"engine", "constructions", "app"})
             for (const auto& file :
-                 std::filesystem::directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR).parent_path() / room)) {
+                 std::filesystem::recursive_directory_iterator(std::filesystem::path(KINEGRAPH_TESTS_DIR).parent_path() / room)) {
                 if (file.path().extension() != ".cpp") continue;
                 std::ifstream source(file.path());
                 const std::string text{std::istreambuf_iterator<char>(source), {}};

@@ -22,14 +22,16 @@ double use_of(double size) { return std::log(size) - 40 / size; }
 std::vector<FigureSize> sizes_of(const Wanted& wanted, const SheetFormat& format, const WantedFigures& all, bool crowded) {
     std::vector<FigureSize> sizes;
     // What stands round a figure may fill a page by itself (a hundred terms under each other): half a page is left to the figure.
-    const double rim_x = std::min(wanted.rim_x, 0.5 * format.content.width());
-    const double rim_y = std::min(wanted.rim_y, 0.5 * format.content.height());
+    const Spot most_round{0.5 * format.content.width(), 0.5 * format.content.height()};
+    const double rim_x = std::min(wanted.rim_x, most_round.x), rim_y = std::min(wanted.rim_y, most_round.y);
     const double extent = std::max(wanted.extent_x, wanted.extent_y);
     const auto at = [&](double scale) {
         const double size = std::min(extent / scale, wanted.enough);
         const auto taken = wanted.taken.find(scale);
-        const Spot own = taken != wanted.taken.end() ? taken->second : wanted.strokes_at(scale) + Spot{rim_x, rim_y};
-        return FigureSize{std::max(own.x, wanted.least_room.x), std::max(own.y, wanted.least_room.y) + caption,
+        const Spot strokes = wanted.strokes_at(scale), round{rim_x, rim_y};
+        const Spot own = taken != wanted.taken.end() ? taken->second : strokes + round;
+        return FigureSize{std::min(std::max(own.x, wanted.least_room.x), strokes.x + most_round.x),
+                          std::min(std::max(own.y, wanted.least_room.y), strokes.y + most_round.y) + caption,
                           wanted.weight * use_of(size), scale};
     };
     constexpr double nothing = 1e-20;
@@ -160,8 +162,13 @@ std::optional<BandLayouts::Share> BandLayouts::share(Spot room, bool stacked, bo
     Share found;
     found.taken.resize(sizes_.size());
     const auto size = [&](std::size_t f) -> const FigureSize& { return sizes_[f][found.taken[f]]; };
+    // A coarser scale may take more across: letters crowd.
+    const auto fitting_from = [&](std::size_t f, std::size_t first) {
+        while (first < sizes_[f].size() && across(sizes_[f][first], stacked) > wide) ++first;
+        return first;
+    };
     for (std::size_t f = 0; f < sizes_.size(); ++f) {
-        while (found.taken[f] < sizes_[f].size() && across(size(f), stacked) > wide) ++found.taken[f];
+        found.taken[f] = fitting_from(f, 0);
         if (found.taken[f] == sizes_[f].size()) return std::nullopt;
     }
     const auto length = [&] {
@@ -174,14 +181,15 @@ std::optional<BandLayouts::Share> BandLayouts::share(Spot room, bool stacked, bo
         std::optional<std::size_t> smaller;
         double least = 0;
         for (std::size_t f = 0; f < sizes_.size(); ++f) {
-            if (found.taken[f] + 1 == sizes_[f].size()) continue;
-            const FigureSize& next = sizes_[f][found.taken[f] + 1];
+            const std::size_t coarser = fitting_from(f, found.taken[f] + 1);
+            if (coarser == sizes_[f].size()) continue;
+            const FigureSize& next = sizes_[f][coarser];
             const double given = along(size(f), stacked, cornered) - along(next, stacked, cornered);
             const double price = (size(f).worth - next.worth) / std::max(given, 0.1);
             if (!smaller || price < least) smaller = f, least = price;
         }
         if (!smaller) return std::nullopt;
-        ++found.taken[*smaller];
+        found.taken[*smaller] = fitting_from(*smaller, found.taken[*smaller] + 1);
     }
     for (std::size_t f = 0; f < sizes_.size(); ++f) {
         found.worth += size(f).worth;

@@ -420,7 +420,8 @@ private:
         const Spot guess = wanted.strokes_at(drawn.figure.scale) + Spot{wanted.rim_x, wanted.rim_y};
         const auto [known, fresh] = wanted.taken.try_emplace(drawn.figure.scale, taken);
         if (fresh) spared_ = std::max({spared_, guess.x - taken.x, guess.y - taken.y});
-        known->second = taken;
+        // In a room of another shape it may take more; were it to take less again, plans would not settle.
+        known->second = {std::max(known->second.x, taken.x), std::max(known->second.y, taken.y)};
     }
 
     /// For what its letters took at a coarser scale; what is not known, is tried.
@@ -438,8 +439,18 @@ private:
         wanted.rim_y = is_known ? std::max(wanted.rim_y, rim_y + 1) : wanted.rim_y + more;
     }
 
+    /// What it took at the promised scale in another room is not enough in one of this shape.
+    void wants_more_than_its_room(const Drawn& drawn) {
+        auto& taken = wanted_.list[drawn.wanted].taken;
+        const auto known = taken.find(drawn.promised);
+        if (known == taken.end()) return;
+        constexpr double more = 3, one_line = 7;
+        known->second = {std::max(known->second.x, drawn.room.width() + more),
+                         std::max(known->second.y, drawn.room.height() - one_line + more)};
+    }
     /// Whether a figure takes more than its room. It is known now what its letters take; where it refused, that they take more.
     bool has_outgrown(const Drawn& drawn) {
+        if (drawn.is_refused() || is_coarser_than_promised(drawn)) wants_more_than_its_room(drawn);
         if (drawn.is_refused() || asks_for_more_room(drawn)) {
             Wanted& wanted = wanted_.list[drawn.wanted];
             refused_.push_back({drawn.wanted, wanted.rim_x, wanted.rim_y});
@@ -459,6 +470,7 @@ private:
         } else {
             wanted.rim_x += std::max(over_x, 0.0);
             wanted.rim_y += std::max(over_y, 0.0);
+            learn_from(drawn);  // its caption may have more lines by now
         }
         return true;
     }
