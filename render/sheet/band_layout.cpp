@@ -114,8 +114,8 @@ void BandTexts::forget(const std::string& question) {
 }
 
 BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
-                         bool cornered)
-    : all_texts_(texts), band_(band), format_(format) {
+                         bool cornered, bool narrow)
+    : all_texts_(texts), band_(band), format_(format), narrow_(narrow) {
     for (const std::size_t figure : band.figures) {
         sizes_.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
         double most = BandLayout::impossible;
@@ -262,7 +262,8 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
 }
 
 bool BandLayouts::is_like(const BandLayouts& other) const {
-    return &band_ == &other.band_ && sizes_ == other.sizes_ && (equations_.width > 0) == (other.equations_.width > 0);
+    return &band_ == &other.band_ && narrow_ == other.narrow_ && sizes_ == other.sizes_ &&
+           (equations_.width > 0) == (other.equations_.width > 0);
 }
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
@@ -289,7 +290,7 @@ void BandLayouts::try_all(BandLayout& best, const BandLayout& base, double whole
         layout.divided = 0;
         return try_figures(best, layout, {whole, above});
     }
-    if (base.divided > format_.columns && words.is_too_wide()) return;
+    if (base.divided > format_.columns && (!narrow_ || words.is_too_wide())) return;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
     if (layout.columns > 0 && words.height(layout.columns) <= above) {
         if (sizes_.empty()) {

@@ -87,9 +87,9 @@ using WorthByHeight = std::vector<double>;
 class BandLayouts {
 public:
     /// `force_scale`: no force polygon is drawn larger. `crowded`: figures may be so small that they are hard to read;
-    /// `cornered`: equations may stand in a corner of their polygon.
+    /// `cornered`: equations may stand in a corner of their polygon; `narrow`: columns may be narrower than the format's.
     BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
-                bool cornered);
+                bool cornered, bool narrow);
 
     /// The best in a room so high.
     BandLayout in(Width width, double height, Notch notch = {}) const;
@@ -123,6 +123,7 @@ private:
     std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
     double most_worth_ = 0;                       // of all figures
     Block equations_;
+    bool narrow_;
     mutable std::map<std::pair<int, bool>, const ColumnText*> texts_;
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
 };

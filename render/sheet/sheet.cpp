@@ -66,7 +66,8 @@ private:
             if (!takes_what_comes_ && drawn_otherwise()) continue;
             draw_what_fills_its_room();
             if (may_go_on && drawn_otherwise()) continue;
-            if (!may_go_on || takes_what_comes_ || !takes_less_than_thought()) break;
+            if (may_go_on && !takes_what_comes_ && takes_less_than_thought()) continue;
+            if (!may_go_on || !has_wider_tables()) break;
         }
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));
@@ -157,7 +158,13 @@ private:
         return std::min(good, all - 1);
     }
     BandLayouts layouts_of(const Band& band) {
-        return {texts_, band, wanted_, format_, crowded_.contains(band.question), !cornerless_.contains(band.question)};
+        return {texts_,
+                band,
+                wanted_,
+                format_,
+                crowded_.contains(band.question),
+                !cornerless_.contains(band.question),
+                !wide_.contains(band.question)};
     }
     /// What a figure or the common scale of forces would want a page more for, they do without.
     void take_back(std::size_t pages_before) {
@@ -410,6 +417,21 @@ private:
         constexpr int most_times = 2;
         constexpr double worth_another_plan = 3;
         return looks_again_ = ++times_less_ <= most_times && spared_ > worth_another_plan;
+    }
+    /// Whether a table has outgrown its narrow column with the letters of details, which only the drawn figures have.
+    bool has_wider_tables() {
+        measured_texts_.reset();
+        std::size_t found = 0;
+        for (const PlannedPage& page : plan_)
+            for (const PlannedRow& row : page)
+                for (const PlannedCell& cell : row)
+                    for (const PlacedBand& placed : cell) {
+                        const Band& band = bands_.list[placed.band];
+                        const BandLayout layout = layout_of(placed);
+                        if (layout.divided > format_.columns && text_of(band, layout).is_too_wide())
+                            found += wide_.insert(band.question).second ? 1 : 0;
+                    }
+        return looks_again_ = found > 0;
     }
     /// What a figure takes at the scale that it was drawn at is known from then on.
     void learn_from(const Drawn& drawn) {
@@ -664,6 +686,7 @@ private:
     std::map<std::string, int> refusals_;              // … by its name
     std::set<std::string> crowded_;                    // bands whose figures may be smaller than is well readable
     std::set<std::string> cornerless_;                 // … whose figure leaves their equations no corner
+    std::set<std::string> wide_;                       // … whose tables are too wide for narrow columns
     std::set<std::string> roomier_;                    // figures that got more room for the scale asked for
     std::vector<BandLayouts> layouts_;
     std::vector<PlannedPage> plan_;
