@@ -207,27 +207,71 @@ TEST(MechanismFigure, of_a_single_point_is_drawn) {
     EXPECT_LT(figure.box.height(), 60);
 }
 
-TEST(VelocitiesOnMechanism, have_axes_as_long_as_their_values) {
+/// Every vector drawn is as long as its value at the figure's scale. How many there are.
+int expect_axes_as_long_as_their_values(const Figure& figure) {
+    expect_well_grouped(figure);
+    double value = -1;
+    int measured = 0;
+    for (const Mark& mark : figure.marks) {
+        if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector")
+            if (const std::string* text = group->attribute("data-value")) value = std::stod(*text);
+        if (const auto* axis = std::get_if<Axis>(&mark)) {
+            EXPECT_NEAR(length(axis->tip - axis->tail), value / figure.scale, 1e-6);
+            ++measured;
+        }
+    }
+    return measured;
+}
+
+bool any_moves(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
+    return std::any_of(solution.points.begin(), solution.points.end(),
+                       [&](const PointMotion& motion) { return motion.*vector && !(motion.*vector)->is_zero(); });
+}
+
+TEST(OnMechanism, VelocitiesAndAccelerationsAreAsLongAsTheirValues) {
     const Theme theme;
     for (const std::string& name : example_names()) {
         SCOPED_TRACE(name);
         const Solution solution = example(name);
-        const Figure figure = velocities_on_mechanism({solution, theme, fonts()}, 120, 100);
-        expect_well_grouped(figure);
-        double value = -1;
-        int measured = 0;
-        for (const Mark& mark : figure.marks) {
-            if (const auto* group = std::get_if<GroupBegin>(&mark); group && group->cls == "vector")
-                if (const std::string* text = group->attribute("data-value")) value = std::stod(*text);
-            if (const auto* axis = std::get_if<Axis>(&mark)) {
-                EXPECT_NEAR(length(axis->tip - axis->tail), value / figure.scale, 1e-6);
-                ++measured;
-            }
-        }
-        bool moves = false;
-        for (const PointMotion& motion : solution.points) moves = moves || (motion.velocity && !motion.velocity->is_zero());
-        EXPECT_EQ(measured > 0, moves);
+        const DrawingContext context{solution, theme, fonts()};
+        EXPECT_EQ(expect_axes_as_long_as_their_values(velocities_on_mechanism(context, 120, 100)) > 0,
+                  any_moves(solution, &PointMotion::velocity));
+        EXPECT_EQ(expect_axes_as_long_as_their_values(accelerations_on_mechanism(context, 120, 100)) > 0,
+                  any_moves(solution, &PointMotion::acceleration));
     }
+}
+
+std::set<std::string> labels_of(const Figure& figure) {
+    std::set<std::string> words;
+    for (const Mark& mark : figure.marks)
+        if (const auto* text = std::get_if<TextMark>(&mark); text && text->cls == "label") words.insert(text->words);
+    return words;
+}
+
+// The numbers are those of the seed problem's four-bar: its sentences tell them with as many digits.
+TEST(OnMechanism, WhatTurnsIsNamedWithItsValue) {
+    const Theme theme;
+    const Solution solution = example("four_bar");
+    const std::set<std::string> words = labels_of(accelerations_on_mechanism({solution, theme, fonts()}, 120, 100));
+    EXPECT_TRUE(words.contains("α_3 = 31.4 rad/s^2"));
+    EXPECT_TRUE(words.contains("α_4 = 56.9 rad/s^2"));
+}
+
+TEST(FoundTurnings, StandOnTheMechanismWhereTheyCostItNothing) {
+    const Theme theme;
+    const Solution solution = example("four_bar");
+    const DrawingContext context{solution, theme, fonts()};
+    const Spot roomy{100, 90}, tight{64, 52};
+    const Figure plain = mechanism_figure(context, roomy.x, roomy.y, true);
+    const Figure rich = mechanism_with_found_turnings(context, plain, roomy, true);
+    EXPECT_EQ(rich.scale, plain.scale);
+    EXPECT_LE(rich.box.width(), roomy.x);
+    EXPECT_LE(rich.box.height(), roomy.y);
+    const std::set<std::string> before = labels_of(plain), after = labels_of(rich);
+    EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
+    EXPECT_TRUE(after.contains("ω_3 = 1.31 rad/s") && after.contains("ω_4 = −4.78 rad/s"));
+    const Figure small = mechanism_figure(context, tight.x, tight.y, true);
+    EXPECT_EQ(mechanism_with_found_turnings(context, small, tight, true).scale, any_scale);
 }
 
 TEST(CircleDiagram, has_a_chord_for_each_centre_found) {

@@ -207,12 +207,12 @@ TEST(StepsOfTheFourBar, ShowWhatAnAngularVelocityIsReadOffAndDrawItOnTheBody) {
     ASSERT_TRUE(page);
     EXPECT_EQ(colour_of_label(*page, "v_BA"), theme.accent);
     EXPECT_EQ(colour_of_label(*page, "v_B"), theme.secondary);
-    EXPECT_EQ(colour_of_label(*page, "ω_3 = 1.309 rad/s"), theme.accent);
+    EXPECT_EQ(colour_of_label(*page, "ω_3 = 1.31 rad/s"), theme.accent);
     EXPECT_TRUE(says(*page, "1.31\u00a0rad/s"));
     const Page* next = page_that_says(pages, "ω_4 is v_B divided by");
     ASSERT_TRUE(next);
-    EXPECT_EQ(colour_of_label(*next, "ω_3 = 1.309 rad/s"), theme.secondary);
-    EXPECT_EQ(colour_of_label(*next, "ω_4 = −4.785 rad/s"), theme.accent);
+    EXPECT_EQ(colour_of_label(*next, "ω_3 = 1.31 rad/s"), theme.secondary);
+    EXPECT_EQ(colour_of_label(*next, "ω_4 = −4.78 rad/s"), theme.accent);
 }
 
 TEST(StepsOfForces, DrawAForceWhereTheSentenceFindsIt) {

@@ -115,7 +115,7 @@ private:
     // --- the statements that find what is drawn ------------------------------------------------------------------------------
     /// None: the velocity is given, or none finds it.
     StatementIndex statement_of(const Shown& shown) const {
-        return shown.given ? none : statement_of_velocity(solution_, act_.body, shown.point);
+        return shown.given ? none : statement_of_motion(solution_, Quantity::Kind::velocity, act_.body, shown.point);
     }
 
     void draw_velocities(Sketch& sketch, double scale) const {

@@ -56,7 +56,7 @@ public:
                                f,
                                kinegraph::length(entry.force) / force_.si.to_double(),
                                statement_of_force(context.solution, entry.quantity),
-                               statement_of_motion(entry)});
+                               statement_of_velocity(entry)});
             most = std::max(most, placed_.back().value);
         }
         force_scale_ = choose_scale(most, 0, longest_force, 1, std::nullopt);
@@ -105,9 +105,9 @@ private:
             if ((context_.solution.pose.at(p) - entry.at).is_zero()) return p;
         return none;
     }
-    StatementIndex statement_of_motion(const VirtualWork::Entry& entry) const {
+    StatementIndex statement_of_velocity(const VirtualWork::Entry& entry) const {
         const PointIndex point = point_of(entry);
-        return point == none ? none : statement_of_velocity(context_.solution, entry.body, point);
+        return point == none ? none : statement_of_motion(context_.solution, Quantity::Kind::velocity, entry.body, point);
     }
 
     static Spot in(const Vector& v, const Unit& unit) { return {(v.x / unit.si).to_double(), -(v.y / unit.si).to_double()}; }

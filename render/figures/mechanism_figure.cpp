@@ -23,7 +23,7 @@ namespace {
 /// What a mechanism's figure shows besides the mechanism.
 struct Shows {
     bool centres = false;
-    std::optional<Symbol::Letter> turnings{};
+    std::vector<Symbol::Letter> turnings{};  ///< ω or α of the bodies
     const std::vector<Way>* ways = nullptr;
     Box without_ways{};  ///< what the mechanism alone spans, m; with ways
 };
@@ -166,18 +166,44 @@ struct MechanismFigure {
         const FitPolicy policy{
             .room = room, .first = first, .asked = asked, .keeps_asked = true, .coarsest = coarsest, .names_stay_in_room = true};
         return fit(policy, [&](const Trial& trial) {
-            if (context.dimensions == Dimensions::automatic) return with_free_dimensions(trial);
-            if (context.dimensions == Dimensions::off) return drawn(trial, std::nullopt).figure;
-            return drawn(trial, DimensionWish{.all = true}).figure;
+            if (context.dimensions == Dimensions::on) return drawn(trial, shows.turnings, DimensionWish{.all = true}).figure;
+            Figure plain = drawn(trial, shows.turnings, std::nullopt).figure;
+            if (context.dimensions == Dimensions::off) return plain;
+            return with_free_dimensions(trial, std::move(plain), shows.turnings);
         });
     }
 
+    /// The same with ω and α, or ω alone, where that costs it neither its scale nor a name or a dimension its place; else empty
+    /// and at any_scale.
+    Figure with_turnings(const Figure& plain) const {
+        using enum Symbol::Letter;
+        struct Choice {
+            Turnings letters;
+            double most_pulled;  // of them, by a leader: they are looked for then rather than seen
+        };
+        constexpr std::size_t most = 6;        // more crowd any figure
+        constexpr double room_of_each = 1200;  // mm²: in less none found a place
+        const Trial trial{.scale = plain.scale, .strict = true};
+        for (const auto& [letters, most_pulled] : {Choice{{omega, alpha}, 0.5}, Choice{{omega}, 0.7}}) {
+            const std::size_t turnings = turnings_in(letters);
+            if (turnings == 0 || turnings > most || room.x * room.y < room_of_each * static_cast<double>(turnings)) continue;
+            Figure figure = drawn(trial, letters, std::nullopt).figure;
+            if (!has_room(figure) || figure.has_key) continue;
+            if (dimensions_in(plain) > 0) figure = with_free_dimensions(trial, std::move(figure), letters);
+            const double pulled = static_cast<double>(figure.leaders) - static_cast<double>(plain.leaders);
+            const bool is_clear = pulled <= std::max(1.0, most_pulled * static_cast<double>(turnings));
+            if (is_clear && dimensions_in(figure) >= dimensions_in(plain)) return figure;
+        }
+        return Figure::empty_at(any_scale);
+    }
+
 private:
+    using Turnings = std::vector<Symbol::Letter>;
     struct Drawn {
         Figure figure;
         bool dimensioned;
     };
-    Drawn drawn(const Trial& trial, const std::optional<DimensionWish>& dimensions) const {
+    Drawn drawn(const Trial& trial, const Turnings& turnings, const std::optional<DimensionWish>& dimensions) const {
         Sketch sketch(subject, context, trial.scale, "");
         const Box alone{(1 / trial.scale) * shows.without_ways.min, (1 / trial.scale) * shows.without_ways.max};
         if (shows.ways != nullptr) draw_ways(sketch, *shows.ways, alone);
@@ -186,7 +212,7 @@ private:
         draw_in_colour(sketch);
         if (shows.centres) draw_centres(sketch);
         draw_equivalent_linkages(sketch);
-        if (shows.turnings) draw_turnings(sketch, *shows.turnings);
+        for (const Symbol::Letter letter : turnings) draw_turnings(sketch, letter);
         if (dimensions) draw_dimensions(sketch, room, *dimensions);
         const bool dimensioned = !sketch.dimensions.empty();
         if (shows.ways != nullptr) name_centrodes(sketch, *shows.ways, alone);
@@ -202,13 +228,12 @@ private:
 
     /// Dimensions that are not asked for never cost the mechanism a step of its scale, nor a name its place: names come first.
     /// One that a name's leader covers is left out, and the rest placed anew.
-    Figure with_free_dimensions(const Trial& trial) const {
+    Figure with_free_dimensions(const Trial& trial, Figure plain, const Turnings& turnings) const {
         constexpr int most_rounds = 4;
-        Figure plain = drawn(trial, std::nullopt).figure;
         if (!has_room(plain) || plain.has_key) return plain;
         DimensionWish wish{.names = places_of_names(plain, context.fonts)};
         for (int round = 0; round < most_rounds; ++round) {
-            auto [figure, dimensioned] = drawn(trial, wish);
+            auto [figure, dimensioned] = drawn(trial, turnings, wish);
             if (!dimensioned || !has_room(figure)) break;
             std::set<std::string> covered = covered_dimensions(figure, context.fonts);
             if (covered.empty()) return std::move(figure);
@@ -216,37 +241,71 @@ private:
         }
         return plain;
     }
+    static std::size_t dimensions_in(const Figure& figure) {
+        return static_cast<std::size_t>(std::count_if(figure.marks.begin(), figure.marks.end(), [](const Mark& mark) {
+            const auto* group = std::get_if<GroupBegin>(&mark);
+            return group && group->cls == "dimension";
+        }));
+    }
+    /// With those of the drivers, which take their room, too.
+    std::size_t turnings_in(const Turnings& letters) const {
+        std::size_t count = 0;
+        for (const BodyMotion& motion : context.solution.bodies)
+            for (const Symbol::Letter letter : letters) {
+                const auto& value = letter == Symbol::Letter::omega ? motion.omega : motion.alpha;
+                count += value && !value->is_zero() ? 1 : 0;
+            }
+        return count;
+    }
     /// … and all its names are set.
     bool has_room(const Figure& figure) const {
         return figure.labels.empty() && figure.box.width() <= room.x && figure.box.height() <= room.y;
     }
 };
 
-// --- velocities on the mechanism ---------------------------------------------------------------------------------------------
+// --- velocities, accelerations on the mechanism ------------------------------------------------------------------------------
 
-struct ShownVelocity {
+/// What stands on the repetition of the mechanism: of its points and of its bodies.
+struct OnMechanism {
+    const char* name;  // of the figure
+    const char* caption;
+    Symbol::Letter of_points, of_bodies;
+    Quantity::Kind kind;  // of the points' vectors
+    const char* si;
+    Recorded<Vector> PointMotion::*vector;
+    Unit Units::*unit;
+};
+constexpr OnMechanism velocities{
+    "velocities", "velocities on the mechanism", Symbol::Letter::v, Symbol::Letter::omega, Quantity::Kind::velocity,
+    "m/s",        &PointMotion::velocity,        &Units::velocity};
+constexpr OnMechanism accelerations{
+    "accelerations", "accelerations on the mechanism", Symbol::Letter::a,   Symbol::Letter::alpha, Quantity::Kind::acceleration,
+    "m/s²",          &PointMotion::acceleration,       &Units::acceleration};
+
+struct ShownVector {
     const PointMotion* motion;
     std::string name;  // of the point
     BodyIndex body;    // whose colour it has
-    double value;
+    Spot value;
 };
 
 /// The polygon's colour for the same vector, where it is drawn there; else that of the first body that moves.
-BodyIndex body_of(const Solution& solution, const PointMotion& motion, const std::string& name) {
+BodyIndex body_of(const Solution& solution, const PointMotion& motion, const Symbol& symbol) {
     for (const DrawnVector& drawn : solution.protocol.vectors)
-        if (drawn.role == DrawnVector::Role::absolute && drawn.symbol.letter == Symbol::Letter::v && drawn.symbol.about == name &&
-            drawn.body != none)
+        if (drawn.role == DrawnVector::Role::absolute && drawn.symbol.letter == symbol.letter &&
+            drawn.symbol.about == symbol.about && drawn.body != none)
             return drawn.body;
     const auto moving = std::find_if(motion.bodies.begin(), motion.bodies.end(), [](BodyIndex body) { return body > frame; });
     return moving == motion.bodies.end() ? none : *moving;
 }
 
-std::vector<ShownVelocity> shown_velocities(const Solution& solution) {
-    std::vector<ShownVelocity> shown;
+std::vector<ShownVector> shown_vectors(const Solution& solution, const OnMechanism& what) {
+    std::vector<ShownVector> shown;
     for (const PointMotion& motion : solution.points) {
-        if (motion.point == none || !motion.velocity || motion.velocity->is_zero()) continue;
+        const auto& vector = motion.*what.vector;
+        if (motion.point == none || !vector || vector->is_zero()) continue;
         const std::string name = motion.label.empty() ? solution.mechanism.point(motion.point).name : motion.label;
-        shown.push_back({&motion, name, body_of(solution, motion, name), length(*motion.velocity)});
+        shown.push_back({&motion, name, body_of(solution, motion, {what.of_points, name, ""}), paper_spot(*vector)});
     }
     return shown;
 }
@@ -283,15 +342,18 @@ void draw_rays(Sketch& sketch, const PointMotion& motion, Spot tip, const Box& v
     }
 }
 
-void draw_velocity(Sketch& sketch, const ShownVelocity& shown, const Bar& arrow) {
-    const Symbol symbol{Symbol::Letter::v, shown.name, ""};
+void draw_vector(Sketch& sketch, const OnMechanism& what, const ShownVector& shown, const Bar& arrow) {
+    const Symbol symbol{what.of_points, shown.name, ""};
     const BodyColour colour = sketch.theme.colour_of(shown.body);
     const std::string name = name_of(symbol);
     const RichText text = typeset(symbol, sketch.context.language);
     const StatementIndex statement =
-        statement_of_velocity(sketch.subject.solution, shown.motion->bodies.front(), shown.motion->point);
-    sketch.arrows.emplace_back(GroupBegin{
-        "vector", sketch.id("", name), plain(text), {{"data-name", name}, {"data-value", shortest(shown.value)}}, statement});
+        statement_of_motion(sketch.subject.solution, what.kind, shown.motion->bodies.front(), shown.motion->point);
+    sketch.arrows.emplace_back(GroupBegin{"vector",
+                                          sketch.id("", name),
+                                          plain(text),
+                                          {{"data-name", name}, {"data-value", shortest(length(shown.value))}},
+                                          statement});
     draw_arrow(sketch.arrows, arrow.from, arrow.to, sketch.theme.vector, colour.line, colour.dashes);
     sketch.arrows.emplace_back(Axis{arrow.from, arrow.to});
     sketch.arrows.emplace_back(GroupEnd{});
@@ -300,10 +362,50 @@ void draw_velocity(Sketch& sketch, const ShownVelocity& shown, const Bar& arrow)
     label.toward = arrow.to;
 }
 
+/// The mechanism again, in grey. `rays`: to the centres that the vectors are square to.
+Figure drawn_on_mechanism(const DrawingContext& context, const OnMechanism& what, Spot room, bool with_rays) {
+    const Solution& solution = context.solution;
+    const Subject subject(solution);
+    const std::vector<ShownVector> shown = shown_vectors(solution, what);
+    double longest = 0;
+    for (const ShownVector& one : shown) longest = std::max(longest, length(one.value));
+    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room.x - 30, 10.0),
+                                      std::max(room.y - 36, 10.0), std::nullopt);
+    const FitPolicy policy{.room = room, .first = first, .names_stay_in_room = true};
+    return fit(policy, [&](const Trial& trial) {
+        Sketch sketch(subject, context, trial.scale, std::string(what.name) + "-");
+        draw_in_grey(sketch);
+        const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
+        const double scale = longest > 0 ? choose_scale(longest, 0, reach, reach, std::nullopt) : 1;
+        const Box view = grown(sketch.mechanism_box(), 0.25 * sketch.size());
+        std::vector<Ray> rays;
+        for (const ShownVector& one : shown) {
+            const Spot at = sketch.spot(one.motion->point), tip = at + (1 / scale) * one.value;
+            if (with_rays) draw_rays(sketch, *one.motion, tip, view, rays);
+            draw_vector(sketch, what, one, {at, tip});
+        }
+        draw_drivers(sketch);
+        draw_turnings(sketch, what.of_bodies);
+        for (const auto& [bar, statement] : rays) {
+            sketch.construction.emplace_back(line(bar.from, bar.to, sketch.thin()));
+            belong(sketch.construction, sketch.construction.size() - 1, statement);
+        }
+        Figure figure = sketch.finish("body", what.name, what.si);
+        figure.scale = scale;
+        figure.caption = one_piece(word(what.caption, context.language));
+        sketch.close(figure, room, trial.last, scale, solution.mechanism.units.*what.unit, trial.strict);
+        return figure;
+    });
+}
+
 }  // namespace
 
 Figure mechanism_figure(const DrawingContext& context, double room_x, double room_y, bool with_centres, double coarsest) {
-    return MechanismFigure{context, {room_x, room_y}, {with_centres}}.fitted(coarsest);
+    return MechanismFigure{context, {room_x, room_y}, {.centres = with_centres}}.fitted(coarsest);
+}
+
+Figure mechanism_with_found_turnings(const DrawingContext& context, const Figure& plain, Spot room, bool with_centres) {
+    return MechanismFigure{context, room, {.centres = with_centres}}.with_turnings(plain);
 }
 
 Box extent_of_mechanism(const Solution& solution, bool with_centres) {
@@ -321,44 +423,15 @@ Figure mechanism_with_ways(const DrawingContext& context, const std::vector<Way>
 }
 
 Figure mechanism_with_turnings(const DrawingContext& context, Symbol::Letter letter, double room_x, double room_y) {
-    return MechanismFigure{context, {room_x, room_y}, {false, letter}}.fitted(any_scale);
+    return MechanismFigure{context, {room_x, room_y}, {.turnings = {letter}}}.fitted(any_scale);
 }
 
 Figure velocities_on_mechanism(const DrawingContext& context, double room_x, double room_y) {
-    const Solution& solution = context.solution;
-    const Subject subject(solution);
-    const std::vector<ShownVelocity> shown = shown_velocities(solution);
-    double longest = 0;
-    for (const ShownVelocity& one : shown) longest = std::max(longest, one.value);
-    const std::optional<double> asked = asked_scale(solution.mechanism, "body");
-    const double first = choose_scale(subject.box.width(), subject.box.height(), std::max(room_x - 30, 10.0),
-                                      std::max(room_y - 36, 10.0), std::nullopt);
-    const FitPolicy policy{.room = Spot{room_x, room_y}, .first = first, .names_stay_in_room = true};
-    return fit(policy, [&](const Trial& trial) {
-        Sketch sketch(subject, context, trial.scale, "velocities-");
-        draw_in_grey(sketch);
-        const double reach = std::clamp(0.5 * sketch.size(), 15.0, 50.0);
-        const double velocity_scale = choose_scale(longest, 0, reach, reach, asked);
-        const Box view = grown(sketch.mechanism_box(), 0.25 * sketch.size());
-        std::vector<Ray> rays;
-        for (const ShownVelocity& one : shown) {
-            const Spot at = sketch.spot(one.motion->point), velocity = paper_spot(*one.motion->velocity);
-            const Spot tip = at + Spot{velocity.x / velocity_scale, velocity.y / velocity_scale};
-            draw_rays(sketch, *one.motion, tip, view, rays);
-            draw_velocity(sketch, one, {at, tip});
-        }
-        draw_drivers(sketch);
-        draw_turnings(sketch, Symbol::Letter::omega);
-        for (const auto& [bar, statement] : rays) {
-            sketch.construction.emplace_back(line(bar.from, bar.to, sketch.thin()));
-            belong(sketch.construction, sketch.construction.size() - 1, statement);
-        }
-        Figure figure = sketch.finish("body", "velocities", "m/s");
-        figure.scale = velocity_scale;
-        figure.caption = one_piece(word("velocities on the mechanism", context.language));
-        sketch.close(figure, {room_x, room_y}, trial.last, velocity_scale, solution.mechanism.units.velocity, trial.strict);
-        return figure;
-    });
+    return drawn_on_mechanism(context, velocities, {room_x, room_y}, true);
+}
+
+Figure accelerations_on_mechanism(const DrawingContext& context, double room_x, double room_y) {
+    return drawn_on_mechanism(context, accelerations, {room_x, room_y}, false);
 }
 
 }  // namespace kinegraph::render

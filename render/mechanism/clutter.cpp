@@ -28,7 +28,10 @@ void Clutter::add(const std::vector<Mark>& marks) {
                 pen = l->to;
             } else if (const auto* a = std::get_if<ArcTo>(&segment)) {
                 pen = a->centre + a->radius * polar_spot(a->to);
-                add(Bar{a->centre, a->centre}, a->radius);
+                if (path->filled)
+                    add(Bar{a->centre, a->centre}, a->radius);
+                else
+                    add_arc(a->centre, a->radius, a->from, a->to - a->from);
             } else if (std::holds_alternative<Close>(segment)) {
                 add(Bar{pen, start}, half);
             }

@@ -91,12 +91,18 @@ Spot pivot_of(const Layout& layout, BodyIndex body) {
     return layout.shape(body).middle;
 }
 
-/// "ω_2 = 10 rad/s", as the file gives it.
-RichText given_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
+RichText value_of(const Sketch& sketch, const Symbol& symbol, const std::string& figure, const Unit& unit) {
     RichText text = typeset(symbol, sketch.context.language);
-    const std::string figure = given_number(value / unit.si.to_double(), sketch.context.language);
     append(text, with_powers(" = " + figure + " " + unit.symbol));
     return text;
+}
+/// "ω_2 = 10 rad/s", as the file gives it.
+RichText given_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
+    return value_of(sketch, symbol, given_number(value / unit.si.to_double(), sketch.context.language), unit);
+}
+/// "ω_3 = 1.31 rad/s", as the sentences tell what is found.
+RichText found_value(const Sketch& sketch, const Symbol& symbol, double value, const Unit& unit) {
+    return value_of(sketch, symbol, number(value / unit.si.to_double(), 3, sketch.context.language), unit);
 }
 
 void draw_driver(Sketch& sketch, const SpinDriver& spin) {
@@ -173,7 +179,7 @@ void draw_turnings(Sketch& sketch, Symbol::Letter letter) {
         if (statement == none) continue;
         const Unit per_second_squared{"rad/s²", 1};
         const Unit& unit = kind == Quantity::Kind::omega ? sketch.mechanism.units.angular_velocity : per_second_squared;
-        const RichText text = given_value(sketch, symbol, value->to_double(), unit);
+        const RichText text = found_value(sketch, symbol, value->to_double(), unit);
         draw_turning(sketch, {body, pivot_of(sketch, body), value->sign() > 0, text, statement}, &clutter);
     }
 }

@@ -60,6 +60,7 @@ struct Figure {
     std::vector<Mark> marks;           ///< drawing order; groups nest within the figure
     std::vector<LabelRequest> labels;  ///< until place_labels has set them
     std::vector<RichText> unnamed;     ///< names left out, since with all of them none could be read
+    std::size_t leaders = 0;           ///< names that one ties to what they name
     bool has_scale = true;             ///< a diagram has none, nor has a polygon of which all vectors are zero
     bool has_table = false;            ///< what is known of its vectors, or their powers, stands in it
     bool has_key = false;              ///< names that found no place are listed under it

@@ -863,7 +863,7 @@ void draw_leader(std::vector<Mark>& marks, const Candidate& place, Colour colour
 void set_label(Figure& figure, const LabelRequest& request, const Candidate& place, const ShapedLine& shaped, Colour leaders) {
     const std::size_t own = figure.marks.size();
     if (!request.id.empty()) figure.marks.emplace_back(GroupBegin{"", request.id, "", {}});
-    if (place.leader) draw_leader(figure.marks, place, leaders);
+    if (place.leader) draw_leader(figure.marks, place, leaders), ++figure.leaders;
     const Spot centre = place.box.centre;
     if (request.balloon > 0) {
         const double round = 2 * std::numbers::pi * request.balloon;

@@ -18,11 +18,11 @@ std::vector<BodyIndex> pinned_to(const Solution& solution, BodyIndex body, Point
 
 }  // namespace
 
-StatementIndex statement_of_velocity(const Solution& solution, BodyIndex body, PointIndex point) {
+StatementIndex statement_of_motion(const Solution& solution, Quantity::Kind kind, BodyIndex body, PointIndex point) {
     const std::vector<BodyIndex> bodies = pinned_to(solution, body, point);
     for (const DrawnVector& vector : solution.protocol.vectors) {
         const Quantity& drawn = vector.quantity;
-        if (drawn == Quantity{.kind = Quantity::Kind::velocity, .body = drawn.body, .point = point} && holds(bodies, drawn.body))
+        if (drawn == Quantity{.kind = kind, .body = drawn.body, .point = point} && holds(bodies, drawn.body))
             return vector.statement;
     }
     return none;

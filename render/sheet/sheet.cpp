@@ -69,6 +69,7 @@ private:
             if (may_go_on && !takes_what_comes_ && takes_less_than_thought()) continue;
             if (!may_go_on || !has_wider_tables()) break;
         }
+        enrich_figures();
         std::vector<Page> pages;
         for (std::size_t p = 0; p < plan_.size(); ++p) pages.push_back(page(p));
         return pages;
@@ -295,6 +296,16 @@ private:
             details += drawn->figure.details.size();
         }
         for (auto& [band, figures] : drawn_) share_room(figures);
+    }
+    /// With what else has room in the rooms that they have.
+    void enrich_figures() {
+        for (auto& [band, figures] : drawn_)
+            for (Drawn& drawn : figures) {
+                const Wanted& wanted = wanted_.list[drawn.wanted];
+                if (!wanted.enrich) continue;
+                const Spot room{drawn.room.width(), drawn.room.height() - drawn.caption};
+                if (Figure more = wanted.enrich(drawn.figure, room); more.scale != any_scale) drawn.figure = std::move(more);
+            }
     }
     /// What one figure of a band leaves of its room is for another that takes more than its own.
     void share_room(std::vector<Drawn>& figures) {

@@ -43,10 +43,10 @@ bool has_circle(const Solution& solution) {
     const std::size_t bodies = solution.mechanism.bodies.size();
     return bodies >= 3 && bodies <= most && !solution.centres.empty();
 }
-bool has_velocities(const Solution& solution) {
+bool has_some(const Solution& solution, Recorded<Vector> PointMotion::*vector) {
     // An act of motion has them in its own figure.
-    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [](const PointMotion& m) {
-        return m.point != none && m.velocity && !m.velocity->is_zero();
+    return !solution.act_of_motion && std::any_of(solution.points.begin(), solution.points.end(), [&](const PointMotion& m) {
+        return m.point != none && m.*vector && !(m.*vector)->is_zero();
     });
 }
 
@@ -343,11 +343,14 @@ void WantedFigures::add_free_body(const DrawingContext& context, std::size_t ind
 }
 
 void WantedFigures::add_small() {
-    if (has_velocities(context_.solution)) {
-        Wanted velocities = mechanism("velocities", false);
-        velocities.draw = [this](double x, double y) { return velocities_on_mechanism(context_, x, y); };
-        add(std::move(velocities));
-    }
+    const auto add_on_mechanism = [&](const std::string& name, Figure (*draw)(const DrawingContext&, double, double)) -> Wanted& {
+        Wanted wanted = mechanism(name, false);
+        wanted.draw = [this, draw](double x, double y) { return draw(context_, x, y); };
+        return add(std::move(wanted));
+    };
+    if (has_some(context_.solution, &PointMotion::velocity)) add_on_mechanism("velocities", velocities_on_mechanism);
+    if (has_some(context_.solution, &PointMotion::acceleration))
+        add_on_mechanism("accelerations", accelerations_on_mechanism).spare = true;
     if (!has_circle(context_.solution) || detail_ == SolutionDetail::brief) return;
     Wanted circle;
     circle.name = "circle-diagram";
@@ -454,6 +457,10 @@ void WantedFigures::add_mechanism() {
         // The scale that the file asks for is too large for the paper: ours, then.
         return draw(unscaled(), x, y);
     };
+    if (!s.act_of_motion && detail_ == SolutionDetail::full)
+        wanted.enrich = [this, centres](const Figure& plain, Spot room) {
+            return mechanism_with_found_turnings(context_, plain, room, centres);
+        };
     add(std::move(wanted));
 }
 

@@ -41,12 +41,15 @@ struct Wanted {
     std::function<Figure(double room_x, double room_y)> draw;
     /// The same, but empty and at any_scale where it has no room at `coarsest`; none: it is drawn as it comes.
     std::function<Figure(Spot room, double coarsest)> draw_or_refuse{};
+    /// The figure with all that there is room for, once its room is known; empty and at any_scale: there is no room for more.
+    /// None: nothing more can be shown.
+    std::function<Figure(const Figure& plain, Spot room)> enrich{};
     /// By how many mm it must be wider at a scale for a block (width, height) in one of its corners; none: it has no such corner.
     std::function<double(double scale, Spot block)> wider_for{};
     /// What its strokes take at a scale, mm, where that is not in proportion to its extents.
     std::function<Spot(double scale)> strokes{};
     bool empty = false;           ///< all its vectors are zero: a pole and names
-    bool spare = false;           ///< shown only where there is room
+    bool spare = false;           ///< shown only where there is room, or alone
     bool to_force_scale = false;  ///< one scale for all of these
     bool fills = false;           ///< drawn to fill its room; its scale is that of its vectors
 

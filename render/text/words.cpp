@@ -653,6 +653,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"velocity polygon", "Velocity polygon", "Poligono delle velocità"},
     FixedWords{"acceleration polygon", "Acceleration polygon", "Poligono delle accelerazioni"},
     FixedWords{"velocities on the mechanism", "Velocities on the mechanism", "Velocità sul meccanismo"},
+    FixedWords{"accelerations on the mechanism", "Accelerations on the mechanism", "Accelerazioni sul meccanismo"},
     FixedWords{"loops on the mechanism", "Vector loops on the mechanism", "Maglie vettoriali sul meccanismo"},
     FixedWords{"virtual displacements", "Virtual displacements for", "Spostamenti virtuali per"},
     FixedWords{"moving axes", "Moving axes on body", "Terna mobile sul corpo"},
