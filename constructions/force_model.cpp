@@ -53,6 +53,15 @@ std::string ForceModel::member_name(MemberIndex member) const {
     return is_pin(member) ? mechanism_.point(pin_point(member)).name : mechanism_.body(body_of(member)).name;
 }
 
+Quantity ForceModel::quantity_at(std::size_t bond, bool on_first) const {
+    const Bond& at = bonds_[bond];
+    if (at.effort >= 0) return {.kind = Quantity::Kind::effort, .given = at.effort};
+    return {.kind = Quantity::Kind::force,
+            .body = body_of(on_first ? at.first : at.second),
+            .other = body_of(on_first ? at.second : at.first),
+            .joint = at.joint};
+}
+
 Symbol ForceModel::force_symbol(MemberIndex of, MemberIndex on) const {
     return {Symbol::Letter::F, relative_name_of_bodies(member_name(of), member_name(on)), {}};
 }

@@ -200,6 +200,8 @@ public:
     bool is_pin(MemberIndex member) const { return at(member) >= mechanism_.bodies.size(); }
     /// None: it is a pin.
     BodyIndex body_of(MemberIndex member) const { return is_pin(member) ? none : BodyIndex(member.number()); }
+    /// What a bond transmits, as it acts on its first member or on the other.
+    Quantity quantity_at(std::size_t bond, bool on_first) const;
     /// F_32: of 3 on 2.
     Symbol force_symbol(MemberIndex of, MemberIndex on) const;
     /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file gives.

@@ -41,13 +41,7 @@ Symbol ForceSentences::symbol_on(int b, const Group& group) const {
 }
 
 Quantity ForceSentences::quantity_on(int b, const Group& group) const {
-    const Bond& bond = model_.bonds()[at(b)];
-    if (bond.effort >= 0) return {.kind = Quantity::Kind::effort, .given = bond.effort};
-    const bool on_first = in(group, bond.first);
-    return {.kind = Quantity::Kind::force,
-            .body = model_.body_of(on_first ? bond.first : bond.second),
-            .other = model_.body_of(on_first ? bond.second : bond.first),
-            .joint = bond.joint};
+    return model_.quantity_at(at(b), in(group, model_.bonds()[at(b)].first));
 }
 
 PointName ForceSentences::place_name(int b) const {

@@ -50,7 +50,7 @@ void Superposing::sum_parts(std::size_t b, const Run& run, Superposition& found)
         const Reaction& reaction = part.run.reactions[b];
         if (reaction.force)
             sides.push_back({marked(symbol, model_.member_name(part.loaded)), turned(*reaction.force), static_cast<int>(b), true,
-                             quantity_on(b, reversed)});
+                             model_.quantity_at(b, !reversed)});
         if (reaction.couple) couples.parts.push_back(recorded(turned_couple(*reaction.couple)));
     }
     const Reaction& total = run.reactions[b];
@@ -64,20 +64,11 @@ void Superposing::sum_parts(std::size_t b, const Run& run, Superposition& found)
     Face face;
     const Corner here = polygons_.set_off(polygon, on, sides, start, face);
     if (total.force)
-        polygons_.draw_side(polygon, {symbol, turned(*total.force), static_cast<int>(b), true, quantity_on(b, reversed)}, on,
-                            start, here);
+        polygons_.draw_side(polygon, {symbol, turned(*total.force), static_cast<int>(b), true, model_.quantity_at(b, !reversed)},
+                            on, start, here);
     face.corners.push_back(here.element);
     board_.add_face(polygon, std::move(face));
     found.sums.push_back({symbol, model_.body_of(on), polygon});
-}
-
-Quantity Superposing::quantity_on(std::size_t b, bool reversed) const {
-    const Bond& bond = model_.bonds()[b];
-    if (bond.effort >= 0) return {.kind = Quantity::Kind::effort, .given = bond.effort};
-    return {.kind = Quantity::Kind::force,
-            .body = model_.body_of(reversed ? bond.second : bond.first),
-            .other = model_.body_of(reversed ? bond.first : bond.second),
-            .joint = bond.joint};
 }
 
 }  // namespace kinegraph::statics

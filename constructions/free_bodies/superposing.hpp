@@ -21,7 +21,6 @@ private:
     /// Of one action, on a body that moves: forces tip to tail, and couples.
     void sum_parts(std::size_t b, const Run& run, Superposition& found);
     /// Of a bond, on its first member or, reversed, on its second.
-    Quantity quantity_on(std::size_t b, bool reversed) const;
 
     ForceModel& model_;
     Board& board_;
