@@ -150,17 +150,24 @@ bool ForceModel::pulls(std::size_t b, const Run& run) {
     return material_side(index) * radial < 0;
 }
 
-bool ForceModel::turn_teeth(const Run& run) {
-    bool changed = false;
+std::vector<JointIndex> ForceModel::pulling_teeth(const Run& run) {
+    std::vector<JointIndex> teeth;
     for (std::size_t b = 0; b < joint_bonds_; ++b) {
         const JointIndex joint = bonds_[b].joint;
-        if (joint == none || !mechanism_.joints[at(joint)].pair().meshes() || !pulls(b, run)) continue;
-        const bool mirror = mirrored_gears_.insert(joint).second;
-        if (!mirror) mirrored_gears_.erase(joint);
-        bonds_[b].direction = mirror ? board_.other_normal(joint) : board_.normal(joint);
-        changed = true;
+        if (joint != none && mechanism_.joints[at(joint)].pair().meshes() && pulls(b, run)) teeth.push_back(joint);
     }
-    return changed;
+    return teeth;
+}
+
+void ForceModel::turn_flanks(const std::vector<JointIndex>& teeth) {
+    for (const JointIndex joint : teeth)
+        if (!mirrored_gears_.insert(joint).second) mirrored_gears_.erase(joint);
+    // The lines of all of them: what was drawn of them since may be wiped off.
+    for (std::size_t b = 0; b < joint_bonds_; ++b) {
+        const JointIndex joint = bonds_[b].joint;
+        if (joint == none || !mechanism_.joints[at(joint)].pair().meshes()) continue;
+        bonds_[b].direction = mirrored_gears_.contains(joint) ? board_.other_normal(joint) : board_.normal(joint);
+    }
 }
 
 int ForceModel::material_side(JointIndex index) {

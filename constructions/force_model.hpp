@@ -207,9 +207,11 @@ public:
     /// One-sided pairs are assumed to push: teeth into the gear's own material, a contact in the sense that the file gives.
     /// Whether the reaction found at a bond says that it would have to pull.
     bool pulls(std::size_t bond, const Run& run);
-    /// Teeth that would pull push on their other flank: along the line of action mirrored at the common tangent. True where a
-    /// line was changed, and all is to be found anew. (Contacts have no other flank: they lift off.)
-    bool turn_teeth(const Run& run);
+    /// Teeth that would pull. (Contacts may pull, too, but have no other flank: they lift off.)
+    std::vector<JointIndex> pulling_teeth(const Run& run);
+    /// They push on their other flank from then on: along the line of action mirrored at the common tangent. All is to be found
+    /// anew.
+    void turn_flanks(const std::vector<JointIndex>& teeth);
     Action action(PlaceOnDrawing place, DirectionHandle direction);
     LineOn<drawing> line_of(const Wrench& wrench);
     /// Moment of a wrench about a place.

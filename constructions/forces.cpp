@@ -111,9 +111,17 @@ ForceResults draw_forces(Structure& structure, Board& board, const Motion& motio
     for (const statics::Loose& each : loose)
         if (!each.balanced) adrift.insert(each.group.begin(), each.group.end());
     if (const auto truss = truss_of(mechanism)) return statics::draw_truss(model, board, mechanism, mobility, *truss);
-    statics::Runs runs(model, board, mechanism, std::move(adrift), statics::is_redundant(mechanism, mobility));
-    const statics::Run run = runs.run();
-    return statics::cut_free(model, board, mechanism, mobility, run, runs.meets(), loose);
+    // On which flank teeth push is known once their forces are; what was found on the others is wiped off again.
+    const Board::Mark before = board.mark();
+    for (std::size_t round = 0;; ++round) {
+        statics::Runs runs(model, board, mechanism, adrift, statics::is_redundant(mechanism, mobility));
+        const statics::Run run = runs.run();
+        const std::vector<JointIndex> pulling = model.pulling_teeth(run);
+        if (pulling.empty() || round == mechanism.joints.size())
+            return statics::cut_free(model, board, mechanism, mobility, run, runs.meets(), loose);
+        board.rewind(before);
+        model.turn_flanks(pulling);
+    }
 }
 
 }  // namespace kinegraph

@@ -280,8 +280,10 @@ struct PointName {
     std::string name;
 };
 struct BodyName {
+    /// Truss: all of it, cut free whole, or a bar by which it hangs. Pin: of a hinge, a node of its own, named by its point.
+    enum class As { body, truss, pin };
     std::string name;
-    bool is_truss = false;  ///< all of it, cut free whole: it is called the truss
+    As as = As::body;
 };
 /// A joint as readers are told of it: by its point, which stands in the drawing, or by a name of its own, which does not.
 struct JointName {

@@ -145,6 +145,15 @@ TEST(Bands, FillTheirPages) {
     EXPECT_GE(least, 0.26) << emptiest;
 }
 
+TEST(Bands, TellNothingLikewiseBeforeItsVectorIsDrawn) {
+    std::string words = words_of(lay_out(example("quick_return"), {}, fonts()));
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    const std::size_t drawn = words.find("they meet in d and close"), read = words.find("ω_5 is v_DC divided by CD");
+    ASSERT_NE(drawn, std::string::npos);
+    ASSERT_NE(read, std::string::npos);
+    EXPECT_LT(drawn, read);
+}
+
 TEST(Bands, AreReadInTheOrderOfTheSolutionAndNoneIsTorn) {
     int pages_in_all = 0;
     for (const std::string& name : example_names()) {

@@ -435,6 +435,31 @@ TEST(ForcePairs, TeethPushApart) {
     }
 }
 
+// One of the two senses is found on the flanks that were assumed first, the other on those turned round; of the attempt before
+// nothing is said.
+TEST(ForcePairs, TeethTurnedToTheirOtherFlankLeaveNoSentenceBehind) {
+    std::vector<std::vector<Sentence>> said;
+    for (const char* couple : {"60", "-60"}) {
+        const Statics s(R"({"kinegraph": 1, "units": {"length": "mm"}, "frame": 1, "points": {"O": [0, 0], "Q": {"from": "O",
+            "distance": 75, "angle": 50}, "P1": {"from": "O", "to": "Q", "distance": 40}, "P2": {"from": "O", "to": "Q",
+            "distance": 110}}, "bodies": {"1": {"points": ["O"], "circle": {"centre": "O", "radius": 110}}, "2": {"points": ["O",
+            "P1"], "circle": {"centre": "O", "radius": 40}}, "3": {"points": ["Q"], "circle": {"centre": "Q", "radius": 35}},
+            "4": ["O", "Q"]}, "joints": [{"revolute": "O", "bodies": [1, 2, 4]}, {"revolute": "Q", "bodies": [3, 4]},
+            {"gear": "P1", "bodies": [2, 3], "arm": 4, "profiles": {}, "pressure angle": 20},
+            {"gear": "P2", "bodies": [3, 1], "arm": 4, "profiles": {}, "pressure angle": 20}],
+            "loads": [{"couple": "Mr", "body": 4, "value": )" +
+                        std::string(couple) + R"(}], "effort": {"couple": "Mm", "body": 2}})");
+        EXPECT_EQ(s.why(), "");
+        EXPECT_NEAR(s.effort().to_double(), -std::stod(couple) * 40 / 150, 1e-9) << "Willis: the sun's share";
+        said.emplace_back();
+        for (const Statement& statement : s.solution.protocol.statements)
+            if (statement.section == Topic::forces) said.back().push_back(statement.message.sentence);
+    }
+    EXPECT_EQ(said.front(), said.back());
+    const auto parallel = std::count(said.front().begin(), said.front().end(), Sentence::three_parallel_lines);
+    EXPECT_EQ(parallel, 0) << "slanting lines of action meet";
+}
+
 TEST(ForcePairs, ContactThatWouldPullIsSaidToLiftOff) {
     const auto beam = [](const char* load) {
         return Statics(R"({"kinegraph": 1, "frame": 1, "points": {"A": [0, 0], "B": [4, 0], "P": [1, 0]},

@@ -33,12 +33,6 @@ SheetOptions brief(Language language = Language::en) {
     return options;
 }
 
-std::string words_of(const std::vector<Page>& pages) {
-    std::string words;
-    for (const Page& page : pages)
-        for (const TextMark* text : texts_of(page)) words += text->words + "\n";
-    return words;
-}
 std::set<std::string> classes_of(const std::vector<Page>& pages) {
     std::set<std::string> classes;
     for (const Page& page : pages)

@@ -28,6 +28,14 @@ inline std::vector<const TextMark*> texts_of(const Page& page) {
         if (const auto* text = std::get_if<TextMark>(&mark)) texts.push_back(text);
     return texts;
 }
+/// All words of the pages, a line each.
+inline std::string words_of(const std::vector<Page>& pages) {
+    std::string words;
+    for (const Page& page : pages)
+        for (const TextMark* text : texts_of(page)) words += text->words + "\n";
+    return words;
+}
+
 inline bool says(const Page& page, const std::string& words) {
     for (const TextMark* text : texts_of(page))
         if (text->words.find(words) != std::string::npos) return true;

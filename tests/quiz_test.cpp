@@ -180,6 +180,7 @@ TEST_P(QuizOf, AsksForItsResultsAndTellsTheSolution) {
             EXPECT_EQ(blank.unit, result.unit);
             EXPECT_LE(std::abs(number_in(blank.value) - result.value), 0.01 * tolerance) << blank.name;
             EXPECT_TRUE(tolerance > 0 || result.value == 0) << blank.name;
+            EXPECT_EQ(blank.tolerance.find('e'), std::string::npos) << blank.tolerance << ": as people write it";
             EXPECT_LE(tolerance, 0.25 * std::abs(result.value)) << blank.name << ": a reading that says nothing";
             EXPECT_FALSE(blank.words.empty() || blank.symbol.empty()) << blank.name;
             EXPECT_EQ(render::plain(blank.words).find("{"), std::string::npos) << render::plain(blank.words);

@@ -100,6 +100,16 @@ TEST(Words, SpeakOfOneOtherwiseThanOfSeveral) {
     EXPECT_NE(plain(say(repeated(1), Language::en)).find("Joint O_2 repeats 1 constraint that"), std::string::npos);
 }
 
+TEST(Words, OfAPinDoNotCallItABody) {
+    const Symbol force{Symbol::Letter::F, "1B", ""};
+    const auto said = [&](BodyName::As as, Language language) {
+        return tell({Sentence::single_reaction, {BodyName{"B", as}, force}}, language);
+    };
+    EXPECT_TRUE(said(BodyName::As::body, Language::en).starts_with("On body B only"));
+    EXPECT_TRUE(said(BodyName::As::pin, Language::en).starts_with("On pin B only"));
+    EXPECT_TRUE(said(BodyName::As::pin, Language::it).starts_with("Sul perno B"));
+}
+
 TEST(Words, OfRollingSayTheTermOfTheirCase) {
     const auto rolls = [](RollingLever lever) {
         return tell({Sentence::rolling_point_on_rest_acceleration,

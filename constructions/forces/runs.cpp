@@ -9,8 +9,6 @@ namespace kinegraph::statics {
 
 Run Runs::run() {
     Run result = solve(model_.loads());
-    for (std::size_t round = 0; round < mechanism_.joints.size() && model_.turn_teeth(result); ++round)
-        result = solve(model_.loads());
     sums_.gather_components(result);
     return result;
 }
@@ -37,7 +35,7 @@ Run Runs::solve(const std::vector<Load>& loads) {
                      [&](const Load& load) { return load.member == member; });
         const std::string name = model_.member_name(member);
         said_.set_mark(name);
-        said_.say(Sentence::superposition, {BodyName{name}});
+        said_.say(Sentence::superposition, {BodyName{name, model_.is_pin(member) ? BodyName::As::pin : BodyName::As::body}});
         PartRun part{member, own, known_.fresh(), said_.last(), none};
         rules_.advance(own, part.run);
         if (!part.run.complete) trials_.close_by_trial(own, part.run, 0);

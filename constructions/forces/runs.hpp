@@ -1,6 +1,5 @@
 // How the forces of a mechanism are found: all loads at once by the rules; where that does not lead to the end, what every
-// equilibrium has alike, or load by load and by trials. Teeth that would pull are turned to their other flank, and all is found
-// anew.
+// equilibrium has alike, or load by load and by trials.
 #pragma once
 
 #include <map>
@@ -20,7 +19,6 @@ public:
     /// does not determine everything.
     Runs(ForceModel& model, Board& board, const Mechanism& mechanism, std::set<MemberIndex> adrift, bool redundant)
         : model_(model),
-          mechanism_(mechanism),
           redundant_(redundant),
           known_(model, std::move(adrift), mechanism.efforts.empty() ? model.hung_on_frame() : std::vector<Group>{}),
           said_(model, board, mechanism, known_),
@@ -41,7 +39,6 @@ private:
     Run solve(const std::vector<Load>& loads);
 
     ForceModel& model_;
-    const Mechanism& mechanism_;
     bool redundant_;
     KnownForces known_;
     ForceSentences said_;

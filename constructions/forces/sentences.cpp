@@ -29,10 +29,15 @@ void ForceSentences::say_of(const Group& group, Sentence sentence, std::vector<A
                 names += (names.empty() ? "" : bodies < 2 ? "+" : " + ") + model_.member_name(member);
     const auto bar = group.size() == 1 ? bar_names_.find(group.front()) : bar_names_.end();
     if (bar != bar_names_.end())
-        arguments.insert(arguments.begin(), BodyName{bar->second, true});
+        arguments.insert(arguments.begin(), BodyName{bar->second, BodyName::As::truss});
     else
-        arguments.insert(arguments.begin(), BodyName{names, of_truss_ && known_.is_whole(group)});
+        arguments.insert(arguments.begin(), BodyName{names, as_what(group)});
     say(sentence, std::move(arguments), source, group);
+}
+
+BodyName::As ForceSentences::as_what(const Group& group) const {
+    if (of_truss_ && known_.is_whole(group)) return BodyName::As::truss;
+    return group.size() == 1 && model_.is_pin(group.front()) ? BodyName::As::pin : BodyName::As::body;
 }
 
 Symbol ForceSentences::symbol_on(int b, const Group& group) const {

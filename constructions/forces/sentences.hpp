@@ -56,6 +56,7 @@ public:
 private:
     /// Pins come after the bodies.
     MemberIndex last_body_of(const Group& group) const;
+    BodyName::As as_what(const Group& group) const;
     std::string free_letter() const;
     void remember_meets();
 

@@ -144,7 +144,7 @@ LabelRequest label_of_meet(const Sketch& sketch, const std::string& name, Spot a
 void draw_meet(Sketch& sketch, const std::string& name, Spot at, StatementIndex statement, const std::string& place) {
     LabelRequest own = label_of_meet(sketch, name, at, 2.0, statement, place);
     for (LabelRequest& label : sketch.labels) {
-        if (label.balloon > 0 || label.toward || length(label.anchor - at) > 0.3) continue;
+        if (label.balloon > 0 || label.toward || length(label.anchor - at) > same_place) continue;
         // The lines meet in a point that has a name already.
         append(label.text, one_piece(" ≡ "));
         append(label.text, own.text);

@@ -342,19 +342,39 @@ Band& Bands::add(const std::string& question, const std::vector<std::string>& fi
     return band;
 }
 
+/// That which says the same of another, unless what is told here reads a vector that was drawn since.
+std::optional<std::size_t> Bands::same_before(const Band& band, const Statement& added) const {
+    if (!may_be_merged(added.message)) return std::nullopt;
+    const auto reads_of = [&](std::size_t drawn_by) {
+        const std::vector<DrawnVector>& vectors = solution_.protocol.vectors;
+        return std::any_of(vectors.begin(), vectors.end(), [&](const DrawnVector& vector) {
+            return vector.statement == StatementIndex(drawn_by) &&
+                   std::any_of(added.message.arguments.begin(), added.message.arguments.end(), [&](const Argument& argument) {
+                       const auto* symbol = std::get_if<Symbol>(&argument);
+                       return symbol != nullptr && *symbol == vector.symbol;
+                   });
+        });
+    };
+    for (auto part = band.parts.rbegin(); part != band.parts.rend(); ++part) {
+        if (part->kind != Kind::steps) continue;
+        for (auto before = part->which.rbegin(); before != part->which.rend(); ++before) {
+            if (solution_.protocol.statements[*before].message.sentence == added.message.sentence) return *before;
+            if (reads_of(*before)) return std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
 void Bands::add_step(Band& band, std::size_t statement) {
     const Statement& added = solution_.protocol.statements[statement];
     if (told_by_list(added.message.sentence)) return;
     if (!added.equation) {
         if (detail_ == SolutionDetail::brief && is_incidental(added.message.sentence)) return;
         // A sentence that repeats another of its band is told with it.
-        for (const Band::Part& part : band.parts)
-            for (const std::size_t other : part.kind == Kind::steps ? part.which : std::vector<std::size_t>{})
-                if (solution_.protocol.statements[other].message.sentence == added.message.sentence &&
-                    may_be_merged(added.message)) {
-                    likewise_[other].push_back(statement);
-                    return;
-                }
+        if (const auto other = same_before(band, added)) {
+            likewise_[*other].push_back(statement);
+            return;
+        }
     }
     if (band.parts.empty() || band.parts.back().kind != Kind::steps) band.parts.push_back({Kind::steps});
     band.parts.back().which.push_back(statement);

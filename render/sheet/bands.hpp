@@ -94,6 +94,7 @@ private:
     void add_items(std::vector<EquationItem> items, const std::string& pages);
     Band& add(const std::string& question, const std::vector<std::string>& figures);
     void add_step(Band& band, std::size_t statement);
+    std::optional<std::size_t> same_before(const Band& band, const Statement& added) const;
     void number_steps();
     void deal_out_results();
     void add_remarks();

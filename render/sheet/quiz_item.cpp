@@ -39,11 +39,11 @@ struct WrittenAnswer {
 WrittenAnswer written(double value, double tolerance) {
     if (!(tolerance > 0)) return {shortest(value), "0"};
     constexpr int beyond = 2, most = 15;
-    std::array<char, 32> digits{};
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), rounded_up(tolerance), std::chars_format::general, 1).ptr;
+    const double round = rounded_up(tolerance);
     const int decimals = std::max(0, beyond - static_cast<int>(std::floor(std::log10(tolerance))));
-    return {decimals > most ? shortest(value) : decimal(value, decimals), std::string(digits.data(), end)};
+    const int of_tolerance = std::max(0, -static_cast<int>(std::floor(std::log10(round) + 1e-9)));
+    if (decimals > most) return {shortest(value), shortest(round)};
+    return {decimal(value, decimals), decimal(round, of_tolerance)};
 }
 
 class QuizWriter {

@@ -178,20 +178,30 @@ private:
             answers_.push_back(std::move(answer));
         }
     }
+    /// As it is read best, in a detail or not; N.
+    double tolerance_of_force(const std::string& name) const {
+        for (const ResultRow& row : forces_)
+            if (row.name == name && !row.group.couples)
+                if (const auto tolerance = tolerance_of_vector(row)) return *tolerance * mechanism_.units.force.si.to_double();
+        return reading_by_hand * *force_scale_;
+    }
     /// M = F·h with the largest force on the body: both are read.
     std::optional<double> tolerance_of_couple(const ResultRow& row) const {
         if (!length_scale_ || !force_scale_) return std::nullopt;
-        double force = 0;
+        const AppliedForce* largest = nullptr;
         BodyIndex on = row.quantity.body;
         if (row.quantity.kind == Kind::effort)
             if (const auto* effort = std::get_if<CoupleEffort>(&mechanism_.efforts[at_index(row.quantity.given)]))
                 on = effort->body;
         for (const FreeBody& body : solution_.free_bodies)
             if (body.body == on)
-                for (const AppliedForce& applied : body.forces) force = std::max(force, kinegraph::length(applied.force));
+                for (const AppliedForce& applied : body.forces)
+                    if (largest == nullptr || kinegraph::length(applied.force) > kinegraph::length(largest->force))
+                        largest = &applied;
+        const double force = largest == nullptr ? 0 : kinegraph::length(largest->force);
         if (!(force > 0)) return std::nullopt;
         const double si = mechanism_.units.moment.si.to_double(), arm = std::abs(row.drawing) * si / force;
-        return reading_by_hand * (force * *length_scale_ + arm * *force_scale_) / si;
+        return (reading_by_hand * *length_scale_ * force + arm * tolerance_of_force(name_of(largest->symbol))) / si;
     }
 
     const Solution& solution_;

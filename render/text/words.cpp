@@ -1205,6 +1205,12 @@ std::string lower_case(std::string_view name) {
 /// At which no line ends.
 constexpr const char* unbroken_blank = "\u00A0";
 
+/// "lbf in", on one line.
+std::string unbroken(std::string unit) {
+    for (std::size_t at = unit.find(' '); at != std::string::npos; at = unit.find(' ', at)) unit.replace(at, 1, unbroken_blank);
+    return unit;
+}
+
 /// As symbols are set in the figures, or with names as files and commands spell them.
 enum class Setting { typeset, spelt };
 
@@ -1229,7 +1235,7 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
             if constexpr (std::is_same_v<T, PointName>) {
                 return name(value.name);
             } else if constexpr (std::is_same_v<T, BodyName>) {
-                return {piece(value.name)};
+                return value.as == BodyName::As::pin ? name(value.name) : RichText{piece(value.name)};
             } else if constexpr (std::is_same_v<T, JointName>) {
                 return value.own ? RichText{piece(value.name)} : name(value.name);
             } else if constexpr (std::is_same_v<T, Count>) {
@@ -1262,7 +1268,8 @@ RichText argument(const Argument& arg, Language language, Setting setting) {
             } else if constexpr (std::is_same_v<T, std::string>) {
                 return {piece(value)};
             } else if constexpr (std::is_same_v<T, Amount>) {
-                return {piece(number(value.value, 3, language) + blank + value.unit)};
+                return {piece(number(value.value, 3, language) + blank +
+                              (setting == Setting::typeset ? unbroken(value.unit) : value.unit))};
             } else if constexpr (std::is_same_v<T, RollingLever>) {
                 if (value == RollingLever::on_straight) return {piece("r", Face::italic)};
                 RichText text{piece("R" + blank + "r", Face::italic), piece("/("), piece("R", Face::italic)};
@@ -1321,6 +1328,12 @@ std::string of_truss(std::string pattern, Language language) {
                                                                              {"il corpo {0}", "la travatura"}}};
     return language == Language::en ? replaced(std::move(pattern), english) : replaced(std::move(pattern), italian);
 }
+/// Of the pin of a hinge.
+std::string of_pin(std::string pattern, Language language) {
+    static constexpr std::array<std::array<std::string_view, 2>, 2> english{{{"Body {0}", "Pin {0}"}, {"body {0}", "pin {0}"}}};
+    static constexpr std::array<std::array<std::string_view, 2>, 1> italian{{{"corpo {0}", "perno {0}"}}};
+    return language == Language::en ? replaced(std::move(pattern), english) : replaced(std::move(pattern), italian);
+}
 /// Where several bodies are taken together.
 std::string of_several(std::string pattern, Language language) {
     static constexpr std::array<std::array<std::string_view, 2>, 3> english{
@@ -1336,7 +1349,8 @@ std::string pattern_of(const Message& message, Language language) {
     std::string pattern(pattern_of(message.sentence, language));
     const auto* body = message.arguments.empty() ? nullptr : std::get_if<BodyName>(&message.arguments.front());
     if (body == nullptr) return pattern;
-    if (body->is_truss) {
+    if (body->as == BodyName::As::pin) return of_pin(std::move(pattern), language);
+    if (body->as == BodyName::As::truss) {
         // A bar by which it hangs.
         if (message.sentence == Sentence::two_force_body)
             return language == Language::en ? "Bar {0} carries a force along itself."
@@ -1474,7 +1488,7 @@ RichText worked_out(const Working& working, Language language) {
     if (working.divisor) product += "/" + factor(*working.divisor, language);
     constexpr int digits = 3;
     std::string result = number(working.result.value, digits, language);
-    if (working.result.value != 0) result += unbroken_blank + working.result.unit;
+    if (working.result.value != 0) result += unbroken_blank + unbroken(working.result.unit);
     append(text, with_powers(equals + (product.empty() ? "" : product + " =" + unbroken_blank) + result));
     return text;
 }
