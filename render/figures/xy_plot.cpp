@@ -169,6 +169,7 @@ private:
         const Spot start = start_of(words, spot);
         // On a ground that the grid does not cross.
         const Box ground = ground_of(words, start);
+        named_.push_back(ground);
         figure_.marks.emplace_back(
             tinted(filled({ground.min, {ground.max.x, ground.min.y}, ground.max, {ground.min.x, ground.max.y}}, theme_.paper)));
         set_text(figure_.marks, words, start, colour.letter, "label");
@@ -176,24 +177,40 @@ private:
     static Box ground_of(const ShapedLine& words, Spot start) {
         return rectangle(start.x - 0.4, start.y - words.ascent - 0.3, start.x + words.width + 0.4, start.y + 0.6);
     }
-    /// Where a mark's words begin: above its place, or where the fewest curves pass.
+    /// Where a mark's words begin: above its place, or where the fewest curves pass, as near as can be.
     Spot start_of(const ShapedLine& words, Spot spot) const {
         const double above = spot.y - 1.8, below = spot.y + words.ascent + 1.8, level = spot.y + words.ascent / 2;
         const double right = spot.x + 1.8, left = spot.x - 1.8 - words.width, over = spot.x - words.width / 2;
         Spot best;
         std::size_t fewest = ~std::size_t{0};
-        for (const Spot place : {Spot{spot.x - 2, above}, Spot{over, below}, Spot{right, level}, Spot{left, level},
-                                 Spot{right, above}, Spot{left, above}, Spot{right, below}, Spot{left, below}}) {
-            const Spot start{std::clamp(place.x, frame_.min.x + 1, frame_.max.x - 1 - words.width),
-                             std::clamp(place.y, frame_.min.y + words.ascent + 0.8, frame_.max.y - 0.8)};
-            const std::size_t count = lines_through(ground_of(words, start), spot);
-            if (count >= fewest) continue;
-            fewest = count;
-            best = start;
-        }
+        const Spot middle{0.5 * words.width, -0.5 * words.ascent};
+        for (const double farther : {0.0, 1.5, 3.0, 5.0})
+            for (const Spot place : {Spot{spot.x - 2, above}, Spot{over, below}, Spot{right, level}, Spot{left, level},
+                                     Spot{right, above}, Spot{left, above}, Spot{right, below}, Spot{left, below}}) {
+                const Spot moved = place + farther * unit(place + middle - spot);
+                const Spot start{std::clamp(moved.x, frame_.min.x + 1, frame_.max.x - 1 - words.width),
+                                 std::clamp(moved.y, frame_.min.y + words.ascent + 0.8, frame_.max.y - 0.8)};
+                const Box ground = ground_of(words, start);
+                constexpr std::size_t worse = 8;  // than a line of the grid
+                const std::size_t count = worse * lines_through(ground, spot) + grid_through(ground);
+                if (count >= fewest) continue;
+                fewest = count;
+                best = start;
+            }
         return best;
     }
-    /// Pieces of curves and other marks' dots within a box; and the mark itself.
+    std::size_t grid_through(const Box& box) const {
+        const auto is_crossed = [](const Scaled& scale, double low, double high) {
+            return std::floor((high - scale.least) / scale.step) > std::floor((low - scale.least) / scale.step);
+        };
+        const auto value = [](const Scaled& scale, double from, double to, double place) {
+            return scale.least + (place - from) / (to - from) * scale.width();
+        };
+        const auto x = [&](double place) { return value(x_, frame_.min.x, frame_.max.x, place); };
+        const auto y = [&](double place) { return value(y_, frame_.max.y, frame_.min.y, place); };
+        return (is_crossed(x_, x(box.min.x), x(box.max.x)) ? 1U : 0U) + (is_crossed(y_, y(box.max.y), y(box.min.y)) ? 1U : 0U);
+    }
+    /// Pieces of curves, other marks' dots and words within a box; and the mark itself.
     std::size_t lines_through(const Box& box, Spot own) const {
         std::size_t count = drawing::contains(box, own) ? 4 : 0;
         for (const XyCurve& curve : plot_.curves)
@@ -204,6 +221,8 @@ private:
             }
         for (const XyMark& other : plot_.marks)
             if (drawing::contains(box, at(other.at))) ++count;
+        for (const Box& named : named_)
+            if (box.min.x < named.max.x && named.min.x < box.max.x && box.min.y < named.max.y && named.min.y < box.max.y) ++count;
         return count;
     }
     /// Names in rows above the frame, each with its line: as many in a row as have room.
@@ -246,6 +265,7 @@ private:
     Scaled x_, y_;
     std::vector<std::vector<std::size_t>> legend_;  ///< rows of curves
     Box frame_;
+    std::vector<Box> named_;  ///< the grounds of words that stand already
     Figure figure_;
 };
 
