@@ -161,6 +161,15 @@ private:
         // A term of an equation that was known already needs no value where nothing is worked out.
         if (known && factors.empty() && protocol_.statements[at_index(vector.statement)].equation) return;
         tell(vector.statement, vector.symbol, std::move(factors), std::nullopt, value, unit);
+        if (vector.role == Role::coriolis) tell_direction(vector);
+    }
+    void tell_direction(const DrawnVector& coriolis) {
+        Working& told = message(coriolis.statement).workings.back();
+        const BodyIndex turning = coriolis.seen.to.body;
+        if (told.of != coriolis.symbol || told.factors.empty() || turning == none) return;
+        const bool observed = protocol_.polygons[at_index(coriolis.polygon)].kind == Polygon::Kind::relative_motion;
+        const Symbol omega{Symbol::Letter::omega, solution_.mechanism.bodies[at_index(turning)].name, ""};
+        told.turned = {velocity_of_coriolis(coriolis.symbol, observed), omega};
     }
 
     /// Set off by its length, and not read off.

@@ -52,6 +52,12 @@ std::string_view stem(Symbol::Letter letter) {
 
 }  // namespace
 
+Symbol velocity_of_coriolis(Symbol coriolis, bool observed) {
+    coriolis.letter = Symbol::Letter::v;
+    coriolis.term = observed ? "rel" + coriolis.term.substr(std::string_view("cor").size()) : "";
+    return coriolis;
+}
+
 bool has_own_name(const Symbol& symbol) {
     if (symbol.letter != Symbol::Letter::F && symbol.letter != Symbol::Letter::M) return false;
     const std::string_view name = symbol.about;

@@ -21,6 +21,8 @@ struct Symbol {
 };
 /// Whether the file's name of a force or couple is a symbol by itself: F, F_gas, M_1, T4; else it is the subscript of F or M.
 bool has_own_name(const Symbol& symbol);
+/// Of a Coriolis term the relative velocity it belongs to: v_AA* of a_AA*^cor, v_B^rel of a_B^cor. `observed`: by an observer.
+Symbol velocity_of_coriolis(Symbol coriolis, bool observed);
 /// Plain name for ids, tables and results: "v_B", "a_BA_t", "omega_3", "P_13", "b", "b'".
 std::string name_of(const Symbol& symbol);
 
@@ -350,6 +352,11 @@ struct Working {
     std::optional<double> divisor;
     Amount result;
     std::vector<double> summands = {};  ///< in place of factors: it is their sum
+    /// A Coriolis term has the direction of the relative velocity turned a quarter turn with ω.
+    struct Turned {
+        Symbol velocity, with;
+    };
+    std::optional<Turned> turned = {};
 };
 struct Message {
     Sentence sentence = Sentence::count_;

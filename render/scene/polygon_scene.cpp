@@ -132,11 +132,9 @@ private:
         const BodyIndex guide = vector.seen.to.body;
         if (guide == none || !solution_.bodies[at(guide)].omega) return;
         SceneCoriolis& shown = scene_.coriolis.emplace_back();
-        shown.coriolis = shown.velocity = vector.symbol;
-        shown.velocity.letter = Symbol::Letter::v;
+        shown.coriolis = vector.symbol;
         // The observer's own term has its velocity beside it: a^cor, v^rel; at a joint v_AA* is the relative one.
-        const bool observed = polygon_.kind == Polygon::Kind::relative_motion;
-        shown.velocity.term = observed ? "rel" + vector.symbol.term.substr(std::string_view("cor").size()) : "";
+        shown.velocity = velocity_of_coriolis(vector.symbol, polygon_.kind == Polygon::Kind::relative_motion);
         shown.omega = {Symbol::Letter::omega, solution_.mechanism.bodies[at(guide)].name, ""};
         shown.counter_clockwise = solution_.bodies[at(guide)].omega->sign() > 0;
         const Place turned = direction(exact);

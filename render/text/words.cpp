@@ -944,6 +944,7 @@ constexpr auto fixed_words = std::to_array<FixedWords>({
     FixedWords{"on", "on", "su"},
     FixedWords{"modulus", "modulus", "modulo"},
     FixedWords{"coriolis", "Coriolis", "Coriolis"},
+    FixedWords{"turned with", " turned 90° with ", " ruotata di 90° nel verso di "},
     FixedWords{"largest difference", "Largest difference between construction and check",
                "Massima differenza fra costruzione e verifica"},
     FixedWords{"relative to velocity", "of the largest", "del massimo"},
@@ -1490,6 +1491,12 @@ RichText worked_out(const Working& working, Language language) {
     std::string result = number(working.result.value, digits, language);
     if (working.result.value != 0) result += unbroken_blank + unbroken(working.result.unit);
     append(text, with_powers(equals + (product.empty() ? "" : product + " =" + unbroken_blank) + result));
+    if (working.turned) {
+        append(text, {piece(", ")});
+        append(text, typeset(working.turned->velocity, language));
+        append(text, {piece(word("turned with", language))});
+        append(text, typeset(working.turned->with, language));
+    }
     return text;
 }
 
