@@ -12,6 +12,7 @@
 
 #include "render/sheet/bands.hpp"
 #include "render/sheet/column_text.hpp"
+#include "render/sheet/figure_shares.hpp"
 #include "render/sheet/sheet_parts.hpp"
 
 namespace kinegraph::render {
@@ -41,13 +42,6 @@ struct BandLayout {
 
     /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these are.
     std::vector<TextColumn> text_columns(double whole, double measure, double figures, const Notch& notch) const;
-};
-
-/// What a figure takes at a scale, its caption included, and what that is worth.
-struct FigureSize {
-    double x = 0, y = 0, worth = 0, scale = 0;
-    double wider = 0;  ///< for its equations in a corner
-    bool operator==(const FigureSize&) const = default;
 };
 
 /// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
@@ -107,24 +101,26 @@ public:
     double scale_in(std::size_t figure, Spot room) const;
 
 private:
-    void try_round(BandLayout& best, BandLayout layout, double whole, double height, Notch notch) const;
-    void try_all(BandLayout& best, const BandLayout& base, double whole, double height, Notch notch) const;
-    void try_figures(BandLayout& best, const BandLayout& layout, Spot room) const;
-    bool may_improve(const BandLayout& best, const BandLayout& layout) const;
-    bool improves(const BandLayout& best, const BandLayout& layout, Spot room) const;
-    struct Share;
-    std::optional<Share> share(Spot room, bool stacked, bool cornered) const;
-    static double along(const FigureSize& size, bool stacked, bool cornered);
-    static double across(const FigureSize& size, bool stacked);
+    /// The best of what was tried, and what its figures share.
+    struct Best {
+        BandLayout layout;
+        Spot room;
+    };
+    Best best_in(Width width, double height, Notch notch) const;
+    void try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const;
+    void try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const;
+    void try_figures(Best& best, const BandLayout& layout, Spot room) const;
+    bool may_improve(const Best& best, const BandLayout& layout) const;
+    bool improves(const Best& best, const BandLayout& layout, Spot room) const;
+    std::vector<Spot> rooms_of(const Best& best) const;
 
     BandTexts& all_texts_;
     const Band& band_;
     const SheetFormat& format_;
-    std::vector<std::vector<FigureSize>> sizes_;  // of each figure, the largest first
-    double most_worth_ = 0;                       // of all figures
+    FigureShares figures_;
     Block equations_;
     bool narrow_;
-    mutable std::map<std::pair<int, bool>, const ColumnText*> texts_;
+    mutable std::vector<const ColumnText*> texts_;                              // by division and whether cornered
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
 };
 
