@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -172,12 +173,22 @@ struct Places {
         double price;
         std::size_t place;
         bool priced;
-        bool operator<(const Ranked& other) const { return price < other.price || (price == other.price && place < other.place); }
+        bool operator>(const Ranked& other) const { return price > other.price || (price == other.price && place > other.place); }
     };
-    std::vector<Ranked> ranked;      // the cheapest of each kind first
-    std::vector<std::size_t> kinds;  // where each kind ends
-    int stage = 0;                   // how many kinds have been proposed
-    Box span = nowhere;              // what all of them take
+    /// Places that were proposed together, and are asked for in the order of price: most of them never are.
+    struct Kind {
+        std::vector<Ranked> met;      // in their order
+        std::vector<Ranked> waiting;  // a heap, the cheapest on top
+        /// What the next place costs at least of which `rank` have been asked for; infinity: there is none.
+        double least(std::size_t rank) const {
+            if (rank < met.size()) return met[rank].price;
+            return waiting.empty() ? std::numeric_limits<double>::infinity() : waiting.front().price;
+        }
+    };
+    std::vector<Kind> kinds;
+    std::size_t ranked = 0;  // how many places are in them
+    int stage = 0;           // how many kinds have been proposed
+    Box span = nowhere;      // what all of them take
 };
 
 /// How far the ink of a line reaches beyond its ends: f and J lean out of their widths.
@@ -336,29 +347,34 @@ private:
 
     /// The most wanted first: where one of them is free, the others need no look.
     static void rank_new(Places& places) {
-        const std::size_t first = places.ranked.size();
-        places.ranked.reserve(places.all.size());
-        for (std::size_t place = first; place < places.all.size(); ++place) {
+        std::vector<Places::Ranked>& waiting = places.kinds.emplace_back().waiting;
+        waiting.reserve(places.all.size() - places.ranked);
+        for (std::size_t place = places.ranked; place < places.all.size(); ++place) {
             const Candidate& candidate = places.all[place];
-            places.ranked.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
+            waiting.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
         }
-        std::sort(places.ranked.begin() + static_cast<std::ptrdiff_t>(first), places.ranked.end());
-        places.kinds.push_back(places.ranked.size());
+        std::make_heap(waiting.begin(), waiting.end(), std::greater<>());
+        places.ranked = places.all.size();
     }
 
-    /// The next place of a kind in the order of price, of which `rank` − 1 have been met. What stands about a place is looked at
-    /// only when it is its turn; it then makes room for those that now cost less.
-    const Places::Ranked& next_of(std::size_t i, std::size_t rank, std::size_t end) {
-        std::vector<Places::Ranked>& ranked = places_[i].ranked;
-        while (!ranked[rank].priced) {
-            const std::size_t place = ranked[rank].place;
-            look_about(i, places_[i].all[place]);
-            const Places::Ranked now{places_[i].all[place].price, place, true};
-            std::size_t to = rank;
-            for (; to + 1 < end && ranked[to + 1] < now; ++to) ranked[to] = ranked[to + 1];
-            ranked[to] = now;
+    /// The next place of a kind in the order of price, of which `rank` have been met. What stands about a place is looked at only
+    /// when it is its turn; it then makes room for those that now cost less.
+    std::size_t next_of(std::size_t i, Places::Kind& kind, std::size_t rank) {
+        while (kind.met.size() <= rank) {
+            std::pop_heap(kind.waiting.begin(), kind.waiting.end(), std::greater<>());
+            Places::Ranked& next = kind.waiting.back();
+            if (next.priced) {
+                kind.met.push_back(next);
+                kind.waiting.pop_back();
+            } else {
+                Candidate& candidate = places_[i].all[next.place];
+                look_about(i, candidate);
+                next.price = candidate.price;
+                next.priced = true;
+                std::push_heap(kind.waiting.begin(), kind.waiting.end(), std::greater<>());
+            }
         }
-        return ranked[rank];
+        return kind.met[rank].place;
     }
 
     void propose_beside_line(std::size_t i, Spot toward) {
@@ -467,8 +483,9 @@ private:
                 std::max({0.0, box_.min.y - extent.min.y, extent.max.y - box_.max.y})};
     }
     /// Half of what two labels keep between them, and a little for turned ones.
-    static void close_extent(Candidate& candidate) {
-        candidate.extent = extent_of(candidate.box);
+    static void close_extent(Candidate& candidate) { close_extent(candidate, extent_of(candidate.box)); }
+    static void close_extent(Candidate& candidate, const Box& of_box) {
+        candidate.extent = of_box;
         if (candidate.leader) {
             enlarge(candidate.extent, candidate.leader_from);
             enlarge(candidate.extent, candidate.leader_to);
@@ -479,7 +496,8 @@ private:
 
     /// Prices a place as far as its own position goes, and keeps it.
     void finish(std::size_t i, Candidate& candidate) {
-        const Spot out = outside(extent_of(candidate.box));
+        const Box of_box = extent_of(candidate.box);
+        const Spot out = outside(of_box);
         candidate.price += 0.06 * (out.x + out.y);
         // Out of the room means that the whole drawing must shrink: dearer than a leader, cheaper than covering a stroke.
         if (out.x > spare_.x || out.y > spare_.y) {
@@ -488,7 +506,7 @@ private:
         }
         candidate.free = ground_.is_free(candidate.box);
         candidate.covered = candidate.covered || !candidate.free;
-        close_extent(candidate);
+        close_extent(candidate, of_box);
         enlarge(places_[i].span, candidate.extent);
         places_[i].all.push_back(candidate);
     }
@@ -720,12 +738,12 @@ private:
     std::optional<Candidate> best(std::size_t i, double least = infinity) {
         std::optional<std::size_t> found;
         look_around(i);
-        std::size_t k = 0;
-        for (;;) {
+        for (std::size_t k = 0;;) {
             // Of each kind the cheapest come first.
-            for (const std::size_t end : places_[i].kinds) {
-                for (; k < end && places_[i].ranked[k].price < least; ++k) {
-                    const std::size_t place = next_of(i, k, end).place;
+            for (; k < places_[i].kinds.size(); ++k) {
+                Places::Kind& kind = places_[i].kinds[k];
+                for (std::size_t rank = 0; kind.least(rank) < least; ++rank) {
+                    const std::size_t place = next_of(i, kind, rank);
                     const Candidate& candidate = places_[i].all[place];
                     double price = candidate.price;
                     for (std::size_t n = 0; n < around_.size() && price < least; ++n)
@@ -733,7 +751,6 @@ private:
                             price += price_between(candidate, other);
                     if (price < least) least = price, found = place;
                 }
-                k = std::max(k, end);
             }
             if (!propose_more(i, least)) break;
             look_around(i);
@@ -752,11 +769,8 @@ private:
     void wishes_of(std::size_t i, double now) {
         wishes_.clear();
         look_around(i);
-        std::size_t k = 0;
-        for (const std::size_t end : places_[i].kinds) {
-            for (; k < end && places_[i].ranked[k].price < now; ++k) wish_for(i, next_of(i, k, end).place, now);
-            k = end;
-        }
+        for (Places::Kind& kind : places_[i].kinds)
+            for (std::size_t rank = 0; kind.least(rank) < now; ++rank) wish_for(i, next_of(i, kind, rank), now);
         constexpr std::size_t most = 6;
         std::sort(wishes_.begin(), wishes_.end(),
                   [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });

@@ -274,8 +274,8 @@ void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, doub
     if (!figures_.sizes().empty()) try_round(best, layout, whole, height, notch);
 }
 
-std::vector<TextColumn> BandLayout::text_columns(double whole, double measure, double figures, const Notch& notch) const {
-    std::vector<TextColumn> all;
+TextColumns BandLayout::text_columns(double whole, double measure, double figures, const Notch& notch) const {
+    TextColumns all;
     for (int i = 0; i < columns; ++i) {
         const bool below = !beside || i < under;
         // Those beside the figures keep to the right edge.
@@ -296,11 +296,13 @@ void BandLayouts::try_round(Best& best, BandLayout layout, double whole, double 
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         layout.worth = worth;
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
+        if (left < least_beside) continue;
+        TextColumns columns = layout.text_columns(whole, words.measure(), least_beside, notch);
         const auto holds = [&](double figures) {
-            return words.fits(layout.text_columns(whole, words.measure(), figures, notch), height);
+            for (int i = 0; i < layout.under; ++i) columns[static_cast<std::size_t>(i)].top = figures + text_gap;
+            return words.fits(columns, height);
         };
         double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
-        if (left < least_beside) continue;
         // Not worth a search where even all of the height makes nothing better.
         if (!improves(best, layout, {left, high}) || !holds(least_beside)) continue;
         constexpr double fine = 2;

@@ -41,7 +41,7 @@ struct BandLayout {
     std::vector<Spot> rooms{};  ///< of the figures; no width: left out
 
     /// The columns of its text, in a room so wide of which the title block takes a corner; `figures`: how high these are.
-    std::vector<TextColumn> text_columns(double whole, double measure, double figures, const Notch& notch) const;
+    TextColumns text_columns(double whole, double measure, double figures, const Notch& notch) const;
 };
 
 /// The text of bands as they were set, kept from one plan to the next. A text that goes on over pages is set once.
