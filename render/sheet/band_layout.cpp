@@ -296,15 +296,15 @@ void BandLayouts::try_round(Best& best, BandLayout layout, double whole, double 
     for (layout.under = 1; layout.under < layout.columns; ++layout.under) {
         layout.worth = worth;
         const double left = whole - (layout.columns - layout.under) * (words.measure() + gap);
-        if (left < least_beside) continue;
+        double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
+        // Not worth a search where even all of the height makes nothing better.
+        if (left < least_beside || !improves(best, layout, {left, high})) continue;
         TextColumns columns = layout.text_columns(whole, words.measure(), least_beside, notch);
         const auto holds = [&](double figures) {
             for (int i = 0; i < layout.under; ++i) columns[static_cast<std::size_t>(i)].top = figures + text_gap;
             return words.fits(columns, height);
         };
-        double low = least_beside, high = left <= notch.left || notch.high == 0 ? height : height - notch.high;
-        // Not worth a search where even all of the height makes nothing better.
-        if (!improves(best, layout, {left, high}) || !holds(least_beside)) continue;
+        if (!holds(least_beside)) continue;
         constexpr double fine = 2;
         while (high - low > fine) {
             const double middle = 0.5 * (low + high);
