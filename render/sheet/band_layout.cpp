@@ -76,23 +76,43 @@ const ColumnText& BandTexts::of(const Band& band, int divided, bool cornered) {
     return texts_.emplace(key, ColumnText(std::move(own), format_.span(1, divided), format_.text_size)).first->second;
 }
 
-const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
+BandTexts::Whole& BandTexts::begun(const Band& band, int divided, bool cornered) {
     const auto [found, fresh] = wholes_.try_emplace({band.question, divided, cornered});
-    if (!fresh) return found->second;
+    Whole& whole = found->second;
+    if (fresh) whole = {std::vector<Passage>(band.parts.size()), std::vector<bool>(band.parts.size())};
+    return whole;
+}
+
+const Passage& BandTexts::passage(const Band& band, std::size_t part, int divided, bool cornered) {
+    Whole& text = begun(band, divided, cornered);
+    if (text.is_set[part]) return text.passages[part];
     // Only what is another text here is set anew.
-    const std::vector<Passage>* known = nullptr;
-    if (cornered)
-        known = &whole(band, divided, false);
-    else if (planned_ != nullptr)
-        known = &planned_->whole(band, divided, false);
-    const Band::Part::Kind other = cornered ? Band::Part::Kind::steps : Band::Part::Kind::results;
-    for (std::size_t p = 0; p < band.parts.size(); ++p) {
-        const Band::Part& part = band.parts[p];
-        const bool as_known = known != nullptr && part.kind != other;
-        found->second.push_back(as_known ? (*known)[p]
-                                         : bands_.text(part, format_.span(1, divided) / format_.text_size, cornered, results_));
+    const Band::Part::Kind kind = band.parts[part].kind;
+    if (cornered && kind != Band::Part::Kind::steps)
+        text.passages[part] = passage(band, part, divided, false);
+    else if (!cornered && planned_ != nullptr && kind != Band::Part::Kind::results)
+        text.passages[part] = planned_->passage(band, part, divided, false);
+    else
+        text.passages[part] = bands_.text(band.parts[part], format_.span(1, divided) / format_.text_size, cornered, results_);
+    text.is_set[part] = true;
+    return text.passages[part];
+}
+
+const std::vector<Passage>& BandTexts::whole(const Band& band, int divided, bool cornered) {
+    for (std::size_t part = 0; part < band.parts.size(); ++part) passage(band, part, divided, cornered);
+    return begun(band, divided, cornered).passages;
+}
+
+bool BandTexts::has_too_wide(const Band& band, int divided, bool cornered) {
+    if (band.first_row > 0 || band.end_row < Band{}.end_row) return false;
+    const double measure = format_.span(1, divided);
+    for (std::size_t part = 0; part < band.parts.size(); ++part) {
+        // Sentences are as wide as they are let be.
+        if (band.parts[part].kind == Band::Part::Kind::steps) continue;
+        const Passage& set = passage(band, part, divided, cornered);
+        if (!set.rows.empty() && is_wider(set, format_.text_size, measure)) return true;
     }
-    return found->second;
+    return false;
 }
 
 std::size_t BandTexts::rows(const Band& band) {
@@ -134,6 +154,14 @@ const ColumnText& BandLayouts::text(int divided, bool cornered) const {
     if (texts_.size() <= index) texts_.resize(index + 1);
     if (texts_[index] == nullptr) texts_[index] = &all_texts_.of(band_, divided, cornered);
     return *texts_[index];
+}
+
+bool BandLayouts::may_be_narrow(int divided, bool cornered) const {
+    const auto index = static_cast<std::size_t>(2 * divided + (cornered ? 1 : 0));
+    if (may_be_narrow_.size() <= index) may_be_narrow_.resize(index + 1);
+    std::optional<bool>& known = may_be_narrow_[index];
+    if (!known) known = narrow_ && !all_texts_.has_too_wide(band_, divided, cornered) && !text(divided, cornered).is_too_wide();
+    return *known;
 }
 
 double BandLayouts::wider_in(Spot room) const {
@@ -244,13 +272,13 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
 void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const {
     constexpr double worth_of_beside = 0.02;
     const double above = height - notch.high;
+    if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
     const ColumnText& words = text(base.divided, base.cornered);
     BandLayout layout = base;
     if (words.empty()) {
         layout.divided = 0;
         return try_figures(best, layout, {whole, above});
     }
-    if (base.divided > format_.columns && (!narrow_ || words.is_too_wide())) return;
     layout.columns = static_cast<int>((whole + gap + 0.1) / (words.measure() + gap));
     if (layout.columns > 0 && words.height(layout.columns) <= above) {
         if (figures_.sizes().empty()) {

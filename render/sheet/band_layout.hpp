@@ -53,6 +53,9 @@ public:
 
     /// In the columns of a page divided by so many; `cornered`: without its equations.
     const ColumnText& of(const Band& band, int divided, bool cornered);
+    /// Whether some of it, a table, is found to be too wide for such columns: then the rest need not be set for them. Of a text
+    /// that goes on over pages nothing is said.
+    bool has_too_wide(const Band& band, int divided, bool cornered);
     /// How many rows it has.
     std::size_t rows(const Band& band);
     /// As a block to stand in a corner of a figure.
@@ -61,15 +64,22 @@ public:
     void forget(const std::string& question);
 
 private:
+    using Setting = std::tuple<std::string, int, bool>;  // question, division, cornered
+    /// Passages by part; those that were not asked for yet are not set.
+    struct Whole {
+        std::vector<Passage> passages;
+        std::vector<bool> is_set;
+    };
+    Whole& begun(const Band& band, int divided, bool cornered);
+    const Passage& passage(const Band& band, std::size_t part, int divided, bool cornered);
     const std::vector<Passage>& whole(const Band& band, int divided, bool cornered);
 
     const Bands& bands_;
     const std::vector<ResultRow>& results_;
     const SheetFormat& format_;
     BandTexts* planned_;
-    using Setting = std::tuple<std::string, int, bool>;          // question, division, cornered
     using Rows = std::tuple<Setting, std::size_t, std::size_t>;  // the first, the end
-    std::map<Setting, std::vector<Passage>> wholes_;
+    std::map<Setting, Whole> wholes_;
     std::map<Rows, ColumnText> texts_;
     std::map<std::string, Block> equations_;
 };
@@ -101,6 +111,8 @@ public:
     double scale_in(std::size_t figure, Spot room) const;
 
 private:
+    /// Whether its text may stand in narrower columns than the format's.
+    bool may_be_narrow(int divided, bool cornered) const;
     /// The best of what was tried, and what its figures share.
     struct Best {
         BandLayout layout;
@@ -121,6 +133,7 @@ private:
     Block equations_;
     bool narrow_;
     mutable std::vector<const ColumnText*> texts_;                              // by division and whether cornered
+    mutable std::vector<std::optional<bool>> may_be_narrow_;                    // … too
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
 };
 

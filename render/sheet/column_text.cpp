@@ -12,14 +12,6 @@ namespace {
 constexpr double passage_gap = 3.5, grace = 1e-6;
 constexpr double two_lines = 7.5;  // mm; rows lower than this do not stand alone in a column
 
-bool is_wider(const Passage& passage, double scale, double measure) {
-    constexpr double ink = 0.2;
-    const std::vector<Mark>& heading = passage.heading->marks;
-    return (!heading.empty() && scale * box_of(heading).max.x > measure + ink) ||
-           std::any_of(passage.rows.begin(), passage.rows.end(),
-                       [&](const SharedBlock& row) { return scale * row->width > measure + ink; });
-}
-
 /// Where the rows from one on that stay together end: the first ones of a passage stay with its heading, no line by itself, and
 /// none by itself in the end.
 std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std::size_t first) {
@@ -32,6 +24,14 @@ std::size_t end_of_group(const std::vector<SharedBlock>& rows, double scale, std
 }
 
 }  // namespace
+
+bool is_wider(const Passage& passage, double scale, double measure) {
+    constexpr double ink = 0.2;
+    const std::vector<Mark>& heading = passage.heading->marks;
+    return (!heading.empty() && scale * box_of(heading).max.x > measure + ink) ||
+           std::any_of(passage.rows.begin(), passage.rows.end(),
+                       [&](const SharedBlock& row) { return scale * row->width > measure + ink; });
+}
 
 ColumnText::ColumnText(std::vector<Passage> passages, double measure, double scale)
     : passages_(std::move(passages)), scale_(scale), measure_(measure) {

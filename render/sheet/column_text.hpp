@@ -15,6 +15,9 @@ struct TextColumn {
 /// A plan tries thousands of them: no page has so many columns that they need memory.
 using TextColumns = boost::container::small_vector<TextColumn, 6>;
 
+/// Whether a table or a heading is wider than a column of `measure` mm, rows scaled.
+bool is_wider(const Passage& passage, double scale, double measure);
+
 class ColumnText {
 public:
     /// Rows as they are set, scaled where they come to stand; `measure`: width of a column, mm.
