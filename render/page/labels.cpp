@@ -400,7 +400,7 @@ private:
                 // Only a mark that is turned with its line can stand before or behind it.
                 if (std::abs(at) > 1.1 && !request.along) continue;
                 for (const double side : {-1.0, 1.0}) {
-                    Candidate candidate;
+                    Candidate& candidate = places_[i].all.emplace_back();
                     const Spot off = side * across;
                     candidate.box =
                         box_at(i, request.anchor + (at * slide) * along + (request.clearance + extra + reach_across) * off, axis);
@@ -420,7 +420,8 @@ private:
                 const bool leader = extra > 3.5 || (requests_[i].balloon > 0 && extra > 1.5);
                 if (leader && k % 2 != 0) continue;
                 if (half_line > 0 && !leader && extra > 2.5) continue;
-                Candidate candidate = place_around(i, round[k], extra, leader);
+                Candidate& candidate = places_[i].all.emplace_back();
+                stand_around(i, round[k], extra, leader, candidate);
                 candidate.price += penalty + (k % 6 == 0 ? 0 : 0.05);
                 finish(i, candidate);
             }
@@ -452,9 +453,8 @@ private:
     }
 
     /// A place in the direction u from the anchor, `extra` mm further than the nearest.
-    Candidate place_around(std::size_t i, Spot u, double extra, bool leader) const {
+    void stand_around(std::size_t i, Spot u, double extra, bool leader, Candidate& candidate) const {
         const LabelRequest& request = requests_[i];
-        Candidate candidate;
         InkBox box = box_at(i, {}, {1, 0});
         box.centre = request.anchor + centre_distance(box, u, request.clearance + extra) * u;
         candidate.box = box;
@@ -464,7 +464,6 @@ private:
             draw_leader(i, candidate);
             candidate.price += leader_price;
         }
-        return candidate;
     }
 
     /// How far along u the box's centre is when its nearest ink is `distance` from the origin.
@@ -494,7 +493,7 @@ private:
         candidate.extent.max = candidate.extent.max + Spot{1.2, 1.2};
     }
 
-    /// Prices a place as far as its own position goes, and keeps it.
+    /// Prices a place as far as its own position goes.
     void finish(std::size_t i, Candidate& candidate) {
         const Box of_box = extent_of(candidate.box);
         const Spot out = outside(of_box);
@@ -508,7 +507,6 @@ private:
         candidate.covered = candidate.covered || !candidate.free;
         close_extent(candidate, of_box);
         enlarge(places_[i].span, candidate.extent);
-        places_[i].all.push_back(candidate);
     }
     /// Adds what the marks about a place cost, and the objects that it might seem to name.
     void look_about(std::size_t i, Candidate& candidate) const {

@@ -177,7 +177,7 @@ double BandLayouts::scale_in(std::size_t figure, Spot room) const {
 }
 
 bool BandLayouts::may_improve(const Best& best, const BandLayout& layout) const {
-    return layout.worth + figures_.most_worth() > best.layout.worth;
+    return layout.worth + best.most_of_figures > best.layout.worth;
 }
 
 bool BandLayouts::improves(const Best& best, const BandLayout& layout, Spot room) const {
@@ -196,7 +196,8 @@ void BandLayouts::try_figures(Best& best, const BandLayout& layout, Spot room) c
         if (stacked && figures_.sizes().size() < 2) break;
         const auto share = figures_.in(room, {stacked, layout.cornered});
         if (!share || !(layout.worth + share->worth > best.layout.worth)) continue;
-        best = {layout, room};
+        best.layout = layout;
+        best.room = room;
         best.layout.stacked = stacked;
         best.layout.worth = layout.worth + share->worth;
     }
@@ -258,6 +259,8 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
     const double whole = format_.span(width.columns, width.of);
     Best best;
     if (height <= notch.high) return best;
+    best.most_of_figures = figures_.most_worth_in({whole, height});
+    if (best.most_of_figures < BandLayout::possible) return best;
     for (const bool cornered : {false, true}) {
         if (cornered && !(equations_.width > 0)) break;
         BandLayout base;
@@ -271,6 +274,8 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
 
 void BandLayouts::try_all(Best& best, const BandLayout& base, double whole, double height, Notch notch) const {
     constexpr double worth_of_beside = 0.02;
+    static_assert(worth_of_beside <= price_of_columns, "no layout of this text is worth more than the base of all");
+    if (!may_improve(best, base)) return;
     const double above = height - notch.high;
     if (base.divided > format_.columns && !may_be_narrow(base.divided, base.cornered)) return;
     const ColumnText& words = text(base.divided, base.cornered);

@@ -115,8 +115,9 @@ private:
     bool may_be_narrow(int divided, bool cornered) const;
     /// The best of what was tried, and what its figures share.
     struct Best {
-        BandLayout layout;
-        Spot room;
+        BandLayout layout{};
+        Spot room{};
+        double most_of_figures = 0;  ///< no worth of them is more
     };
     Best best_in(Width width, double height, Notch notch) const;
     void try_round(Best& best, BandLayout layout, double whole, double height, Notch notch) const;

@@ -8,19 +8,26 @@
 namespace kinegraph::render {
 
 FigureShares::FigureShares(std::vector<std::vector<FigureSize>> sizes) : sizes_(std::move(sizes)) {
-    for (const std::vector<FigureSize>& figure : sizes_) {
-        double most = -1e300;
-        for (const FigureSize& size : figure) {
-            most = std::max(most, size.worth);
+    for (const std::vector<FigureSize>& figure : sizes_)
+        for (const FigureSize& size : figure)
             for (const bool stacked : {false, true}) widths_[stacked ? 1 : 0].push_back(across(size, {stacked, false}));
-        }
-        most_worth_ += most;
-    }
     for (std::vector<double>& widths : widths_) {
         std::sort(widths.begin(), widths.end());
         widths.erase(std::unique(widths.begin(), widths.end()), widths.end());
     }
     for (std::size_t order = 0; order < ways_.size(); ++order) ways_[order].resize(widths_[order / 2].size() + 1);
+}
+
+double FigureShares::most_worth_in(Spot room) const {
+    constexpr double less_than_any = -1e300;
+    double sum = 0;
+    for (const std::vector<FigureSize>& figure : sizes_) {
+        double most = less_than_any;
+        for (const FigureSize& size : figure)
+            if (size.x <= room.x && size.y <= room.y) most = std::max(most, size.worth);
+        sum += most;
+    }
+    return sum;
 }
 
 double FigureShares::along(const FigureSize& size, Order order) {

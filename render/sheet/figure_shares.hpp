@@ -38,8 +38,9 @@ public:
     explicit FigureShares(std::vector<std::vector<FigureSize>> sizes = {});
 
     const std::vector<std::vector<FigureSize>>& sizes() const { return sizes_; }
-    /// No room makes more of the figures than their largest scales.
-    double most_worth() const { return most_worth_; }
+    /// No share of a room, or of a part of it, is worth more: each figure as it would be worth most had it the room to itself.
+    /// Less than any worth where the room is too small for one of them.
+    double most_worth_in(Spot room) const;
     /// Nothing where the room is too small.
     std::optional<Share> in(Spot room, Order order) const;
 
@@ -61,7 +62,6 @@ private:
     void note(Way& way, Order order) const;
 
     std::vector<std::vector<FigureSize>> sizes_;
-    double most_worth_ = 0;
     std::array<std::vector<double>, 2> widths_;     // that some size has across, ascending: side by side, stacked
     mutable std::array<std::vector<Way>, 4> ways_;  // by order; by how many of the widths have room
 };
