@@ -130,21 +130,23 @@ const Block& BandTexts::equations(const Band& band) {
 }
 
 void BandTexts::forget(const std::string& question) {
+    ++forgotten_[question];
     std::erase_if(wholes_, [&](const auto& each) { return std::get<0>(each.first) == question; });
     std::erase_if(texts_, [&](const auto& each) { return std::get<0>(std::get<0>(each.first)) == question; });
 }
 
 BandLayouts::BandLayouts(BandTexts& texts, const Band& band, const WantedFigures& wanted, const SheetFormat& format, bool crowded,
                          bool cornered, bool narrow)
-    : all_texts_(texts), band_(band), format_(format), narrow_(narrow) {
+    : all_texts_(texts), band_(band), format_(format), narrow_(narrow), times_forgotten_(texts.times_forgotten(band.question)) {
     std::vector<std::vector<FigureSize>> sizes;
     for (const std::size_t figure : band.figures) sizes.push_back(sizes_of(wanted.list[figure], format, wanted, crowded));
     if (cornered && sizes.size() == 1) {
         const Wanted& polygon = wanted.list[band.figures.front()];
-        if (polygon.wider_for && !polygon.empty) equations_ = texts.equations(band);
-        if (equations_.width > 0)
+        if (polygon.wider_for && !polygon.empty)
+            if (const Block& set = texts.equations(band); set.width > 0) equations_ = &set;
+        if (equations_ != nullptr)
             for (FigureSize& size : sizes.front())
-                size.wider = polygon.wider_for(size.scale, {equations_.width, equations_.height});
+                size.wider = polygon.wider_for(size.scale, {equations_->width, equations_->height});
     }
     figures_ = FigureShares(std::move(sizes));
 }
@@ -245,8 +247,8 @@ const WorthByHeight& BandLayouts::worth(Width width, const Notch& notch, double 
 }
 
 bool BandLayouts::is_like(const BandLayouts& other) const {
-    return &band_ == &other.band_ && narrow_ == other.narrow_ && figures_.sizes() == other.figures_.sizes() &&
-           (equations_.width > 0) == (other.equations_.width > 0);
+    return &band_ == &other.band_ && narrow_ == other.narrow_ && times_forgotten_ == other.times_forgotten_ &&
+           figures_.sizes() == other.figures_.sizes() && (equations_ != nullptr) == (other.equations_ != nullptr);
 }
 
 BandLayout BandLayouts::in(Width width, double height, Notch notch) const {
@@ -262,7 +264,7 @@ BandLayouts::Best BandLayouts::best_in(Width width, double height, Notch notch) 
     best.most_of_figures = figures_.most_worth_in({whole, height});
     if (best.most_of_figures < BandLayout::possible) return best;
     for (const bool cornered : {false, true}) {
-        if (cornered && !(equations_.width > 0)) break;
+        if (cornered && equations_ == nullptr) break;
         BandLayout base;
         base.cornered = cornered;
         base.worth = cornered ? worth_of_corner : 0;

@@ -62,6 +62,11 @@ public:
     const Block& equations(const Band& band);
     /// What was set of a band that now says more.
     void forget(const std::string& question);
+    /// How often that was.
+    int times_forgotten(const std::string& question) const {
+        const auto found = forgotten_.find(question);
+        return found == forgotten_.end() ? 0 : found->second;
+    }
 
 private:
     using Setting = std::tuple<std::string, int, bool>;  // question, division, cornered
@@ -82,6 +87,7 @@ private:
     std::map<Setting, Whole> wholes_;
     std::map<Rows, ColumnText> texts_;
     std::map<std::string, Block> equations_;
+    std::map<std::string, int> forgotten_;
 };
 
 /// What a band is worth in rooms of one width, by their height in steps. It never falls with the height: between two heights at
@@ -99,12 +105,12 @@ public:
     BandLayout in(Width width, double height, Notch notch = {}) const;
     /// By heights that are multiples of `step`, the greatest `most` of them; kept once asked for.
     const WorthByHeight& worth(Width width, const Notch& notch, double step, int most) const;
-    /// Whether another has the same figures, so that all it was asked for holds here.
+    /// Whether another has the same figures and the same text, so that all it was asked for holds here.
     bool is_like(const BandLayouts& other) const;
     /// The text in the columns of a page divided by so many.
     const ColumnText& text(int divided, bool cornered) const;
     /// The equations, where they may stand in a corner.
-    const Block& equations() const { return equations_; }
+    const Block& equations() const { return *equations_; }
     /// What of a room is for the equations in the figure's corner.
     double wider_in(Spot room) const;
     /// Of a figure of the band, by its place among them: the scale that a room promises.
@@ -131,8 +137,9 @@ private:
     const Band& band_;
     const SheetFormat& format_;
     FigureShares figures_;
-    Block equations_;
+    const Block* equations_ = nullptr;  // that find room in a corner; they are the texts'
     bool narrow_;
+    int times_forgotten_;                                                       // its text, before
     mutable std::vector<const ColumnText*> texts_;                              // by division and whether cornered
     mutable std::vector<std::optional<bool>> may_be_narrow_;                    // … too
     mutable std::map<std::tuple<Width, double, double>, WorthByHeight> worth_;  // by width and notch
