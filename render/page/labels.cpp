@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "render/page/ink_map.hpp"
 #include "render/page/label_key.hpp"
@@ -177,18 +178,19 @@ struct Places {
     };
     /// Places that were proposed together, and are asked for in the order of price: most of them never are.
     struct Kind {
-        std::vector<Ranked> met;      // in their order
-        std::vector<Ranked> waiting;  // a heap, the cheapest on top
+        std::size_t first, end;         // among all
+        bool is_ranked = false;         // only once it is asked for
+        std::vector<Ranked> met{};      // in their order
+        std::vector<Ranked> waiting{};  // a heap, the cheapest on top
         /// What the next place costs at least of which `rank` have been asked for; infinity: there is none.
         double least(std::size_t rank) const {
             if (rank < met.size()) return met[rank].price;
             return waiting.empty() ? std::numeric_limits<double>::infinity() : waiting.front().price;
         }
     };
-    std::vector<Kind> kinds;
-    std::size_t ranked = 0;  // how many places are in them
-    int stage = 0;           // how many kinds have been proposed
-    Box span = nowhere;      // what all of them take
+    std::vector<Kind> free, covering;  // those that cover ink: dearer than most, and the dearest to price
+    int stage = 0;                     // how many kinds have been proposed
+    Box span = nowhere;                // what all of them take
 };
 
 /// How far the ink of a line reaches beyond its ends: f and J lean out of their widths.
@@ -316,7 +318,7 @@ private:
             propose_beside_line(i, *requests_[i].toward);
         else
             propose_around(i, 0, 0, false);
-        rank_new(places_[i]);
+        keep_as_kind(places_[i]);
     }
 
     /// Less wanted places, thought of only where nothing so far costs less than they would.
@@ -331,7 +333,7 @@ private:
             stage = 1;
             if (beside) {
                 propose_around(i, price, request.along ? 0.0 : length(*request.toward - request.anchor), false);
-                rank_new(places_[i]);
+                keep_as_kind(places_[i]);
                 return true;
             }
         }
@@ -339,22 +341,26 @@ private:
             if (least < least_of_far) return false;
             stage = 2;
             propose_around(i, beside ? price : 0.0, 0, true);
-            rank_new(places_[i]);
+            keep_as_kind(places_[i]);
             return true;
         }
         return false;
     }
 
+    /// What was proposed since the last time.
+    static void keep_as_kind(Places& places) {
+        const std::size_t first = places.free.empty() ? 0 : places.free.back().end;
+        places.free.push_back({first, places.all.size()});
+        places.covering.push_back({first, places.all.size()});
+    }
     /// The most wanted first: where one of them is free, the others need no look.
-    static void rank_new(Places& places) {
-        std::vector<Places::Ranked>& waiting = places.kinds.emplace_back().waiting;
-        waiting.reserve(places.all.size() - places.ranked);
-        for (std::size_t place = places.ranked; place < places.all.size(); ++place) {
-            const Candidate& candidate = places.all[place];
-            waiting.push_back({candidate.price + (candidate.free ? 0 : covers_stroke), place, false});
-        }
-        std::make_heap(waiting.begin(), waiting.end(), std::greater<>());
-        places.ranked = places.all.size();
+    static void rank(const Places& places, Places::Kind& kind, bool free) {
+        if (std::exchange(kind.is_ranked, true)) return;
+        kind.waiting.reserve(kind.end - kind.first);
+        for (std::size_t place = kind.first; place < kind.end; ++place)
+            if (const Candidate& candidate = places.all[place]; candidate.free == free)
+                kind.waiting.push_back({candidate.price + (free ? 0 : covers_stroke), place, false});
+        std::make_heap(kind.waiting.begin(), kind.waiting.end(), std::greater<>());
     }
 
     /// The next place of a kind in the order of price, of which `rank` have been met. What stands about a place is looked at only
@@ -735,24 +741,28 @@ private:
     /// The cheapest place that costs less than `least`, other labels standing where they do.
     std::optional<Candidate> best(std::size_t i, double least = infinity) {
         std::optional<std::size_t> found;
+        const auto look_at = [&](Places::Kind& kind, bool free) {
+            rank(places_[i], kind, free);
+            for (std::size_t rank = 0; kind.least(rank) < least; ++rank) {
+                const std::size_t place = next_of(i, kind, rank);
+                const Candidate& candidate = places_[i].all[place];
+                double price = candidate.price;
+                for (std::size_t n = 0; n < around_.size() && price < least; ++n)
+                    if (const Candidate& other = chosen_[around_[n]]; !apart(other.extent, candidate.extent))
+                        price += price_between(candidate, other);
+                if (price < least) least = price, found = place;
+            }
+        };
         look_around(i);
         for (std::size_t k = 0;;) {
-            // Of each kind the cheapest come first.
-            for (; k < places_[i].kinds.size(); ++k) {
-                Places::Kind& kind = places_[i].kinds[k];
-                for (std::size_t rank = 0; kind.least(rank) < least; ++rank) {
-                    const std::size_t place = next_of(i, kind, rank);
-                    const Candidate& candidate = places_[i].all[place];
-                    double price = candidate.price;
-                    for (std::size_t n = 0; n < around_.size() && price < least; ++n)
-                        if (const Candidate& other = chosen_[around_[n]]; !apart(other.extent, candidate.extent))
-                            price += price_between(candidate, other);
-                    if (price < least) least = price, found = place;
-                }
-            }
+            for (; k < places_[i].free.size(); ++k) look_at(places_[i].free[k], true);
             if (!propose_more(i, least)) break;
             look_around(i);
         }
+        // What covers ink costs more than all that makes less wanted places worth a thought.
+        static_assert(covers_stroke > std::max({beside_price, upright_price, least_of_far}));
+        if (least > covers_stroke)
+            for (Places::Kind& kind : places_[i].covering) look_at(kind, false);
         if (!found) return std::nullopt;
         return places_[i].all[*found];
     }
@@ -767,8 +777,13 @@ private:
     void wishes_of(std::size_t i, double now) {
         wishes_.clear();
         look_around(i);
-        for (Places::Kind& kind : places_[i].kinds)
-            for (std::size_t rank = 0; kind.least(rank) < now; ++rank) wish_for(i, next_of(i, kind, rank), now);
+        const auto wish = [&](Places::Kind& kind, bool free) {
+            rank(places_[i], kind, free);
+            for (std::size_t met = 0; kind.least(met) < now; ++met) wish_for(i, next_of(i, kind, met), now);
+        };
+        for (Places::Kind& kind : places_[i].free) wish(kind, true);
+        if (now > covers_stroke)
+            for (Places::Kind& kind : places_[i].covering) wish(kind, false);
         constexpr std::size_t most = 6;
         std::sort(wishes_.begin(), wishes_.end(),
                   [](const Wish& a, const Wish& b) { return a.price < b.price || (a.price == b.price && a.other < b.other); });
