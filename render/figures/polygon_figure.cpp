@@ -418,13 +418,13 @@ private:
     /// With its details; nothing where it wants none, or they have no room or leave the letters none.
     std::optional<Figure> detailed(const Attempt& made) const {
         if (made.details.empty()) return std::nullopt;
-        const Strokes& strokes = made.strokes;
-        Figure figure = drawing_.with_parts(strokes.empty, strokes.parts, made.details);
+        const PolygonParts& parts = made.strokes.parts;
+        Figure figure = drawing_.with_parts(made.strokes.empty, parts, made.details);
         if (!place_labels(figure, context_.fonts, room_, Labelling::if_all_free, context_.theme.secondary) || !fits(figure))
             return std::nullopt;
         figure.marks.emplace_back(GroupEnd{});
         std::size_t letters = made.letters;
-        if (!set_details(figure, context_, strokes.parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;
+        if (!set_details(figure, context_, parts, made.details, room_, letters) || !fits(figure)) return std::nullopt;
         return figure;
     }
     std::optional<Figure> as_asked(double scale) const {

@@ -211,11 +211,12 @@ std::vector<Spot> BandLayouts::rooms_of(const Best& best) const {
     const FigureShares::Order order{best.layout.stacked, best.layout.cornered};
     const auto share = figures_.in(best.room, order);
     KG_ASSERT(share, "what was tried has room");
+    const std::vector<std::size_t> taken = figures_.taken_in(best.room, order);
     const double whole = order.stacked ? best.room.y : best.room.x, wide = order.stacked ? best.room.x : best.room.y;
     // What is left is everybody's.
     const double left = (whole - share->length) / std::max(share->shown, 1);
     for (std::size_t f = 0; f < figures_.sizes().size(); ++f) {
-        const double needed = FigureShares::along(figures_.sizes()[f][share->taken[f]], order);
+        const double needed = FigureShares::along(figures_.sizes()[f][taken[f]], order);
         const double own = needed > 0 ? needed + left : 0;
         rooms.push_back(own > 0 ? (order.stacked ? Spot{wide, own} : Spot{own, wide}) : Spot{0, 0});
     }

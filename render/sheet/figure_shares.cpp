@@ -46,15 +46,21 @@ std::optional<FigureShares::Share> FigureShares::in(Spot room, Order order) cons
     const std::vector<double>& widths = widths_[order.stacked ? 1 : 0];
     const auto reached = std::upper_bound(widths.begin(), widths.end(), wide) - widths.begin();
     Way& way = ways_[(order.stacked ? 2 : 0) + (order.cornered ? 1 : 0)][static_cast<std::size_t>(reached)];
-    if (!way.begun) begin(way, wide, order);
-    while (!way.ended && way.shares.back().length > whole) go_on(way, wide, order);
+    go_until(way, whole, wide, order);
     const auto found =
         std::partition_point(way.shares.begin(), way.shares.end(), [&](const Share& share) { return share.length > whole; });
-    if (found == way.shares.end()) return std::nullopt;
-    Share share = *found;
-    share.taken =
-        std::span(way.taken).subspan(static_cast<std::size_t>(found - way.shares.begin()) * sizes_.size(), sizes_.size());
-    return share;
+    return found == way.shares.end() ? std::nullopt : std::optional(*found);
+}
+
+std::vector<std::size_t> FigureShares::taken_in(Spot room, Order order) const {
+    Way way;
+    go_until(way, order.stacked ? room.y : room.x, order.stacked ? room.x : room.y, order);
+    return std::move(way.now);
+}
+
+void FigureShares::go_until(Way& way, double whole, double wide, Order order) const {
+    if (!way.begun) begin(way, wide, order);
+    while (!way.ended && way.shares.back().length > whole) go_on(way, wide, order);
 }
 
 void FigureShares::begin(Way& way, double wide, Order order) const {
@@ -100,7 +106,6 @@ void FigureShares::note(Way& way, Order order) const {
     }
     if (!way.shares.empty() && share.length >= way.shares.back().length) return;
     way.shares.push_back(share);
-    way.taken.insert(way.taken.end(), way.now.begin(), way.now.end());
 }
 
 }  // namespace kinegraph::render

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "render/ink/spot.hpp"
@@ -30,8 +29,7 @@ public:
     };
     struct Share {
         double worth = 0, length = 0;
-        int shown = 0;                         ///< figures that are not left out
-        std::span<const std::size_t> taken{};  ///< which size, of each figure; until the next question
+        int shown = 0;  ///< figures that are not left out
     };
 
     /// `sizes`: of each figure, the largest first.
@@ -43,6 +41,8 @@ public:
     double most_worth_in(Spot room) const;
     /// Nothing where the room is too small.
     std::optional<Share> in(Spot room, Order order) const;
+    /// Which size each figure has then; the way there is gone again, for few are asked for.
+    std::vector<std::size_t> taken_in(Spot room, Order order) const;
 
     static double along(const FigureSize& size, Order order);
 
@@ -50,14 +50,15 @@ private:
     /// Shares in rooms that are wide enough for the same sizes, each shorter than all before.
     struct Way {
         bool begun = false, ended = false;
-        std::vector<std::size_t> now;  // taken, where it has come to
+        std::vector<std::size_t> now;  // which sizes, where it has come to
         std::vector<Share> shares;
-        std::vector<std::size_t> taken;  // of one share after the other
     };
     static double across(const FigureSize& size, Order order);
     /// The largest size from one on that has room; a coarser scale may take more across, for letters crowd.
     std::size_t fitting_from(std::size_t figure, std::size_t first, double wide, Order order) const;
     void begin(Way& way, double wide, Order order) const;
+    /// Until a share is no longer than `whole`, or there is none.
+    void go_until(Way& way, double whole, double wide, Order order) const;
     void go_on(Way& way, double wide, Order order) const;
     void note(Way& way, Order order) const;
 
